@@ -15,6 +15,7 @@ from typing import Any
 
 from javascript.translate import Module, translated
 from wraparc.arc import answer, capacity, profile
+from wraparc.arc.kernel import effort
 from wraparc.checks import numbers
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression
@@ -122,7 +123,7 @@ def train_module() -> str:
     kernel = _kernel()
     kernel.text()
     instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
-    instead[member.shoot] = member.shoot_plainly
+    instead[member.shoot] = effort.shoot_from
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'

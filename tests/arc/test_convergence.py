@@ -121,7 +121,7 @@ def test_above_the_tested_pressures_the_slopes_are_those_of_the_law(residual: fl
 def exit_slip(arc: WrapArc, g: float, steps: int) -> float:
     """Slip at the exit of a march in position at an entry creep ratio."""
     par = parameters_at(arc.entry_tension, arc.geometry())
-    return sweep(arc.law.compact(), par, g, steps, 0, [])[0].slip
+    return sweep(arc.law.compact(), par, g, steps).slip
 
 
 def orders(arc: WrapArc, g: float, steps: tuple[int, ...]) -> list[float]:

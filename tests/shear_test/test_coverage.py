@@ -4,27 +4,19 @@ Bounds are binomial: 95 % of the counted intervals, less four standard deviation
 count of independent curves (those of one law are not independent, and count as one).
 """
 
-import importlib.util
-import sys
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+
+from shear_test.virtual import benchmark_module
 
 REPETITIONS = 2
 
 
 @pytest.fixture(scope="module")
 def benchmark() -> ModuleType:
-    path = Path(__file__).parents[2] / "benchmarks" / "shear_test_coverage.py"
-    spec = importlib.util.spec_from_file_location("shear_test_coverage", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return benchmark_module("shear_test_coverage")
 
 
 @pytest.mark.parametrize("name", ["noise", "scatter", "peak"])

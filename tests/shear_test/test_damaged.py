@@ -4,18 +4,16 @@ There is no expected number: that no other exception and no warning comes out is
 and that of a test that is left out the reason is told while the others go on.
 """
 
-import importlib.util
 import sys
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 import pytest
 
-from shear_test.virtual import as_record, fitted
+from shear_test.virtual import as_record, benchmark_module, fitted
 from wraparc.errors import InputError
 from wraparc.shear_test import PlannedTest, PlanResult, Rig, TestPlan, VirtualTest
 
@@ -25,14 +23,7 @@ ROOM = sys.modules["wraparc.shear_test.fit_plan"]
 
 @pytest.fixture(scope="module")
 def benchmark() -> ModuleType:
-    path = Path(__file__).parents[2] / "benchmarks" / "damaged_files.py"
-    spec = importlib.util.spec_from_file_location("damaged_files", path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module
-    spec.loader.exec_module(module)
-    return module
+    return benchmark_module("damaged_files")
 
 
 @pytest.mark.parametrize(("what", "seeds"), [("use_file", 60), ("use_folder", 3)])

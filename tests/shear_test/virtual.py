@@ -95,16 +95,21 @@ def laboratory(
 
 
 @cache
-def verdicts() -> ModuleType:
-    """benchmarks/shear_test_verdicts.py, whose laboratories are fitted here in small numbers."""
-    path = Path(__file__).parents[2] / "benchmarks" / "shear_test_verdicts.py"
-    spec = importlib.util.spec_from_file_location("shear_test_verdicts", path)
+def benchmark_module(name: str) -> ModuleType:
+    """A file of benchmarks, of which the tests make a short run."""
+    path = Path(__file__).parents[2] / "benchmarks" / f"{name}.py"
+    spec = importlib.util.spec_from_file_location(name, path)
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
     spec.loader.exec_module(module)
     return module
+
+
+def verdicts() -> ModuleType:
+    """benchmarks/shear_test_verdicts.py, whose laboratories are fitted here in small numbers."""
+    return benchmark_module("shear_test_verdicts")
 
 
 def fitted(plan: TestPlan, records: dict[str, MachineRecord]) -> PlanResult:

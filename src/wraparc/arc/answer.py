@@ -5,13 +5,12 @@ from __future__ import annotations
 from math import inf, log, sqrt
 from typing import NamedTuple
 
-from wraparc.arc.capacity import growth, largest_ratio
+from wraparc.arc.capacity import Limit, ends_at, growth, largest_ratio
 from wraparc.arc.collocation import (
     CREEP,
     MESH,
     NO_SLOPES,
     ROUGH,
-    Ends,
     Interface,
     between_tensions,
     first_course,
@@ -93,14 +92,12 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     What is carried grows with it until friction is exhausted: where creep grows a lot for little
     more friction, tensions alone say little of it.
     """
-    drives = arc.side > 0.0
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
-    at_entry = 1.0 if drives else 0.0
     asked, low, high, step = log(tight / slack), 0.0, inf, 3.0
     creep, near = max(abs(goal.creep), LEAST_GUESS), None
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
     for _ in range(STEPS):
-        ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep)
+        ends = ends_at(arc, 1.0, 0.0, tight, Limit(CREEP, creep))
         guess = goal._replace(creep=arc.side * creep)
         met = meet(law, arc, ends, guess, near, ROUGH)
         if met.done:

@@ -49,6 +49,19 @@ class Limit(NamedTuple):
     most: float
 
 
+def ends_at(arc: Geometry, at_tight: float, at_slack: float, tension: float, limit: Limit) -> Ends:
+    """A limit at the exit, and at_tight T_tight + at_slack T_slack = tension [-, -, N]."""
+    goal = arc.side * limit.most
+    if arc.side > 0.0:
+        return Ends(at_tight, at_slack, tension, limit.kind, goal)
+    return Ends(at_slack, at_tight, tension, limit.kind, goal)
+
+
+def _guess(arc: Geometry, tight: float, slack: float, creep: float) -> Guess:
+    """A first guess by the tensions of the tight and the slack side [N], and creep [m]."""
+    return Guess(tight, slack, creep) if arc.side > 0.0 else Guess(slack, tight, creep)
+
+
 def _guess_at(law: CompactLaw, arc: Geometry, tight: float, limit: Limit) -> Guess:
     """Where an arc meets a limit of creep or slip, about."""
     face, area = interface(law, arc), arc.width * arc.radius
@@ -57,7 +70,7 @@ def _guess_at(law: CompactLaw, arc: Geometry, tight: float, limit: Limit) -> Gue
     fall = min(used / p * arc.wrap_angle, LARGEST_FALL)
     slack = tight * exp(-0.9 * fall)
     end = arc.side * (limit.most + (arc.shear * used if limit.kind == SLIP else 0.0))
-    return Guess(tight, slack, end) if arc.side > 0.0 else Guess(slack, tight, end)
+    return _guess(arc, tight, slack, end)
 
 
 def _stress_about(face: Interface, pressure: float, creep: float) -> float:
@@ -71,8 +84,7 @@ def carry(
     law: CompactLaw, arc: Geometry, tight: float, limit: Limit, near: Course | None = None
 ) -> Met:
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
-    at_entry = 1.0 if arc.side > 0.0 else 0.0
-    ends = Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most)
+    ends = ends_at(arc, 1.0, 0.0, tight, limit)
     guess = _guess_at(law, arc, tight, limit)
     met = meet(law, arc, ends, guess, near, MISFIT)
     return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
@@ -105,13 +117,8 @@ def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit) -> Alo
     size = max(abs(tight_rise), abs(slack_rise))
     at_tight, at_slack = slack_rise / size, -tight_rise / size
     goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise)
-    end = arc.side * limit.most
-    if arc.side > 0.0:
-        ends = Ends(at_tight, at_slack, goal, limit.kind, end)
-        guess = Guess(top, low, first.course.creep[-1])
-    else:
-        ends = Ends(at_slack, at_tight, goal, limit.kind, end)
-        guess = Guess(low, top, first.course.creep[-1])
+    ends = ends_at(arc, at_tight, at_slack, goal, limit)
+    guess = _guess(arc, top, low, first.course.creep[-1])
     met = meet(law, arc, ends, guess, _near(first), MISFIT)
     if not met.done:
         return Along(nan, met)
@@ -160,21 +167,14 @@ def least_slack(
     if at_tight.done:
         carried = -expm1(-log_ratio(at_tight))
         first = max(min(pull / carried, top), 1.02 * pull)
-        slack, end = first - pull, at_tight.course.creep[-1]
-        guess = Guess(first, slack, end) if arc.side > 0.0 else Guess(slack, first, end)
-        goal = arc.side * limit.most
-        ends = Ends(arc.side, -arc.side, pull, limit.kind, goal)
-        near = _near(at_tight)
-        met = meet(law, arc, ends, guess, near, MISFIT)
-        if met.done and _pull_rises(arc, met):
+        guess = _guess(arc, first, first - pull, at_tight.course.creep[-1])
+        ends = ends_at(arc, 1.0, -1.0, pull, limit)
+        met = meet(law, arc, ends, guess, _near(at_tight), MISFIT)
+        if met.done and _pull_slope(arc, met.slopes) > 0.0:
             found = max(met.entry, met.course.tension[-1])
             if found <= top:
                 return Least(found - pull, nan)
     return _least_sought(law, arc, pull, limit, top)
-
-
-def _pull_rises(arc: Geometry, met: Met) -> bool:
-    return _pull_slope(arc, met.slopes) > 0.0
 
 
 def _pull_slope(arc: Geometry, slopes: Slopes) -> float:

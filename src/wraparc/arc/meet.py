@@ -28,10 +28,7 @@ from wraparc.arc.collocation import (
     solved,
     solved_or_eased,
 )
-from wraparc.arc.quantities import (
-    Geometry,
-    jumps,
-)
+from wraparc.arc.quantities import Geometry, jumps
 from wraparc.arc.traction import held_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -146,7 +143,6 @@ def _at_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met | 
 def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
     """`meet` with a rest arc at the entry; not done where it is not much longer than l."""
     length = arc.radius * arc.wrap_angle
-    first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
     for share in FIRST_SLIDES:
         first = first_course(arc, share * length, guess.entry, guess.leaving, guess.creep)
         first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry)[0])

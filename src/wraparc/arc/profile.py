@@ -6,6 +6,7 @@ arc. Records are five numbers a point: s [m], ln(T/T1), slip [m], creep [m], she
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import exp, log, nan
 from typing import NamedTuple
 
@@ -150,14 +151,22 @@ def stuck_length(arc: Geometry, met: Met, along: list[Point]) -> float:
         i += 1
     if i + 1 == len(along):
         return along[i].place
-    low, high = along[i].place, along[i + 1].place
+
+    def held(s: float) -> bool:
+        return point_at(arc, met, s).slip == 0.0
+
+    return _border(held, along[i].place, along[i + 1].place)[0]
+
+
+def _border(before: Callable[[float], bool], low: float, high: float) -> tuple[float, float]:
+    """Where between two places what holds at the first ends to hold: from below and above [m]."""
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        if point_at(arc, met, middle).slip == 0.0:
+        if before(middle):
             low = middle
         else:
             high = middle
-    return low
+    return low, high
 
 
 def loss_along(arc: Geometry, met: Met, along: list[Point]) -> float:
@@ -233,14 +242,11 @@ def active_length(arc: Geometry, met: Met, along: list[Point]) -> float:
         i -= 1
     if i == len(along) - 1:
         return 0.0
-    low, high = along[i].place, along[i + 1].place
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        if (met.entry - point_at(arc, met, middle).tension) / change > ACTIVE_SHARE:
-            high = middle
-        else:
-            low = middle
-    return end.place - low
+
+    def idle(s: float) -> bool:
+        return (met.entry - point_at(arc, met, s).tension) / change <= ACTIVE_SHARE
+
+    return end.place - _border(idle, along[i].place, along[i + 1].place)[0]
 
 
 class Range(NamedTuple):
@@ -281,13 +287,12 @@ def _beyond(arc: Geometry, at: Point, tested: Range, kind: int) -> float:
 
 def _crossing(arc: Geometry, met: Met, a: Point, b: Point, tested: Range, kind: int) -> float:
     """Where between two points a limit is crossed [m]."""
-    low, high, outside = a.place, b.place, _beyond(arc, a, tested, kind) > 0.0
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        if (_beyond(arc, point_at(arc, met, middle), tested, kind) > 0.0) == outside:
-            low = middle
-        else:
-            high = middle
+    outside = _beyond(arc, a, tested, kind) > 0.0
+
+    def same(s: float) -> bool:
+        return (_beyond(arc, point_at(arc, met, s), tested, kind) > 0.0) == outside
+
+    low, high = _border(same, a.place, b.place)
     return 0.5 * (low + high)
 
 

@@ -28,10 +28,11 @@ CREEP, TESTED, MOST = 0, 1, 2
 #: The most that is told of a pull which no creep carries, over that pull [-].
 NOT_CARRIED = 0.999
 #: Relative difference of two capacities that is rounding.
-_ALIKE = 1e-6
-_FIRST = 0.8  # of `SLIDES`: where the tests end before, they come first
-_ROUNDS, _FARTHEST = 60, 200.0
-_NEAR, _DIFFERENCE = 1e-8, 1e-3  # last step over the place; of a tension, for a slope
+ALIKE = 1e-6
+EARLY = 0.8  # of `SLIDES`: where the tests end before, they come first
+ROUNDS, FARTHEST = 60, 200.0  # of a search, and how far it goes
+DIFFERENCE = 1e-3  # of a tension, for a slope
+_NEAR = 1e-8  # last step over the place
 
 
 class Loaded(NamedTuple):
@@ -64,9 +65,9 @@ def carried_at(of: Loaded, tight: float) -> tuple[float, int]:
         parts = BY_SLIP
     found = find_capacities(of.law, of.geometry, load, parts)
     q, cause = found.creep_limit, CREEP
-    if isnan(q) or found.tested_slip < q * (1.0 - _ALIKE):
+    if isnan(q) or found.tested_slip < q * (1.0 - ALIKE):
         q, cause = found.tested_slip, TESTED
-    if q >= most * (1.0 - _ALIKE) or (of.peaks and q >= found.gross_slip * (1.0 - _ALIKE)):
+    if q >= most * (1.0 - ALIKE) or (of.peaks and q >= found.gross_slip * (1.0 - ALIKE)):
         cause = MOST
     return q, cause
 
@@ -82,7 +83,7 @@ def _tests_end_first(of: Loaded, tight: float) -> bool:
     pressure = tight / (of.geometry.width * of.geometry.radius)
     friction = plateau_at(of.law, segment_of(of.law, pressure), pressure)
     # the creep at the end of the tests is their slip and what the lagging shears
-    return of.load.slip_max + of.geometry.shear * friction * pressure < _FIRST * SLIDES
+    return of.load.slip_max + of.geometry.shear * friction * pressure < EARLY * SLIDES
 
 
 def _limits(of: Loaded, tight: float) -> list[tuple[Limit, int]]:
@@ -101,14 +102,14 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
     The root of ln(T_tight(k)/T_slack(k)) = q(T_tight(k)) from `low` upwards, by secants in a
     bracket, from `start`: in ln k, over which the logarithms of both sides are nearly straight, or
     where the slack side falls or is sought in k, over which T_slack - T_tight exp(-q) is. Inf if
-    there is none up to `_FARTHEST`.
+    there is none up to `FARTHEST`.
     """
     falls = line.slack_rise < 0.0
     even = falls or way < 0.0
     ends = Bracket(low, 1.0 - line.slack / line.slack_rise if falls else inf)  # no slack side there
     k = 0.5 * (ends.low + ends.high) if start >= ends.high else start
     last, spare_last, cause = nan, nan, CREEP
-    for _ in range(_ROUNDS):
+    for _ in range(ROUNDS):
         q, cause = carried_at(of, line.tight + (k - 1.0) * line.tight_rise)
         if isnan(q):
             return Sliding(nan, cause)
@@ -117,7 +118,7 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
             slope = (spare - spare_last) / (at - last)
         if (spare < 0.0) == (way > 0.0):
             ends = Bracket(ends.low, k)
-        elif k >= _FARTHEST:
+        elif k >= FARTHEST:
             return Sliding(inf, cause)
         else:
             ends = Bracket(k, ends.high)
@@ -143,10 +144,10 @@ class Bracket(NamedTuple):
 
 def _within(ends: Bracket, new: float, k: float) -> float:
     """A step to `new`, kept between the ends."""
-    new = min(new, _FARTHEST)
+    new = min(new, FARTHEST)
     if ends.low < new < ends.high:
         return new
-    return 0.5 * (ends.low + ends.high) if ends.high < inf else min(4.0 * k + 1.0, _FARTHEST)
+    return 0.5 * (ends.low + ends.high) if ends.high < inf else min(4.0 * k + 1.0, FARTHEST)
 
 
 def _spare(of: Loaded, line: Line, k: float, q: float, even: bool) -> tuple[float, float, float]:
@@ -160,8 +161,8 @@ def _spare(of: Loaded, line: Line, k: float, q: float, even: bool) -> tuple[floa
     wrap = of.geometry.wrap_angle
     # friction at the creep of sliding falls with pressure about as the largest friction does
     here = plateau_capacity(of.law, tight / area, wrap)
-    there = plateau_capacity(of.law, tight * (1.0 + _DIFFERENCE) / area, wrap)
-    fall = (there - here) / (here * _DIFFERENCE) * k * line.tight_rise / tight
+    there = plateau_capacity(of.law, tight * (1.0 + DIFFERENCE) / area, wrap)
+    fall = (there - here) / (here * DIFFERENCE) * k * line.tight_rise / tight
     grows = k * (line.tight_rise / tight - line.slack_rise / slack) / asked
     return log(k), log(q / asked), fall - grows
 
@@ -176,8 +177,8 @@ def pull_at_sliding(of: Loaded, line: Line) -> Sliding:
         if not place > 0.0:  # not found so
             return slide_place(of, line, 1.0, 0.0, 1.0)
         tight = max(met.entry, met.course.tension[-1])
-        exhausted = log_ratio(met) >= _most_at(of, tight) * (1.0 - _ALIKE)
-        if place < first.place * (1.0 - _ALIKE):
+        exhausted = log_ratio(met) >= _most_at(of, tight) * (1.0 - ALIKE)
+        if place < first.place * (1.0 - ALIKE):
             first = Sliding(place, MOST if exhausted else cause)
     return slide_place(of, line, 1.0, 0.0, 1.0) if first.place == inf else first
 
@@ -192,7 +193,7 @@ def tight_at_sliding(of: Loaded, pull: float) -> float:
     tight, needed = max(of.load.entry_tension, of.load.exit_tension), 0.0
     for limit, _ in [] if of.peaks else _limits(of, tight):
         met = carry(of.law, of.geometry, tight, limit)
-        slack = least_slack(of.law, of.geometry, pull, limit, met, _FARTHEST * pull).slack
+        slack = least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack
         needed = max(needed, slack + pull) if slack == slack and needed == needed else nan
     if needed > 0.0:
         return needed

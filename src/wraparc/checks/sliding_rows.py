@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,14 +18,23 @@ from wraparc.batch.gross_slip import ratio_at_gross_slip
 from wraparc.batch.rows import solve_rows
 from wraparc.batch.scaled import Unscaled
 from wraparc.batch.solve import CHUNK
-from wraparc.checks.sliding import CREEP, MOST, SLIDES, TESTED
+from wraparc.batch.traction import Laws
+from wraparc.checks.sliding import (
+    ALIKE,
+    CREEP,
+    DIFFERENCE,
+    EARLY,
+    FARTHEST,
+    MOST,
+    ROUNDS,
+    SLIDES,
+    TESTED,
+)
 
 Array = NDArray[np.float64]
 Codes = NDArray[np.int8]
 Integers = NDArray[np.int64]
 
-_ALIKE, _DIFFERENCE, _FARTHEST = 1e-6, 1e-3, 200.0
-_ROUNDS, _FIRST = 60, 0.8
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 10.0  # the last step of a secant leaves its square
 
@@ -70,19 +80,22 @@ class LoadedRows:
             peaks=self.peaks[which],
         )
 
-    def plateau(self, tight: Array) -> Array:
-        """ln(tight/slack) with the largest friction everywhere, shape (n,) [-]."""
+    def _of_laws(self, tight: Array, of: Callable[[Laws, Array, Integers], Array]) -> Array:
+        """Something of the laws at the wrap pressures of tight sides, kind by kind, (n,)."""
         arcs, found = self.arcs, np.empty(len(tight))
         pressure = 2.0 * tight / (arcs.belt_width * arcs.diameter)
-        # the plateau of f mu over an angle is that of mu over f times the angle
-        wrap = arcs.wrap_angle * self.friction_factor
         kinds = arcs.laws.kind[arcs.law]
         for kind in np.unique(kinds).tolist():
             at = np.flatnonzero(kinds == kind)
-            laws = arcs.laws.traction(arcs.law[at])
-            with np.errstate(all="ignore"):  # rows without a tension become nan
-                found[at] = ratio_at_gross_slip(laws, pressure[at], wrap[at])
+            found[at] = of(arcs.laws.traction(arcs.law[at]), pressure[at], at)
         return found
+
+    def plateau(self, tight: Array) -> Array:
+        """ln(tight/slack) with the largest friction everywhere, shape (n,) [-]."""
+        # the plateau of f mu over an angle is that of mu over f times the angle
+        wrap = self.arcs.wrap_angle * self.friction_factor
+        with np.errstate(all="ignore"):  # rows without a tension become nan
+            return self._of_laws(tight, lambda laws, p, at: ratio_at_gross_slip(laws, p, wrap[at]))
 
     def carried(self, tight: Array) -> tuple[Array, Codes]:
         """Largest ln(tight/slack) with tight sides held [N], and what comes first, (n,) each."""
@@ -97,7 +110,7 @@ class LoadedRows:
         given = Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
         found = np.full((n, row.FOUND_NUMBERS), np.nan)
         parts = np.where(self.peaks, BY_CREEP + BY_SLIP + BY_LAW, BY_CREEP + BY_SLIP)
-        parts[~self.peaks & (self._creep_at_end(tight) < _FIRST * SLIDES)] = BY_SLIP
+        parts[~self.peaks & (self._creep_at_end(tight) < EARLY * SLIDES)] = BY_SLIP
         for part in np.unique(parts).tolist():
             which = np.flatnonzero(parts == part)
             for begin in range(0, n, CHUNK):
@@ -105,7 +118,7 @@ class LoadedRows:
                 if len(some):
                     found[some] = solve_rows(given.rows(some), part, self.setting.accuracy)[0]
         q, slip = found[:, row.CREEP_CAPACITY], found[:, row.SLIP_CAPACITY]
-        near = 1.0 - max(_ALIKE, self.setting.accuracy)
+        near = 1.0 - max(ALIKE, self.setting.accuracy)
         first = np.isnan(q) | (slip < q * near)
         q = np.where(first, slip, q)
         most = (q >= self.plateau(tight) * near) | (
@@ -115,20 +128,14 @@ class LoadedRows:
 
     def _creep_at_end(self, tight: Array) -> Array:
         """Creep where the tests end: their slip and what the lagging shears, shape (n,) [m]."""
-        arcs, friction = self.arcs, np.empty(len(tight))
-        pressure = 2.0 * tight / (arcs.belt_width * arcs.diameter)
-        kinds = arcs.laws.kind[arcs.law]
-        for kind in np.unique(kinds).tolist():
-            at = np.flatnonzero(kinds == kind)
-            friction[at] = arcs.laws.traction(arcs.law[at]).plateau(pressure[at])
-        stress = self.friction_factor * friction * pressure
-        slip = arcs.laws.tested[arcs.law].T[2]
-        return np.asarray(slip + arcs.shear_compliance * stress)
+        stress = self._of_laws(tight, lambda laws, p, at: laws.plateau(p) * p)
+        slip = self.arcs.laws.tested[self.arcs.law].T[2]
+        return np.asarray(slip + self.arcs.shear_compliance * self.friction_factor * stress)
 
 
 @dataclass(eq=False)
 class _Lines:
-    """Lines of tensions, columns of shape (n,), see `checks.sliding.Line`."""
+    """Lines of tensions, columns of shape (n,), see `wraparc.arc.gross_slip.Line`."""
 
     tight: Array
     slack: Array
@@ -189,7 +196,7 @@ def _places(
     last, spare_last = np.full(n, np.nan), np.full(n, np.nan)
     place, cause = np.full(n, np.nan), np.full(n, CREEP, dtype=np.int8)
     live = np.arange(n)
-    for _ in range(_ROUNDS):
+    for _ in range(ROUNDS):
         if not len(live):
             break
         at = lines.rows(live)
@@ -208,14 +215,14 @@ def _places(
             new = np.where(even[live], new, np.exp(np.minimum(new, 30.0)))
             met = np.abs(new - x) <= near * x
             low_end, high_end = a[live], b[live]
-            held = np.minimum(new, _FARTHEST)
+            held = np.minimum(new, FARTHEST)
             middle = np.where(
                 high_end < np.inf,
                 0.5 * (low_end + high_end),
-                np.minimum(4.0 * x + 1.0, _FARTHEST),
+                np.minimum(4.0 * x + 1.0, FARTHEST),
             )
             held = np.where((low_end < held) & (held < high_end), held, middle)
-        never = ~slides & (x >= _FARTHEST)
+        never = ~slides & (x >= FARTHEST)
         stuck = np.abs(held - x) <= 1e-14 * x
         done = met | never | stuck | np.isnan(q)
         ends = np.where(never, np.inf, np.where(met, new, held))
@@ -234,8 +241,8 @@ def _spare(
     kept = np.exp(-q)
     asked = np.log(tight / slack)
     here = of.plateau(tight)
-    there = of.plateau(tight * (1.0 + _DIFFERENCE))
-    fall = (there - here) / (here * _DIFFERENCE) * k * at.tight_rise / tight
+    there = of.plateau(tight * (1.0 + DIFFERENCE))
+    fall = (there - here) / (here * DIFFERENCE) * k * at.tight_rise / tight
     grows = k * (at.tight_rise / tight - at.slack_rise / slack) / asked
     return (
         np.where(even, k, np.log(k)),

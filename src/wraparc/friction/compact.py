@@ -274,13 +274,6 @@ def limit_at(law: CompactLaw, segment: int, pressure: float) -> tuple[float, flo
     return mu, mu_p
 
 
-def table_at(
-    law: CompactLaw, segment: int, slip: float, pressure: float
-) -> tuple[float, float, float]:
-    """Friction of a measured table at any slip [m], with its derivatives as of `friction_at`."""
-    return _table(law, segment, cell_of(law.slips, slip), slip, pressure)
-
-
 def cell_of(slips: Floats, slip: float) -> int:
     """Cell of a table that a slip [m] lies in; the last one has no end."""
     cell = 0

@@ -18,7 +18,7 @@ from wraparc.arc.kernel.effort import CREEP_SCALE, effort_of, largest_effort, sh
 from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, parameters_at
 from wraparc.arc.kernel.stick import zone_end
 from wraparc.arc.profile import Range, Read, read
-from wraparc.arc.quantities import SOLVED, Geometry, jumps, zeros
+from wraparc.arc.quantities import SOLVED, Geometry, jumps
 from wraparc.friction import CompactLaw
 
 # mesh steps: to search, to search among pieces of a law, and those of `Distributed`
@@ -211,11 +211,6 @@ def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
     Where tension grows beyond all numbers, that of the shot is not finite.
     """
     try:
-        return shoot_plainly(law, par, z, steps)
+        return shoot_from(law, par, z, steps)
     except OverflowError:
         return NO_SHOT
-
-
-def shoot_plainly(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
-    """March one arc to its exit at an effort, numbers too large or not."""
-    return shoot_from(law, par, z, steps, 0, zeros(0))[0]

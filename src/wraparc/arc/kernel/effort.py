@@ -20,7 +20,7 @@ from wraparc.arc.kernel.stick import (
     zone_end,
     zone_point,
 )
-from wraparc.arc.quantities import Buffer, jumps
+from wraparc.arc.quantities import jumps
 from wraparc.friction.compact import (
     LIMIT,
     TABLE,
@@ -101,10 +101,8 @@ def lags(law: CompactLaw, par: Parameters) -> float:
     return par.length / lag
 
 
-def shoot_from(
-    law: CompactLaw, par: Parameters, z: float, steps: int, points: int, out: Buffer
-) -> tuple[Shot, int]:
-    """March one arc at effort z; `points` and `out` as :func:`wraparc.arc.kernel.march.sweep`."""
+def shoot_from(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
+    """March one arc to its exit at effort z."""
     zone = 0.0
     steps = mesh_steps(law, par, steps)
     if jumps(law):
@@ -121,15 +119,15 @@ def shoot_from(
             if z < 0.0:
                 end *= 1.0 + z
             g = zone_creep_ratio(par, zone, end)
-        state, count = stick_slip(law, par, zone, end, g, steps, points, out)
+        state = stick_slip(law, par, zone, end, g, steps)
         if zone >= length:
             creep = zone_point(par, length, length, end)[1]
             tau = creep / compliance if compliance > 0.0 else 0.0
-            return Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone), count
+            return Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone)
     else:
         g = ratio_of(par, z)
-        state, count = sweep(law, par, g, steps, points, out)
-    return shot_of(law, par, state, g, zone), count
+        state = sweep(law, par, g, steps)
+    return shot_of(law, par, state, g, zone)
 
 
 def shot_of(law: CompactLaw, par: Parameters, state: Sliding, g: float, zone: float) -> Shot:

@@ -1,7 +1,7 @@
 """March around one wrap arc from the entry nip to the exit nip, for a given entry creep ratio.
 
-Every function of the kernel takes and returns plain numbers, so that one source runs in the
-interpreter and compiled. A law arrives as (kind, edges, coefficients, law.slips), see
+Every function takes and returns plain numbers, so that one source runs in the interpreter and
+translated for the page. A law arrives as (kind, edges, coefficients, slips), see
 :mod:`wraparc.friction.compact`; the drive as the tuple `par` made by
 :func:`wraparc.arc.kernel.quantities.parameters_at`.
 
@@ -25,9 +25,8 @@ from wraparc.arc.kernel.cut import (
     first_crossing,
     within,
 )
-from wraparc.arc.kernel.quantities import RECORD, Parameters, Sliding
+from wraparc.arc.kernel.quantities import Parameters, Sliding
 from wraparc.arc.kernel.step import LARGEST_LOG, MESH_POWER, pressure_at, rates, step
-from wraparc.arc.quantities import Buffer, zeros
 from wraparc.friction.compact import (
     KNOTS,
     LIMIT,
@@ -86,18 +85,14 @@ def advance(  # noqa: C901 - one loop over steps and cuts
     par: Parameters,
     g: float,
     state: Sliding,
-    origin: float,
     span: float,
     xi: float,
     xi_end: float,
     cut: bool,
-    out: Buffer,
-    count: int,
-) -> tuple[Sliding, int]:
-    """Carry a sliding state from xi to xi_end on the mesh s = origin + span xi^4.
+) -> Sliding:
+    """Carry a sliding state from xi to xi_end on a mesh of span xi^4.
 
-    Steps are cut where the law changes its piece (if `cut`); such points are recorded in `out` (if
-    it has room) behind the `count` points already there. Returns the new state and count.
+    Steps are cut where the law changes its piece (if `cut`).
     """
     q, x, work, segment, branch, sign = state
     switches = 0
@@ -196,24 +191,10 @@ def advance(  # noqa: C901 - one loop over steps and cuts
                 branch -= 1
             elif side == NEXT_BRANCH:
                 branch += 1
-            if len(out) > 0 and xi < xi_end and f > 0.0:
-                there = Sliding(q, x, work, segment, branch, sign)
-                record(law, par, out, count, origin + span * xi**MESH_POWER, there)
-                count += 1
             continue
         q, x, work = q1, x1, work + w1
         xi = xi_end if h == xi_end - xi else xi + h
-    return Sliding(q, x, work, segment, branch, sign), count
-
-
-def record(
-    law: CompactLaw, par: Parameters, out: Buffer, count: int, s: float, state: Sliding
-) -> None:
-    """Write one point of a profile: s, q, slip, creep, shear stress, friction work."""
-    tau, creep = stress_and_creep(law, par, state)
-    i = RECORD * count
-    out[i], out[i + 1], out[i + 2] = s, state.log_tension, state.slip
-    out[i + 3], out[i + 4], out[i + 5] = creep, tau, state.work
+    return Sliding(q, x, work, segment, branch, sign)
 
 
 def stress_and_creep(law: CompactLaw, par: Parameters, state: Sliding) -> tuple[float, float]:
@@ -241,13 +222,13 @@ def _leave(law: CompactLaw, par: Parameters, rate: float, q: float, s: float) ->
 
 
 def to_zero_slip(
-    law: CompactLaw, par: Parameters, g: float, steps: int, out: Buffer, count: int
-) -> tuple[int, float, float, float, int]:
+    law: CompactLaw, par: Parameters, g: float, steps: int
+) -> tuple[int, float, float, float]:
     """March while the creep of the kick is used up, with creep as the independent variable.
 
     u = x_c (1 - zeta)^4, x_c of either sign: the mesh is graded towards the point of no slip, which
-    it reaches by construction. Returns a status and s, q, work there and the count of records;
-    status 1 arrived, 0 the creep rate changes sign before, 2 the end of the arc comes before.
+    it reaches by construction. Returns a status and s, q, work there; status 1 arrived, 0 the creep
+    rate changes sign before, 2 the end of the arc comes before.
     """
     kick, length = abs(par.kick), par.length
     sign = 1.0 if par.kick > 0.0 else -1.0
@@ -268,7 +249,7 @@ def to_zero_slip(
             qs, xs = q + a * dq1, max(x + a * dx1, 0.0)
             rate = sign * (g + par.entry_tension * -expm1(qs) * par.compliance)
             if rate >= 0.0:
-                return 0, 0.0, 0.0, 0.0, count
+                return 0, 0.0, 0.0, 0.0
             r = rates(law, par, g, segment, branch, sign, qs, sign * xs)
             e = 1.0 - zeta - a
             ds1 = -4.0 * kick * e * e * e / rate
@@ -278,21 +259,18 @@ def to_zero_slip(
             sum_s += weight * ds1
             sum_w += weight * dw1
         if s + sum_s >= length:
-            return 2, 0.0, 0.0, 0.0, count
+            return 2, 0.0, 0.0, 0.0
         q, x, s, work = q + sum_q, x + sum_x, s + sum_s, work + sum_w
         if x <= 0.0:
-            return 0, 0.0, 0.0, 0.0, count
-        if len(out) > 0:
-            record(law, par, out, count, s, Sliding(q, sign * x, work, segment, branch, sign))
-            count += 1
+            return 0, 0.0, 0.0, 0.0
     rate = sign * (g + par.entry_tension * -expm1(q) * par.compliance)
     if rate >= 0.0:
-        return 0, 0.0, 0.0, 0.0, count
+        return 0, 0.0, 0.0, 0.0
     ds = kick * h**4 / -rate
     if s + ds >= length:
-        return 2, 0.0, 0.0, 0.0, count
+        return 2, 0.0, 0.0, 0.0
     dq = rates(law, par, g, segment, branch, sign, q, sign * x)[0]
-    return 1, s + ds, q + 0.5 * ds * dq, work, count
+    return 1, s + ds, q + 0.5 * ds * dq, work
 
 
 def carry_to_exit(
@@ -300,45 +278,19 @@ def carry_to_exit(
     par: Parameters,
     g: float,
     state: Sliding,
-    origin: float,
+    span: float,
     first: int,
     steps: int,
-    points: int,
-    out: Buffer,
-    count: int,
-) -> tuple[Sliding, int]:
-    """Carry a state from mesh node `first` to the exit, recording `points` parts of the arc."""
-    length = par.length
-    span = length - origin
+) -> Sliding:
+    """Carry a state from mesh node `first` over the `span` [m] that is left to the exit."""
     h = 1.0 / steps
     cut = steps >= FEWEST_CUT_STEPS or law.kind in (LIMIT, TABLE)
-    if len(out) > 0 and first > 0:
-        record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state)
-        count += 1
     for i in range(first, steps):
-        xi, xi_end = i * h, (i + 1) * h
-        if points > 0:
-            # the first point of the equal division that lies past this node
-            j = int((origin + span * xi**MESH_POWER) / length * points * (1.0 + 1e-12)) + 1
-            while j < points:
-                t = (max(j * length / points - origin, 0.0) / span) ** (1.0 / MESH_POWER)
-                if t >= xi_end * (1.0 - 1e-12):
-                    break
-                if t > xi:
-                    between, _ = advance(law, par, g, state, origin, span, xi, t, cut, zeros(0), 0)
-                    record(law, par, out, count, j * length / points, between)
-                    count += 1
-                j += 1
-        state, count = advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count)
-    if len(out) > 0:
-        record(law, par, out, count, length, state)
-        count += 1
-    return state, count
+        state = advance(law, par, g, state, span, i * h, (i + 1) * h, cut)
+    return state
 
 
-def sweep(  # noqa: C901 - the ways an arc begins
-    law: CompactLaw, par: Parameters, g: float, steps: int, points: int, out: Buffer
-) -> tuple[Sliding, int]:
+def sweep(law: CompactLaw, par: Parameters, g: float, steps: int) -> Sliding:
     """March the whole arc with a law that starts without a jump.
 
     Parameters
@@ -349,59 +301,33 @@ def sweep(  # noqa: C901 - the ways an arc begins
         Entry creep ratio [-].
     steps
         Mesh steps over the arc.
-    points, out
-        Equal parts of the arc to record, and the buffer for them (RECORD numbers a point, in order
-        of s once sorted); 0 and an empty buffer for none.
 
     Returns
     -------
-    state, count
-        Sliding at the exit nip and the number of points recorded.
+    Sliding
+        At the exit nip.
     """
     kick, length = par.kick, par.length
-    count = 0
     if kick != 0.0:
         sign = 1.0 if kick > 0.0 else -1.0
         x = slip_at_entry(law, par, abs(kick), 0.0)
         p = par.entry_pressure
         segment = segment_of(law, p)
         state = Sliding(0.0, sign * x, 0.0, segment, branch_of(law, segment, x, p), sign)
-        if len(out) > 0:
-            record(law, par, out, 0, 0.0, state)
-            count = 1
         if sign * g < 0.0 and law.kind in (KNOTS, PIECES):
-            status, s, q, work, n = to_zero_slip(law, par, g, steps, out, count)
+            status, s, q, work = to_zero_slip(law, par, g, steps)
             if status == 1:
                 rate = g + par.entry_tension * -expm1(q) * par.compliance
                 cell = (length - s) / steps**MESH_POWER
                 gone = _leave(law, par, rate, q, cell)
-                state = Sliding(
-                    gone.log_tension,
-                    gone.slip,
-                    gone.work + work,
-                    gone.segment,
-                    gone.branch,
-                    gone.sign,
-                )
-                return carry_to_exit(law, par, g, state, s, 1, steps, points, out, n)
-        return carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count)
-    if len(out) > 0:
-        for i in range(RECORD):
-            out[i] = 0.0
-        count = 1
+                state = gone._replace(work=gone.work + work)
+                return carry_to_exit(law, par, g, state, length - s, 1, steps)
+        return carry_to_exit(law, par, g, state, length, 0, steps)
     if g == 0.0:
-        p = par.entry_pressure
-        state = Sliding(0.0, 0.0, 0.0, segment_of(law, p), 0, 1.0)
-        if len(out) > 0:
-            for j in range(1, points + 1):
-                out[RECORD * count] = j * length / points
-                for i in range(1, RECORD):
-                    out[RECORD * count + i] = 0.0
-                count += 1
-        return state, count
+        return Sliding(0.0, 0.0, 0.0, segment_of(law, par.entry_pressure), 0, 1.0)
     if law.kind in (LIMIT, TABLE):
         sign = 1.0 if g > 0.0 else -1.0
         state = Sliding(0.0, 0.0, 0.0, segment_of(law, par.entry_pressure), 0, sign)
-        return carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count)
+        return carry_to_exit(law, par, g, state, length, 0, steps)
     state = _leave(law, par, g, 0.0, length / steps**MESH_POWER)
-    return carry_to_exit(law, par, g, state, 0.0, 1, steps, points, out, count)
+    return carry_to_exit(law, par, g, state, length, 1, steps)

@@ -1,7 +1,4 @@
-"""What the kernel passes around: named tuples of plain numbers, flat buffers, outcomes.
-
-One source runs in the interpreter and compiled: nothing here is more than a tuple or a list.
-"""
+"""What the march of trains passes around: named tuples of plain numbers."""
 
 from __future__ import annotations
 
@@ -12,9 +9,6 @@ from wraparc.arc.quantities import (
     LEAST_COMPLIANCE,
     Geometry,
 )
-
-#: numbers recorded for each point of a profile: s, q, slip, creep, shear stress, friction work
-RECORD = 6
 
 
 class Parameters(NamedTuple):

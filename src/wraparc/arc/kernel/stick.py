@@ -17,9 +17,8 @@ from __future__ import annotations
 
 from math import exp, expm1, log, sqrt, tanh
 
-from wraparc.arc.kernel.march import carry_to_exit, record
-from wraparc.arc.kernel.quantities import RECORD, Parameters, Sliding
-from wraparc.arc.quantities import Buffer
+from wraparc.arc.kernel.march import carry_to_exit
+from wraparc.arc.kernel.quantities import Parameters, Sliding
 from wraparc.friction.compact import (
     LIMIT,
     PLASTIC,
@@ -89,21 +88,6 @@ def zone_point(par: Parameters, s: float, length: float, end_creep: float) -> tu
     return max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep
 
 
-def holds(law: CompactLaw, par: Parameters, length: float, end_creep: float) -> bool:
-    """Whether friction holds the belt all along a stuck zone, and not at its end alone.
-
-    An overrun may take tension, and friction with it, down amid the zone; on a braking pulley the
-    limit may grow faster towards the exit than the stress does.
-    """
-    compliance, parts = par.shear + par.onset, 64
-    for i in range(1, parts):
-        tension, creep = zone_point(par, length * i / parts, length, end_creep)
-        held, _ = onset_stress(law, tension / (par.width * par.radius))
-        if abs(creep) > compliance * held * (1.0 + 1e-9):
-            return False
-    return True
-
-
 def zone_creep_ratio(par: Parameters, length: float, end_creep: float) -> float:
     """Entry creep ratio g = (a - x_c) / l of a stuck zone [-]; may underflow to 0."""
     if par.shear + par.onset == 0.0:
@@ -121,27 +105,13 @@ def stick_slip(
     end_creep: float,
     g: float,
     steps: int,
-    points: int,
-    out: Buffer,
-) -> tuple[Sliding, int]:
+) -> Sliding:
     """A stuck zone of length `zone`, then sliding to the exit with entry creep ratio g.
 
-    Arguments and results as :func:`wraparc.arc.kernel.march.sweep`. A zone as long as the wrap is
-    stuck throughout.
+    A zone as long as the wrap is stuck throughout.
     """
     length = par.length
     compliance = par.shear + par.onset
-    count = 0
-    if len(out) > 0:
-        for j in range(points + 1):
-            s = j * length / points
-            if s > zone * (1.0 - 1e-12) and s > 0.0:
-                break
-            _record_stuck(par, out, count, s, zone, end_creep)
-            count += 1
-        if zone > 0.0:
-            _record_stuck(par, out, count, zone, zone, end_creep)
-            count += 1
     tension, creep = (
         zone_point(par, zone, zone, end_creep) if zone > 0.0 else (par.entry_tension, 0.0)
     )
@@ -155,21 +125,5 @@ def stick_slip(
     branch = branch_of(law, segment, abs(x), p)
     state = Sliding(q, x, work, segment, branch, par.side)
     if zone >= length:
-        return state, count
-    if len(out) > 0 and compliance == 0.0:
-        record(law, par, out, count, zone, state)  # nothing gives way: stress sets in at once
-        count += 1
-    return carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count)
-
-
-def _record_stuck(
-    par: Parameters, out: Buffer, count: int, s: float, zone: float, end_creep: float
-) -> None:
-    tension, creep = zone_point(par, s, zone, end_creep)
-    compliance = par.shear + par.onset
-    tau = creep / compliance if compliance > 0.0 else 0.0
-    entry_tau = par.kick / compliance if compliance > 0.0 else 0.0
-    i = RECORD * count
-    out[i], out[i + 1], out[i + 2] = s, log(tension / par.entry_tension), par.onset * tau
-    out[i + 3], out[i + 4] = creep, tau
-    out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau)
+        return state
+    return carry_to_exit(law, par, g, state, length - zone, 0, steps)

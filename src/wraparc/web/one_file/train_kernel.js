@@ -104,7 +104,7 @@ export class Member {
       par = this.parameters(entry, side);
       z = effort__effort_of(par, RATIO_SCALE * Math.sinh(effort));
     }
-    let shot = member__shoot_plainly(this.law, par, z, steps);
+    let shot = effort__shoot_from(this.law, par, z, steps);
     if (!Number.isFinite(shot.log_tension)) {
       gone = copysign(_BEYOND, effort);
       return new Passage(entry, entry * Math.exp(-gone), effort, 0.01 * gone, gone, gone, false);
@@ -1390,14 +1390,13 @@ const _LARGEST_EFFORT = 12.100712129903211;
 const TABLE = 3;
 const MOST_LAGS = 100.0;
 const LAGS_PER_MESH = 2.0;
-const RECORD = 6;
+const FEWEST_CUT_STEPS = 16;
+const LARGEST_LOG = 50.0;
+const FARTHEST_SLIP = 1000.0;
+const MESH_POWER = 4;
+const LARGEST_LOG_STEP = 0.12;
 const KNOTS = 1;
 const PIECES = 2;
-const LARGEST_LOG = 50.0;
-const FEWEST_CUT_STEPS = 16;
-const MESH_POWER = 4;
-const FARTHEST_SLIP = 1000.0;
-const LARGEST_LOG_STEP = 0.12;
 const NEAREST = 1e-7;
 const STEEP = 0.5;
 const CELL_PARTS = 3.0;
@@ -3239,48 +3238,6 @@ export function stick__zone_point(par, s, length, end_creep) {
   return [max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep];
 }
 
-export function stick___record_stuck(par, out, count, s, zone, end_creep) {
-  const found1 = stick__zone_point(par, s, zone, end_creep);
-  let tension = found1[0];
-  let creep = found1[1];
-  let compliance = par.shear + par.onset;
-  let tau = compliance > 0.0 ? creep / compliance : 0.0;
-  let entry_tau = compliance > 0.0 ? par.kick / compliance : 0.0;
-  let i = RECORD * count;
-  [out[i], out[i + 1], out[i + 2]] = [s, Math.log(tension / par.entry_tension), par.onset * tau];
-  [out[i + 3], out[i + 4]] = [creep, tau];
-  out[i + 5] = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau);
-}
-
-/** Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any. */
-export function step__pressure_at(par, q) {
-  return par.entry_pressure * Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
-}
-
-/** Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state. */
-export function march__stress_and_creep(law, par, state) {
-  let mu;
-  let [q, x, , segment, branch, sign] = state;
-  if (x === 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-    return [0.0, 0.0];
-  }
-  let p = step__pressure_at(par, q);
-  const found1 = compact__friction_at(law, segment, branch, sign * x, p);
-  mu = found1[0];
-  let tau = sign * mu * p;
-  return [tau, x + par.shear * tau];
-}
-
-/** Write one point of a profile: s, q, slip, creep, shear stress, friction work. */
-export function march__record(law, par, out, count, s, state) {
-  const found1 = march__stress_and_creep(law, par, state);
-  let tau = found1[0];
-  let creep = found1[1];
-  let i = RECORD * count;
-  [out[i], out[i + 1], out[i + 2]] = [s, state.log_tension, state.slip];
-  [out[i + 3], out[i + 4], out[i + 5]] = [creep, tau, state.work];
-}
-
 /** dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law. */
 export function step__rates(law, par, g, segment, branch, sign, q, x) {
   let e, lost, sp;
@@ -3313,6 +3270,11 @@ export function march___near_no_slip(away, s, nearest) {
     return max(-0.7 * away, nearest);
   }
   return away < 0.1 * s ? max(2.0 * away, nearest) : Infinity;
+}
+
+/** Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any. */
+export function step__pressure_at(par, q) {
+  return par.entry_pressure * Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
 }
 
 /** Longest step in a steep cell of a measured table [m], nan where the cell is not steep. */
@@ -3801,8 +3763,8 @@ export function cut__cut_tolerance(law, segment, side) {
   return SLIP_CUT_TOLERANCE;
 }
 
-/** Carry a sliding state from xi to xi_end on the mesh s = origin + span xi^4. */
-export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count) {
+/** Carry a sliding state from xi to xi_end on a mesh of span xi^4. */
+export function march__advance(law, par, g, state, span, xi, xi_end, cut) {
   let cell,
     dq,
     f,
@@ -3826,7 +3788,6 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
     side,
     steep,
     t,
-    there,
     tolerance,
     tries,
     w1,
@@ -3990,82 +3951,30 @@ export function march__advance(law, par, g, state, origin, span, xi, xi_end, cut
       } else if (side === NEXT_BRANCH) {
         branch += 1;
       }
-      if (out.length > 0 && xi < xi_end && f > 0.0) {
-        there = new Sliding(q, x, work, segment, branch, sign);
-        march__record(law, par, out, count, origin + span * xi ** MESH_POWER, there);
-        count += 1;
-      }
       continue;
     }
     [q, x, work] = [q1, x1, work + w1];
     xi = h === xi_end - xi ? xi_end : xi + h;
   }
-  return [new Sliding(q, x, work, segment, branch, sign), count];
+  return new Sliding(q, x, work, segment, branch, sign);
 }
 
-/** Carry a state from mesh node `first` to the exit, recording `points` parts of the arc. */
-export function march__carry_to_exit(law, par, g, state, origin, first, steps, points, out, count) {
-  let between, i, j, t, xi, xi_end;
-  let length = par.length;
-  let span = length - origin;
+/** Carry a state from mesh node `first` over the `span` [m] that is left to the exit. */
+export function march__carry_to_exit(law, par, g, state, span, first, steps) {
+  let i;
   let h = 1.0 / steps;
   let cut = steps >= FEWEST_CUT_STEPS || law.kind === LIMIT || law.kind === TABLE;
-  if (out.length > 0 && first > 0) {
-    march__record(law, par, out, count, origin + span * (first * h) ** MESH_POWER, state);
-    count += 1;
-  }
   for (let each1 = first, end1 = steps; each1 < end1; each1++) {
     i = each1;
-    xi = i * h;
-    xi_end = (i + 1) * h;
-    if (points > 0) {
-      j = Math.trunc(((origin + span * xi ** MESH_POWER) / length) * points * (1.0 + 1e-12)) + 1;
-      while (j < points) {
-        t = (max((j * length) / points - origin, 0.0) / span) ** (1.0 / MESH_POWER);
-        if (t >= xi_end * (1.0 - 1e-12)) {
-          break;
-        }
-        if (t > xi) {
-          const found2 = march__advance(law, par, g, state, origin, span, xi, t, cut, zeros(0), 0);
-          between = found2[0];
-          march__record(law, par, out, count, (j * length) / points, between);
-          count += 1;
-        }
-        j += 1;
-      }
-    }
-    const found3 = march__advance(law, par, g, state, origin, span, xi, xi_end, cut, out, count);
-    state = found3[0];
-    count = found3[1];
+    state = march__advance(law, par, g, state, span, i * h, (i + 1) * h, cut);
   }
-  if (out.length > 0) {
-    march__record(law, par, out, count, length, state);
-    count += 1;
-  }
-  return [state, count];
+  return state;
 }
 
 /** A stuck zone of length `zone`, then sliding to the exit with entry creep ratio g. */
-export function stick__stick_slip(law, par, zone, end_creep, g, steps, points, out) {
-  let j, s;
+export function stick__stick_slip(law, par, zone, end_creep, g, steps) {
   let length = par.length;
   let compliance = par.shear + par.onset;
-  let count = 0;
-  if (out.length > 0) {
-    for (let each1 = 0, end1 = points + 1; each1 < end1; each1++) {
-      j = each1;
-      s = (j * length) / points;
-      if (s > zone * (1.0 - 1e-12) && s > 0.0) {
-        break;
-      }
-      stick___record_stuck(par, out, count, s, zone, end_creep);
-      count += 1;
-    }
-    if (zone > 0.0) {
-      stick___record_stuck(par, out, count, zone, zone, end_creep);
-      count += 1;
-    }
-  }
   let [tension, creep] =
     zone > 0.0 ? stick__zone_point(par, zone, zone, end_creep) : [par.entry_tension, 0.0];
   let q = Math.log(tension / par.entry_tension);
@@ -4078,13 +3987,9 @@ export function stick__stick_slip(law, par, zone, end_creep, g, steps, points, o
   let branch = compact__branch_of(law, segment, Math.abs(x), p);
   let state = new Sliding(q, x, work, segment, branch, par.side);
   if (zone >= length) {
-    return [state, count];
+    return state;
   }
-  if (out.length > 0 && compliance === 0.0) {
-    march__record(law, par, out, count, zone, state);
-    count += 1;
-  }
-  return march__carry_to_exit(law, par, g, state, zone, 0, steps, points, out, count);
+  return march__carry_to_exit(law, par, g, state, length - zone, 0, steps);
 }
 
 /** Entry creep ratio of an effort, laws without a jump [-]. */
@@ -4142,7 +4047,7 @@ export function creep_step__slip_at_entry(law, par, creep, q) {
 }
 
 /** March while the creep of the kick is used up, with creep as the independent variable. */
-export function march__to_zero_slip(law, par, g, steps, out, count) {
+export function march__to_zero_slip(law, par, g, steps) {
   let a,
     branch,
     dq1,
@@ -4188,7 +4093,7 @@ export function march__to_zero_slip(law, par, g, steps, out, count) {
       xs = max(x + a * dx1, 0.0);
       rate = sign * (g + par.entry_tension * -Math.expm1(qs) * par.compliance);
       if (rate >= 0.0) {
-        return [0, 0.0, 0.0, 0.0, count];
+        return [0, 0.0, 0.0, 0.0];
       }
       r = step__rates(law, par, g, segment, branch, sign, qs, sign * xs);
       e = 1.0 - zeta - a;
@@ -4202,27 +4107,23 @@ export function march__to_zero_slip(law, par, g, steps, out, count) {
       sum_w += weight * dw1;
     }
     if (s + sum_s >= length) {
-      return [2, 0.0, 0.0, 0.0, count];
+      return [2, 0.0, 0.0, 0.0];
     }
     [q, x, s, work] = [q + sum_q, x + sum_x, s + sum_s, work + sum_w];
     if (x <= 0.0) {
-      return [0, 0.0, 0.0, 0.0, count];
-    }
-    if (out.length > 0) {
-      march__record(law, par, out, count, s, new Sliding(q, sign * x, work, segment, branch, sign));
-      count += 1;
+      return [0, 0.0, 0.0, 0.0];
     }
   }
   rate = sign * (g + par.entry_tension * -Math.expm1(q) * par.compliance);
   if (rate >= 0.0) {
-    return [0, 0.0, 0.0, 0.0, count];
+    return [0, 0.0, 0.0, 0.0];
   }
   let ds = (kick * h ** 4) / -rate;
   if (s + ds >= length) {
-    return [2, 0.0, 0.0, 0.0, count];
+    return [2, 0.0, 0.0, 0.0];
   }
   let dq = step__rates(law, par, g, segment, branch, sign, q, sign * x)[0];
-  return [1, s + ds, q + 0.5 * ds * dq, work, count];
+  return [1, s + ds, q + 0.5 * ds * dq, work];
 }
 
 /** Sliding a short way s past a point of no slip, where creep grows at `rate` (no kick). */
@@ -4240,75 +4141,58 @@ export function march___leave(law, par, rate, q, s) {
 }
 
 /** March the whole arc with a law that starts without a jump. */
-export function march__sweep(law, par, g, steps, points, out) {
-  let cell, gone, i, j, n, p, q, rate, s, segment, sign, state, status, work, x;
+export function march__sweep(law, par, g, steps) {
+  let cell, gone, p, q, rate, s, segment, sign, state, status, work, x;
   let kick = par.kick;
   let length = par.length;
-  let count = 0;
   if (kick !== 0.0) {
     sign = kick > 0.0 ? 1.0 : -1.0;
     x = creep_step__slip_at_entry(law, par, Math.abs(kick), 0.0);
     p = par.entry_pressure;
     segment = compact__segment_of(law, p);
     state = new Sliding(0.0, sign * x, 0.0, segment, compact__branch_of(law, segment, x, p), sign);
-    if (out.length > 0) {
-      march__record(law, par, out, 0, 0.0, state);
-      count = 1;
-    }
     if (sign * g < 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-      const found1 = march__to_zero_slip(law, par, g, steps, out, count);
+      const found1 = march__to_zero_slip(law, par, g, steps);
       status = found1[0];
       s = found1[1];
       q = found1[2];
       work = found1[3];
-      n = found1[4];
       if (status === 1) {
         rate = g + par.entry_tension * -Math.expm1(q) * par.compliance;
         cell = (length - s) / steps ** MESH_POWER;
         gone = march___leave(law, par, rate, q, cell);
-        state = new Sliding(
-          gone.log_tension,
-          gone.slip,
-          gone.work + work,
-          gone.segment,
-          gone.branch,
-          gone.sign,
-        );
-        return march__carry_to_exit(law, par, g, state, s, 1, steps, points, out, n);
+        state = Object.assign(Object.create(Object.getPrototypeOf(gone)), gone, {
+          work: gone.work + work,
+        });
+        return march__carry_to_exit(law, par, g, state, length - s, 1, steps);
       }
     }
-    return march__carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count);
-  }
-  if (out.length > 0) {
-    for (let each2 = 0, end2 = RECORD; each2 < end2; each2++) {
-      i = each2;
-      out[i] = 0.0;
-    }
-    count = 1;
+    return march__carry_to_exit(law, par, g, state, length, 0, steps);
   }
   if (g === 0.0) {
-    p = par.entry_pressure;
-    state = new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, p), 0, 1.0);
-    if (out.length > 0) {
-      for (let each3 = 1, end3 = points + 1; each3 < end3; each3++) {
-        j = each3;
-        out[RECORD * count] = (j * length) / points;
-        for (let each4 = 1, end4 = RECORD; each4 < end4; each4++) {
-          i = each4;
-          out[RECORD * count + i] = 0.0;
-        }
-        count += 1;
-      }
-    }
-    return [state, count];
+    return new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, par.entry_pressure), 0, 1.0);
   }
   if (law.kind === LIMIT || law.kind === TABLE) {
     sign = g > 0.0 ? 1.0 : -1.0;
     state = new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, par.entry_pressure), 0, sign);
-    return march__carry_to_exit(law, par, g, state, 0.0, 0, steps, points, out, count);
+    return march__carry_to_exit(law, par, g, state, length, 0, steps);
   }
   state = march___leave(law, par, g, 0.0, length / steps ** MESH_POWER);
-  return march__carry_to_exit(law, par, g, state, 0.0, 1, steps, points, out, count);
+  return march__carry_to_exit(law, par, g, state, length, 1, steps);
+}
+
+/** Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state. */
+export function march__stress_and_creep(law, par, state) {
+  let mu;
+  let [q, x, , segment, branch, sign] = state;
+  if (x === 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
+    return [0.0, 0.0];
+  }
+  let p = step__pressure_at(par, q);
+  const found1 = compact__friction_at(law, segment, branch, sign * x, p);
+  mu = found1[0];
+  let tau = sign * mu * p;
+  return [tau, x + par.shear * tau];
 }
 
 /** Exit quantities of a state at the exit. */
@@ -4319,9 +4203,9 @@ export function effort__shot_of(law, par, state, g, zone) {
   return new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone);
 }
 
-/** March one arc at effort z; `points` and `out` as :func:`wraparc.arc.kernel.march.sweep`. */
-export function effort__shoot_from(law, par, z, steps, points, out) {
-  let compliance, count, creep, end, g, length, state, tau;
+/** March one arc to its exit at effort z. */
+export function effort__shoot_from(law, par, z, steps) {
+  let compliance, creep, end, g, length, state, tau;
   let zone = 0.0;
   steps = effort__mesh_steps(law, par, steps);
   if (quantities__jumps(law)) {
@@ -4341,26 +4225,17 @@ export function effort__shoot_from(law, par, z, steps, points, out) {
       }
       g = stick__zone_creep_ratio(par, zone, end);
     }
-    const found1 = stick__stick_slip(law, par, zone, end, g, steps, points, out);
-    state = found1[0];
-    count = found1[1];
+    state = stick__stick_slip(law, par, zone, end, g, steps);
     if (zone >= length) {
       creep = stick__zone_point(par, length, length, end)[1];
       tau = compliance > 0.0 ? creep / compliance : 0.0;
-      return [new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone), count];
+      return new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone);
     }
   } else {
     g = effort__ratio_of(par, z);
-    const found2 = march__sweep(law, par, g, steps, points, out);
-    state = found2[0];
-    count = found2[1];
+    state = march__sweep(law, par, g, steps);
   }
-  return [effort__shot_of(law, par, state, g, zone), count];
-}
-
-/** March one arc to its exit at an effort, numbers too large or not. */
-export function member__shoot_plainly(law, par, z, steps) {
-  return effort__shoot_from(law, par, z, steps, 0, zeros(0))[0];
+  return effort__shot_of(law, par, state, g, zone);
 }
 
 /** Return a root between a and b, where f has different signs; see `rising_root`. */

@@ -1035,17 +1035,15 @@ const TESTED_SLIP = 4;
 const GROSS_SLIP = 16;
 const SLIP_KIND = 2;
 const TESTED = 1;
-const _FIRST = 0.8;
+const EARLY = 0.8;
 const SLIDES = 0.0635;
 const CREEP_KIND = 1;
-const _ROUNDS = 60;
 const BY_CREEP = 2;
 const BY_SLIP = 4;
 const BY_LAW = 16;
-const _ALIKE = 1e-6;
 const MOST = 2;
-const _DIFFERENCE = 0.001;
-const _FARTHEST = 200.0;
+const DIFFERENCE = 0.001;
+const FARTHEST = 200.0;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
 const SEVERAL_PULLS = 1;
@@ -2673,9 +2671,8 @@ export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
 
 /** `meet` with a rest arc at the entry; not done where it is not much longer than l. */
 export function meet___behind_rest(face, arc, ends, guess, tol) {
-  let course, done, entry, long, rest, share, slopes;
+  let course, done, entry, first, long, rest, share, slopes;
   let length = arc.radius * arc.wrap_angle;
-  let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
   for (const each1 of FIRST_SLIDES) {
     share = each1;
     first = collocation__first_course(arc, share * length, guess.entry, guess.leaving, guess.creep);
@@ -2852,11 +2849,25 @@ export function gross_slip__outweighs(law, geometry, tight, residual) {
   return false;
 }
 
+/** A limit at the exit, and at_tight T_tight + at_slack T_slack = tension [-, -, N]. */
+export function capacity__ends_at(arc, at_tight, at_slack, tension, limit) {
+  let goal = arc.side * limit.most;
+  if (arc.side > 0.0) {
+    return new Ends(at_tight, at_slack, tension, limit.kind, goal);
+  }
+  return new Ends(at_slack, at_tight, tension, limit.kind, goal);
+}
+
 export function capacity___stress_about(face, pressure, creep) {
   return min(
     Math.abs(collocation__traction_at(face, pressure, creep).stress),
     MOST_USED * traction__plateau_stress(face.law, pressure),
   );
+}
+
+/** A first guess by the tensions of the tight and the slack side [N], and creep [m]. */
+export function capacity___guess(arc, tight, slack, creep) {
+  return arc.side > 0.0 ? new Guess(tight, slack, creep) : new Guess(slack, tight, creep);
 }
 
 /** Where an arc meets a limit of creep or slip, about. */
@@ -2868,7 +2879,7 @@ export function capacity___guess_at(law, arc, tight, limit) {
   let fall = min((used / p) * arc.wrap_angle, LARGEST_FALL);
   let slack = tight * Math.exp(-0.9 * fall);
   let end = arc.side * (limit.most + (limit.kind === SLIP ? arc.shear * used : 0.0));
-  return arc.side > 0.0 ? new Guess(tight, slack, end) : new Guess(slack, tight, end);
+  return capacity___guess(arc, tight, slack, end);
 }
 
 /** Meet a goal of creep or slip at the exit by continuation in it, from a small part of it. */
@@ -2907,8 +2918,7 @@ export function meet__by_growth(law, arc, ends, guess, tol) {
 
 /** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
 export function capacity__carry(law, arc, tight, limit, near = null) {
-  let at_entry = arc.side > 0.0 ? 1.0 : 0.0;
-  let ends = new Ends(at_entry, 1.0 - at_entry, tight, limit.kind, arc.side * limit.most);
+  let ends = capacity__ends_at(arc, 1.0, 0.0, tight, limit);
   let guess = capacity___guess_at(law, arc, tight, limit);
   let met = meet__meet(law, arc, ends, guess, near, MISFIT);
   return met.done ? met : meet__by_growth(law, arc, ends, guess, MISFIT);
@@ -3002,10 +3012,8 @@ export function capacity__largest_ratio(law, arc, tight, softening) {
 /** Operating point by continuation in the creep at the exit, the tight side held. */
 export function answer___by_creep(law, arc, goal) {
   let below, between, carried, ends, guess;
-  let drives = arc.side > 0.0;
   let tight = max(goal.entry, goal.leaving);
   let slack = min(goal.entry, goal.leaving);
-  let at_entry = drives ? 1.0 : 0.0;
   let asked = Math.log(tight / slack);
   let low = 0.0;
   let high = Infinity;
@@ -3017,7 +3025,7 @@ export function answer___by_creep(law, arc, goal) {
     collocation__first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep),
   );
   for (let each1 = 0, end1 = STEPS; each1 < end1; each1++) {
-    ends = new Ends(at_entry, 1.0 - at_entry, tight, CREEP, arc.side * creep);
+    ends = capacity__ends_at(arc, 1.0, 0.0, tight, new Limit(CREEP, creep));
     guess = Object.assign(Object.create(Object.getPrototypeOf(goal)), goal, {
       creep: arc.side * creep,
     });
@@ -3472,23 +3480,29 @@ export function profile___beyond(arc, at, tested, kind) {
   return Math.abs(at.slip) - tested.slip_max;
 }
 
-/** Where between two points a limit is crossed [m]. */
-export function profile___crossing(arc, met, a, b, tested, kind) {
+/** Where between two places what holds at the first ends to hold: from below and above [m]. */
+export function profile___border(before, low, high) {
   let middle;
-  let low = a.place;
-  let high = b.place;
-  let outside = profile___beyond(arc, a, tested, kind) > 0.0;
   for (let each1 = 0, end1 = HALVINGS; each1 < end1; each1++) {
     middle = 0.5 * (low + high);
-    if (
-      profile___beyond(arc, profile__point_at(arc, met, middle), tested, kind) > 0.0 ===
-      outside
-    ) {
+    if (before(middle)) {
       low = middle;
     } else {
       high = middle;
     }
   }
+  return [low, high];
+}
+
+/** Where between two points a limit is crossed [m]. */
+export function profile___crossing(arc, met, a, b, tested, kind) {
+  let outside = profile___beyond(arc, a, tested, kind) > 0.0;
+  const same = (s) => {
+    return profile___beyond(arc, profile__point_at(arc, met, s), tested, kind) > 0.0 === outside;
+  };
+  const found1 = profile___border(same, a.place, b.place);
+  let low = found1[0];
+  let high = found1[1];
   return 0.5 * (low + high);
 }
 
@@ -3556,7 +3570,6 @@ export function profile__loss_along(arc, met, along) {
 
 /** Length of the entry part of the arc over which the belt does not slip [m]. */
 export function profile__stuck_length(arc, met, along) {
-  let middle;
   if (met.rest > 0.0 || !quantities__jumps(met.face.law) || along[0].slip !== 0.0) {
     return met.rest;
   }
@@ -3567,22 +3580,14 @@ export function profile__stuck_length(arc, met, along) {
   if (i + 1 === along.length) {
     return along[i].place;
   }
-  let low = along[i].place;
-  let high = along[i + 1].place;
-  for (let each1 = 0, end1 = HALVINGS; each1 < end1; each1++) {
-    middle = 0.5 * (low + high);
-    if (profile__point_at(arc, met, middle).slip === 0.0) {
-      low = middle;
-    } else {
-      high = middle;
-    }
-  }
-  return low;
+  const held = (s) => {
+    return profile__point_at(arc, met, s).slip === 0.0;
+  };
+  return profile___border(held, along[i].place, along[i + 1].place)[0];
 }
 
 /** Length of the exit part of the arc that takes 99 % of the tension change [m]. */
 export function profile__active_length(arc, met, along) {
-  let middle;
   let end = along.at(-1);
   let change = met.entry - end.tension;
   if (change === 0.0) {
@@ -3595,17 +3600,10 @@ export function profile__active_length(arc, met, along) {
   if (i === along.length - 1) {
     return 0.0;
   }
-  let low = along[i].place;
-  let high = along[i + 1].place;
-  for (let each1 = 0, end1 = HALVINGS; each1 < end1; each1++) {
-    middle = 0.5 * (low + high);
-    if ((met.entry - profile__point_at(arc, met, middle).tension) / change > ACTIVE_SHARE) {
-      high = middle;
-    } else {
-      low = middle;
-    }
-  }
-  return end.place - low;
+  const idle = (s) => {
+    return (met.entry - profile__point_at(arc, met, s).tension) / change <= ACTIVE_SHARE;
+  };
+  return end.place - profile___border(idle, along[i].place, along[i + 1].place)[0];
 }
 
 /** Read an arc that is solved; `tested` is of nan without a tested range. */
@@ -3834,10 +3832,6 @@ export function capacity___pull_slope(arc, slopes) {
   return 1.0 - first / last;
 }
 
-export function capacity___pull_rises(arc, met) {
-  return capacity___pull_slope(arc, met.slopes) > 0.0;
-}
-
 /** Pull of an arc with a tension of the tight side [N]. */
 export function capacity___pull(met, tight) {
   return tight * -Math.expm1(-capacity__log_ratio(met));
@@ -3917,18 +3911,14 @@ export function capacity___least_sought(law, arc, pull, limit, top) {
 
 /** Least slack-side tension that carries a pull within a limit at the exit. */
 export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
-  let carried, end, ends, first, found, goal, guess, met, near, slack;
+  let carried, ends, first, found, guess, met;
   if (at_tight.done) {
     carried = -Math.expm1(-capacity__log_ratio(at_tight));
     first = max(min(pull / carried, top), 1.02 * pull);
-    slack = first - pull;
-    end = at_tight.course.creep.at(-1);
-    guess = arc.side > 0.0 ? new Guess(first, slack, end) : new Guess(slack, first, end);
-    goal = arc.side * limit.most;
-    ends = new Ends(arc.side, -arc.side, pull, limit.kind, goal);
-    near = capacity___near(at_tight);
-    met = meet__meet(law, arc, ends, guess, near, MISFIT);
-    if (met.done && capacity___pull_rises(arc, met)) {
+    guess = capacity___guess(arc, first, first - pull, at_tight.course.creep.at(-1));
+    ends = capacity__ends_at(arc, 1.0, -1.0, pull, limit);
+    met = meet__meet(law, arc, ends, guess, capacity___near(at_tight), MISFIT);
+    if (met.done && capacity___pull_slope(arc, met.slopes) > 0.0) {
       found = max(met.entry, met.course.tension.at(-1));
       if (found <= top) {
         return new Least(found - pull, NaN);
@@ -4034,7 +4024,7 @@ export function in_page__limits_of(given, arc, tested, criteria) {
 export function sliding___tests_end_first(of, tight) {
   let pressure = tight / (of.geometry.width * of.geometry.radius);
   let friction = compact__plateau_at(of.law, compact__segment_of(of.law, pressure), pressure);
-  return of.load.slip_max + of.geometry.shear * friction * pressure < _FIRST * SLIDES;
+  return of.load.slip_max + of.geometry.shear * friction * pressure < EARLY * SLIDES;
 }
 
 /** What ends the grip of a law that does not fall, whichever comes first, and its cause. */
@@ -4051,7 +4041,6 @@ export function sliding___limits(of, tight) {
 
 /** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
 export function capacity__carry_along(law, arc, line, limit) {
-  let ends, guess;
   let [tight, slack, tight_rise, slack_rise] = line;
   let first = capacity__carry(law, arc, tight, limit);
   if (!first.done) {
@@ -4071,14 +4060,8 @@ export function capacity__carry_along(law, arc, line, limit) {
   let at_tight = slack_rise / size;
   let at_slack = -tight_rise / size;
   let goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise);
-  let end = arc.side * limit.most;
-  if (arc.side > 0.0) {
-    ends = new Ends(at_tight, at_slack, goal, limit.kind, end);
-    guess = new Guess(top, low, first.course.creep.at(-1));
-  } else {
-    ends = new Ends(at_slack, at_tight, goal, limit.kind, end);
-    guess = new Guess(low, top, first.course.creep.at(-1));
-  }
+  let ends = capacity__ends_at(arc, at_tight, at_slack, goal, limit);
+  let guess = capacity___guess(arc, top, low, first.course.creep.at(-1));
   let met = meet__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
   if (!met.done) {
     return new Along(NaN, met);
@@ -4112,11 +4095,11 @@ export function sliding__carried_at(of, tight) {
   let found = capacity__find_capacities(of.law, of.geometry, load, parts);
   let q = found.creep_limit;
   let cause = 0;
-  if (Number.isNaN(q) || found.tested_slip < q * (1.0 - _ALIKE)) {
+  if (Number.isNaN(q) || found.tested_slip < q * (1.0 - 1e-6)) {
     q = found.tested_slip;
     cause = TESTED;
   }
-  if (q >= most * (1.0 - _ALIKE) || (of.peaks && q >= found.gross_slip * (1.0 - _ALIKE))) {
+  if (q >= most * (1.0 - 1e-6) || (of.peaks && q >= found.gross_slip * (1.0 - 1e-6))) {
     cause = MOST;
   }
   return [q, cause];
@@ -4135,19 +4118,19 @@ export function sliding___spare(of, line, k, q, even) {
   let area = of.geometry.width * of.geometry.radius;
   let wrap = of.geometry.wrap_angle;
   let here = gross_slip__plateau_capacity(of.law, tight / area, wrap);
-  let there = gross_slip__plateau_capacity(of.law, (tight * (1.0 + _DIFFERENCE)) / area, wrap);
-  let fall = (((there - here) / (here * _DIFFERENCE)) * k * line.tight_rise) / tight;
+  let there = gross_slip__plateau_capacity(of.law, (tight * (1.0 + DIFFERENCE)) / area, wrap);
+  let fall = (((there - here) / (here * DIFFERENCE)) * k * line.tight_rise) / tight;
   let grows = (k * (line.tight_rise / tight - line.slack_rise / slack)) / asked;
   return [Math.log(k), Math.log(q / asked), fall - grows];
 }
 
 /** A step to `new`, kept between the ends. */
 export function sliding___within(ends, new_, k) {
-  new_ = min(new_, _FARTHEST);
+  new_ = min(new_, FARTHEST);
   if (ends.low < new_ && new_ < ends.high) {
     return new_;
   }
-  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, _FARTHEST);
+  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, FARTHEST);
 }
 
 /** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
@@ -4160,7 +4143,7 @@ export function sliding__slide_place(of, line, way, low, start) {
   let last = NaN;
   let spare_last = NaN;
   let cause = 0;
-  for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
+  for (let each1 = 0, end1 = ROUNDS; each1 < end1; each1++) {
     const found2 = sliding__carried_at(of, line.tight + (k - 1.0) * line.tight_rise);
     q = found2[0];
     cause = found2[1];
@@ -4176,7 +4159,7 @@ export function sliding__slide_place(of, line, way, low, start) {
     }
     if (spare < 0.0 === way > 0.0) {
       ends = new Bracket(ends.low, k);
-    } else if (k >= _FARTHEST) {
+    } else if (k >= FARTHEST) {
       return new Sliding(Infinity, cause);
     } else {
       ends = new Bracket(k, ends.high);
@@ -4215,8 +4198,8 @@ export function sliding__pull_at_sliding(of, line) {
       return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
     }
     tight = max(met.entry, met.course.tension.at(-1));
-    exhausted = capacity__log_ratio(met) >= sliding___most_at(of, tight) * (1.0 - _ALIKE);
-    if (place < first.place * (1.0 - _ALIKE)) {
+    exhausted = capacity__log_ratio(met) >= sliding___most_at(of, tight) * (1.0 - 1e-6);
+    if (place < first.place * (1.0 - 1e-6)) {
       first = new Sliding(place, exhausted ? MOST : cause);
     }
   }
@@ -4309,7 +4292,7 @@ export function sliding__tight_at_sliding(of, pull) {
   for (const each1 of of.peaks ? [] : sliding___limits(of, tight)) {
     [limit] = each1;
     met = capacity__carry(of.law, of.geometry, tight, limit);
-    slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, _FARTHEST * pull).slack;
+    slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack;
     needed = slack === slack && needed === needed ? max(needed, slack + pull) : NaN;
   }
   if (needed > 0.0) {
