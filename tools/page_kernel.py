@@ -18,7 +18,7 @@ from wraparc.arc import answer, capacity, profile
 from wraparc.arc.kernel import effort
 from wraparc.checks import numbers
 from wraparc.conveyor import belt_path, conveyor
-from wraparc.drive import compression
+from wraparc.drive import compression, tension_rules
 from wraparc.present import arc_tables, train_sheet, train_words
 from wraparc.present.sheet import term
 from wraparc.saving import save_file
@@ -33,7 +33,7 @@ from wraparc.train import (
 )
 from wraparc.train.system import System
 from wraparc.units import display
-from wraparc.web import in_page, in_page_conveyor, in_page_train, pulls
+from wraparc.web import in_page, in_page_conveyor, in_page_train
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
@@ -43,8 +43,16 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.quick,
     in_page.judged,
-    pulls.overridden,
-    pulls.fault_of,
+    tension_rules.overridden,
+    tension_rules.fault_of,
+    tension_rules.overdetermined,
+    tension_rules.speed_missing,
+    tension_rules.too_few,
+    tension_rules.ends_of,
+    tension_rules.pull_given,
+    tension_rules.families,
+    tension_rules.less_runs,
+    tension_rules.behind_take_up,
     in_page.described,
     in_page.unjudged,
     compression.block_modulus,
@@ -62,11 +70,7 @@ ENTRIES: tuple[Callable[..., object], ...] = (
 #: The same of the train page, which is in the file of one page alone.
 TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
 TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
-    in_page_train.in_case,
-    in_page_train.less_runs,
     in_page_train.fallen_of,
-    in_page_train.behind,
-    in_page_train.ends_of,
     in_page_train.total_of,
     in_page_train.parts_of,
     in_page_train.miss_of,

@@ -269,6 +269,40 @@ def test_what_the_server_refuses_the_page_refuses() -> None:
         assert path.split(".")[0] in told[0], (path, told)
 
 
+#: Tensions of the pulley, and of a load case where there is one, that fix nothing or too much.
+UNFIT: list[tuple[Data, Data]] = [
+    ({"entry_tension": "90 kN"}, {}),
+    ({"power": "200 kW"}, {}),
+    ({"effective_tension": "60 kN", "torque": "24 kN m", "exit_tension": "30 kN"}, {}),
+    ({"entry_tension": "90 kN", "exit_tension": "30 kN", "effective_tension": "60 kN"}, {}),
+    ({"entry_tension": "90 kN", "exit_tension": "30 kN", "effective_tension": "55 kN"}, {}),
+    ({"entry_tension": "90 kN", "exit_tension": "30 kN", "torque": "20 kN m"}, {}),
+    ({"entry_tension": "90 kN", "exit_tension": "30 kN"}, {"effective_tension": "80 kN"}),
+    ({"exit_tension": "30 kN"}, {"exit_tension": "40 kN"}),
+    ({"exit_tension": "30 kN", "torque": "24 kN m"}, {"power": "10 kW", "torque": "5 kN m"}),
+]
+
+
+@pytest.mark.parametrize(("own", "over"), UNFIT)
+def test_tensions_that_do_not_fix_the_load_are_refused_in_the_same_words(
+    own: Data, over: Data
+) -> None:
+    document = deepcopy(DRIVES["head-drive-fabric"])
+    pulley = document["pulley"][0]
+    for key in ("entry_tension", "exit_tension", "effective_tension", "torque", "power"):
+        pulley.pop(key, None)
+    pulley |= own
+    document.pop("load_case", None)
+    if over:
+        document["load_case"] = [{"name": "peak", "pulley": {pulley["name"]: over}}]
+    with pytest.raises(InputError) as refused:
+        read(document)
+    found = assembled([document])[0]
+    # one rule, `drive.tension_rules`, on both sides: message and remedy, character for character
+    told = [p["sentence"].partition(": ")[2] for p in found["problems"]]
+    assert told == [f"{p.message}. {p.remedy}" for p in refused.value.problems]
+
+
 JUNK: list[Any] = [
     None,
     [],

@@ -1,22 +1,18 @@
-"""Tensions at the pulleys from any two of the quantities that fix them."""
+"""Tensions at the pulleys from what a file gives, by the rules of `drive.tension_rules`."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 
-from wraparc.drive import Tensions
-from wraparc.drive.load_case import pull_of_power, pull_of_torque
+from wraparc.drive import Tensions, tension_rules
+from wraparc.drive.tension_rules import DrumAt, LoadFault, LoadGiven, NipTensions, RunsGain
 from wraparc.errors import InputError
 from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
 from wraparc.units import display
 
-ENTRY, EXIT = "entry_tension", "exit_tension"
-#: Keys that all fix the effective tension.
-EFFECTIVE = ("effective_tension", "torque", "power")
-KEYS = (ENTRY, EXIT, *EFFECTIVE)
-
-_PAIR = "entry_tension, exit_tension and one of effective_tension, torque, power"
+KEYS = LoadGiven._fields
+ENTRY, EXIT = KEYS[:2]
+NO_RUNS = RunsGain()
 
 
 @dataclass(frozen=True)
@@ -30,7 +26,7 @@ class Given:
     place
         Where the table stands in the file.
     values
-        What is given by key [SI].
+        What is given [SI].
     raw
         The table as the user wrote it.
     diameter
@@ -41,7 +37,7 @@ class Given:
 
     name: str
     place: Place
-    values: Mapping[str, float]
+    values: LoadGiven
     raw: Mapping[str, object]
     diameter: float | None
     inherited: tuple[str, ...] = ()
@@ -49,8 +45,12 @@ class Given:
     @classmethod
     def of(cls, name: str, record: Record, diameter: float | None) -> "Given":
         """Return what a table of a file gives."""
-        values = {key: record[key] for key in KEYS if key in record}
+        values = LoadGiven(*(record.get(key) for key in KEYS))
         return cls(name, record.place, values, record.raw, diameter)
+
+    def at(self, speed: float | None) -> DrumAt:
+        """Return what turns torques and powers into pulls, at a belt speed [m/s] or None."""
+        return DrumAt(self.diameter, speed)
 
     def overridden(
         self,
@@ -58,62 +58,21 @@ class Given:
         *,
         fixed: bool = False,
         speed: float | None = None,
-        runs: tuple[float, float] = (0.0, 0.0),
+        runs: RunsGain = NO_RUNS,
     ) -> "Given":
         """Return these tensions with those of a load case put over them.
 
-        Two independent quantities replace all; a single one replaces its own kind. A pull alone
-        takes the exit tension with it, or under a fixed take-up the sum of both tensions; where
-        that sum is not known it is not enough.
-
-        Parameters
-        ----------
-        record
-            What the load case gives.
-        fixed
-            Whether the take-up holds the sum of both tensions.
-        speed
-            Belt speed [m/s], or None.
-        runs
-            What of the pull the belt gains between the pulleys, here and in the load case [N].
+        See `drive.tension_rules.overridden`.
         """
         over = Given.of(self.name, record, self.diameter)
-        if len(over.families) >= 2:
-            return over
-        pull = over.pull(speed)
-        if fixed and pull is not None and len(over.effective) == 1:
-            entry, exit_ = spread([less_runs(self, runs[0], speed)], speed)[0]
-            if entry is None or exit_ is None:
-                return over
-            half, between = 0.5 * (entry + exit_), 0.5 * (pull - runs[1])
-            both = {ENTRY: half + between, EXIT: half - between}
-            return Given(self.name, over.place, both, over.raw, self.diameter)
-        replaced = {*over.values, *(EFFECTIVE if over.effective else ())}
-        kept = {key: value for key, value in self.values.items() if key not in replaced}
-        return Given(
-            self.name, over.place, kept | dict(over.values), over.raw, self.diameter, tuple(kept)
-        )
+        values = tension_rules.overridden(self.values, over.values, fixed, self.at(speed), runs)
+        own = zip(KEYS, values, self.values, strict=True)
+        kept = tuple(key for key, now, before in own if now is not None and now is before)
+        return Given(self.name, over.place, values, over.raw, self.diameter, kept)
 
-    @cached_property
-    def effective(self) -> tuple[str, ...]:
-        """The keys given that fix the effective tension."""
-        return tuple(key for key in EFFECTIVE if key in self.values)
-
-    @cached_property
-    def families(self) -> tuple[str, ...]:
-        """One key for each independent quantity given."""
-        return (*(key for key in (ENTRY, EXIT) if key in self.values), *self.effective[:1])
-
-    def pull(self, speed: float | None) -> float | None:
-        """Return the effective tension [N], or None if it is not given or not computable."""
-        for key in self.effective:
-            value = self.values[key]
-            if key == "effective_tension":
-                return value
-            if key == "torque":
-                return None if self.diameter is None else pull_of_torque(value, self.diameter)
-            return None if speed is None else pull_of_power(value, speed)
-        return None
+    def less_runs(self, runs: float, speed: float | None) -> "Given":
+        """Return what is given with the pull between the outer tensions, without the runs' [N]."""
+        return replace(self, values=tension_rules.less_runs(self.values, runs, self.at(speed)))
 
 
 def resolve(
@@ -133,22 +92,23 @@ def resolve(
     sure
         False if something could not be read, so that nothing may be called missing.
     """
-    fixed = [_contradiction(item, speed, report) for item in given]
-    if any(fixed):
+    wrong = [_wrong(item, speed, report) for item in given]
+    if any(wrong):
         return {}
-    if sure and speed is None:
-        for item in (item for item in given if item.effective == ("power",)):
-            place = item.place if "power" in item.inherited else (*item.place, "power")
-            remedy = 'Write speed = "3 m/s" in [belt], or give effective_tension.'
-            report.add(place, "power needs the belt speed", remedy)
+    for item in given if sure else ():
+        fault = tension_rules.speed_missing(item.values, item.at(speed))
+        if fault:
+            place = item.place if fault.lacks in item.inherited else (*item.place, fault.lacks)
+            report.add(place, fault.message, fault.remedy)
             sure = False
-    if any(item.effective == ("torque",) and item.diameter is None for item in given):
+    if any(item.diameter is None and item.values.torque is not None for item in given):
         sure = False  # it is the diameter that is missing
     tensions = {}
     for item, (entry, exit_) in zip(given, spread(given, speed), strict=True):
         if entry is None or exit_ is None:
             if sure:
-                report.add(item.place, _missing(item), f"Give two of {_PAIR}.")
+                fault = tension_rules.too_few(item.values)
+                report.add(item.place, fault.message, fault.remedy)
         elif made := _made(item, entry, exit_, report):
             tensions[item.name] = made
     return tensions
@@ -159,99 +119,54 @@ def complete(given: Sequence[Given], speed: float | None) -> bool:
     return all(None not in pair for pair in spread(given, speed))
 
 
-def less_runs(given: Given, runs: float, speed: float | None) -> Given:
-    """Return what is given with the pull between the outer tensions: that of the pulleys less runs.
-
-    What the pulleys pull together is entry less exit tension and what the runs between them add.
-    """
-    pull = given.pull(speed)
-    if runs == 0.0 or pull is None:
-        return given
-    kept = {key: value for key, value in given.values.items() if key not in given.effective}
-    return replace(given, values={**kept, "effective_tension": pull - runs})
-
-
-Pair = tuple[float | None, float | None]
-
-
-def spread(given: Sequence[Given], speed: float | None) -> list[Pair]:
+def spread(given: Sequence[Given], speed: float | None) -> list[NipTensions]:
     """Return entry and exit tensions as far as pulls and neighbours give them.
 
     Only adds, subtracts, multiplies and divides: arrays of numbers will do as well.
     """
-    pairs: list[Pair] = [(item.values.get(ENTRY), item.values.get(EXIT)) for item in given]
-    pulls = [item.pull(speed) for item in given]
+    pairs = [NipTensions(item.values.entry_tension, item.values.exit_tension) for item in given]
+    pulls = [tension_rules.pull_given(item.values, item.at(speed)) for item in given]
     for _ in range(2 * len(pairs)):
         for i, pull in enumerate(pulls):
-            entry, exit_ = _filled(pairs[i], pull)
+            entry, leaving = tension_rules.filled(*pairs[i], pull)
             if entry is None and i > 0:
-                entry, exit_ = _filled((pairs[i - 1][1], exit_), pull)
-            if exit_ is None and i + 1 < len(pairs):
-                entry, exit_ = _filled((entry, pairs[i + 1][0]), pull)
-            pairs[i] = entry, exit_
+                entry, leaving = tension_rules.filled(pairs[i - 1].exit, leaving, pull)
+            if leaving is None and i + 1 < len(pairs):
+                entry, leaving = tension_rules.filled(entry, pairs[i + 1].entry, pull)
+            pairs[i] = NipTensions(entry, leaving)
     return pairs
 
 
-def _filled(pair: Pair, pull: float | None) -> Pair:
-    entry, exit_ = pair
-    if pull is not None and exit_ is None and entry is not None:
-        exit_ = entry - pull
-    elif pull is not None and entry is None and exit_ is not None:
-        entry = exit_ + pull
-    return entry, exit_
-
-
-def _contradiction(item: Given, speed: float | None, report: Report) -> bool:
+def _wrong(item: Given, speed: float | None, report: Report) -> LoadFault | None:
     """Report more than two independent quantities, or the same one twice."""
-    remedy = "Leave one of them out."
-    if len(item.effective) > 1:
-        message = f"{_listed(item.effective)} each fix the effective tension"
-        report.add(item.place, message, remedy)
-        return True
-    if len(item.families) < 3:
-        return False
-    pull = item.pull(speed)
-    message = f"{_listed(item.families)} are given, and two of them fix the third"
-    between = item.values[ENTRY] - item.values[EXIT]
-    if pull is not None and abs(pull - between) > 1e-6 * abs(between):
-        message = (
-            f"{_listed(item.families)} contradict each other: entry less exit tension is "
-            f"{display(between, 'force')}, {item.effective[0]} makes {display(pull, 'force')}"
-        )
-    if item.inherited:
-        remedy = "Give two of them in the load case: they replace those of the pulley."
-    report.add(item.place, message, remedy)
-    return True
+    fault = tension_rules.fault_of(item.values, bool(item.inherited), item.at(speed), _force)
+    if fault:
+        report.add(item.place, fault.message, fault.remedy)
+    return fault
 
 
-def _missing(item: Given) -> str:
-    if not item.families:
-        return "no tensions are given"
-    return f"only {item.families[0]} is given, and it takes two quantities to fix the tensions"
+def _force(value: float) -> str:
+    return display(value, "force")
 
 
 _SIDES = {"entry": ENTRY, "exit": EXIT}
 
 
 def _made(item: Given, entry: float, exit_: float, report: Report) -> Tensions | None:
+    pulls = tension_rules.effective_keys(item.values)
     try:
         told = " and ".join(
-            f"{key.replace('_', ' ')} {item.raw.get(key, '')}".strip() for key in item.effective
+            f"{key.replace('_', ' ')} {item.raw.get(key, '')}".strip() for key in pulls
         )
         why = f"computed from {told}" if told else "that of the neighbouring pulley"
-        made = {key: why for key, name in _SIDES.items() if name not in item.values}
+        made = {key: why for key, name in _SIDES.items() if getattr(item.values, name) is None}
         return Tensions(entry=entry, exit=exit_, computed=made)
     except InputError:
         side, tension = ("exit", exit_) if exit_ <= 0.0 else ("entry", entry)
-        key = next((k for k in item.effective if k not in item.inherited), "")
+        key = next((k for k in pulls if k not in item.inherited), "")
         place = (*item.place, key) if key else item.place
         what = "a belt cannot push" if tension <= 0.0 else "no belt carries that"
         message = f"leaves an {side} tension of {display(tension, 'force')}, and {what}"
         remedy = "Give a smaller pull or a larger tension on the slack side."
         report.add(place, message, remedy, *([item.raw[key]] if key else []))
         return None
-
-
-def _listed(keys: Iterable[str]) -> str:
-    *most, last = keys
-    return f"{', '.join(most)} and {last}"

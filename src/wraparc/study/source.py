@@ -14,6 +14,7 @@ from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import held_by
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
+from wraparc.drive.tension_rules import LoadGiven
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
 from wraparc.files.tensions import KEYS, Given, spread
@@ -333,7 +334,7 @@ class DriveSource:
             name = record["name"]
             diameter: Any = at.get(("pulley", name, "diameter"), record["diameter"])
             numbers = _numbers(record, ("pulley", name), at)
-            given.append(Given(name, (), numbers, {}, diameter))
+            given.append(Given(name, (), LoadGiven(**numbers), {}, diameter))
         if load_case in self._cases:
             given = [self._in_case(item, load_case, at) for item in given]
         missing = float("nan")

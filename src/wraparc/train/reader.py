@@ -5,18 +5,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from wraparc.drive import DESIGN, Belt, Pulley, TakeUp
+from wraparc.drive.tension_rules import (
+    EFFECTIVE,
+    BehindTakeUp,
+    NipTensions,
+    RunsGain,
+    behind_take_up,
+    ends_of,
+    families,
+)
 from wraparc.errors import InputError, nearest, shown
 from wraparc.files.conditions import condition_name
-from wraparc.files.tensions import (
-    EFFECTIVE,
-    ENTRY,
-    EXIT,
-    Given,
-    complete,
-    less_runs,
-    resolve,
-    spread,
-)
+from wraparc.files.tensions import ENTRY, EXIT, NO_RUNS, Given, complete, resolve
 from wraparc.schema.problems import NOTHING, Report
 from wraparc.schema.tables import Record
 from wraparc.train.keys import EQUAL, MOTOR
@@ -90,9 +90,9 @@ class Reader:
         division = self._division(train, over)
         given = self._given(train, over)
         pull = self._powers(train if over is None or "share" not in over else over)
-        if pull and len(given.families) < 2:
-            given = replace(given, values={**given.values, "effective_tension": pull})
-        given = less_runs(given, sum(runs), self.belt.speed)
+        if pull and len(families(given.values)) < 2:
+            given = replace(given, values=given.values._replace(effective_tension=pull))
+        given = given.less_runs(sum(runs), self.belt.speed)
         given = self._held(given, train, over, runs, division)
         tensions = resolve([given], self.belt.speed, self._report).get(given.name)
         if division is None or tensions is None:
@@ -121,10 +121,9 @@ class Reader:
         given = Given.of("train", train, None)
         if over is None:
             return given
-        runs = (0.0, 0.0)
-        fixed = self._take_up.fixed
+        runs, fixed = NO_RUNS, self._take_up.fixed
         if fixed:
-            runs = sum(self._runs(train, None)), sum(self._runs(train, over))
+            runs = RunsGain(sum(self._runs(train, None)), sum(self._runs(train, over)))
         return given.overridden(over, fixed=fixed, speed=self.belt.speed, runs=runs)
 
     def _held(
@@ -135,11 +134,7 @@ class Reader:
         runs: Sequence[float],
         division: Division | None,
     ) -> Given:
-        """Return tensions of a load case that gives its pull alone, by a take-up between drives.
-
-        It keeps the tension behind its pulley; what the pulleys behind it then pull leaves the
-        exit tension of the last one.
-        """
+        """Return tensions of a load case that gives its pull alone, by a take-up between drives."""
         names, after = [p.name for p in self.pulleys], self._take_up.after
         if over is None or after not in names[:-1] or ENTRY in over or EXIT in over:
             return given
@@ -154,19 +149,20 @@ class Reader:
             remedy = f"Give exit_tension too, so that the belt behind {after} keeps its tension."
             self._report.add(over.place, message, remedy)
             return given
-        first = less_runs(self._given(train, None), sum(own), self.belt.speed)
-        (entry, exit_), (entry_0, exit_0) = self._pair(given), self._pair(first)
-        if entry is None or exit_ is None or entry_0 is None or exit_0 is None:
-            return given
+        first = self._given(train, None).less_runs(sum(own), self.belt.speed)
         k = names.index(after) + 1
-        pull, pull_0 = entry - exit_, entry_0 - exit_0
-        lost = math.fsum(division.fractions[k:]) * (pull + sum(runs)) - sum(runs[k - 1 :])
-        lost -= math.fsum(base.fractions[k:]) * (pull_0 + sum(own)) - sum(own[k - 1 :])
-        both = {ENTRY: exit_0 - lost + pull, EXIT: exit_0 - lost}
-        return replace(given, values=both, inherited=())
+        ends = behind_take_up(
+            self._ends(given),
+            self._ends(first),
+            BehindTakeUp(math.fsum(division.fractions[k:]), sum(runs[k - 1 :]), sum(runs)),
+            BehindTakeUp(math.fsum(base.fractions[k:]), sum(own[k - 1 :]), sum(own)),
+        )
+        if ends is None:
+            return given
+        return replace(given, values=type(given.values)(*ends), inherited=())
 
-    def _pair(self, given: Given) -> tuple[float | None, float | None]:
-        return spread([given], self.belt.speed)[0]
+    def _ends(self, given: Given) -> NipTensions:
+        return ends_of(given.values, given.at(self.belt.speed))
 
     def _runs(self, train: Record, over: Record | None) -> tuple[float, ...]:
         table = dict(train.get("run", {}))

@@ -34,62 +34,6 @@ from wraparc.train.turning import (
     turning,
 )
 from wraparc.web.in_page import Among, Given, Quick, description_of
-from wraparc.web.pulls import Pulls, families, overridden, pull_given, pulls
-
-
-def less_runs(of: Pulls, runs: float, speed: float) -> Pulls:
-    """Tensions with the pull between the outer ones: what the runs between the pulleys add is off.
-
-    As `files.tensions.less_runs` has it.
-    """
-    pull = pull_given(of, nan, speed)
-    if runs == 0.0 or pull != pull:
-        return of
-    return Pulls(of.entry_tension, of.exit_tension, pull - runs, nan, nan)
-
-
-def ends_of(of: Pulls, speed: float) -> Pair:
-    """Entry and exit tension that are given; nan where they are not [N]."""
-    pull, entry, leaving = pull_given(of, nan, speed), of.entry_tension, of.exit_tension
-    first = entry if entry == entry else leaving + pull
-    return Pair(first, leaving if leaving == leaving else entry - pull)
-
-
-class Runs(NamedTuple):
-    """What the belt gains between the pulleys, in all [N]."""
-
-    base: float  # in the [train] table
-    case: float  # in the load case
-
-
-def in_case(of: Pulls, over: Pulls, fixed: bool, speed: float, runs: Runs) -> Pulls:
-    """Tensions of a train with those of a load case put over them.
-
-    As `files.tensions.Given.overridden` has it.
-    """
-    pull = pull_given(over, nan, speed)
-    if families(over) >= 2 or not (fixed and pull == pull and pulls(over) == 1):
-        return overridden(of, over, False, nan, speed)
-    ends = ends_of(less_runs(of, runs.base, speed), speed)
-    both, between = ends.entry + ends.exit, 0.5 * (pull - runs.case)
-    if both != both:
-        return over
-    return Pulls(0.5 * both + between, 0.5 * both - between, nan, nan, nan)
-
-
-def behind(
-    of: Pulls, over: Pulls, after: Sequence[float], before: Sequence[float], speed: float
-) -> Pulls:
-    """Tensions of a load case that gives its pull alone, by a take-up between drives.
-
-    As `train.reader` has it; `after` and `before` are the part of the load that the drives behind
-    the take-up have and what the runs behind it and all runs add, in the load case and in the
-    train [-, N, N].
-    """
-    now, first = ends_of(over, speed), ends_of(of, speed)
-    pull, pull_0 = now.entry - now.exit, first.entry - first.exit
-    lost = after[0] * (pull + after[2]) - after[1] - before[0] * (pull_0 + before[2]) + before[1]
-    return Pulls(first.exit - lost + pull, first.exit - lost, nan, nan, nan)
 
 
 def total_of(powers: Sequence[float], speed: float) -> float:

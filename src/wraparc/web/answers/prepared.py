@@ -9,7 +9,8 @@ from pydantic import ConfigDict, GetJsonSchemaHandler
 from wraparc.arc import WrapArc
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
 from wraparc.drive.load_case import DESIGN
-from wraparc.files.tensions import EFFECTIVE, KEYS
+from wraparc.drive.tension_rules import EFFECTIVE
+from wraparc.files.tensions import KEYS
 from wraparc.schema.limits import Limit
 from wraparc.schema.source import Document
 from wraparc.units import Dimension, parse_quantity
@@ -156,7 +157,7 @@ def _own_kinds(document: Document, case: LoadCase) -> set[str]:
 def _taken(document: Document, drive: Drive, case: LoadCase) -> str:
     """Return the one tension or pull that a load case takes over from the pulley, if it is plain.
 
-    As `files.tensions.Given.overridden` has it.
+    As `drive.tension_rules.overridden` has it.
     """
     own, base = _own_kinds(document, case), _kinds(document["pulley"][0])
     if len(own) != 1 or (own == {"pull"} and drive.criteria.take_up.fixed):

@@ -2,7 +2,6 @@
 // Made from the Python source by `make kernel`: change that, not this.
 import {
   Among,
-  Pulls,
   Range,
   answer__operating_point,
   compact__branch_of,
@@ -16,10 +15,6 @@ import {
   numbers__idles,
   numbers__usual,
   profile__read,
-  pulls__families,
-  pulls__overridden,
-  pulls__pull_given,
-  pulls__pulls,
   quantities__jumps,
   summary__geometry_of,
 } from "../static/kernel.js";
@@ -54,17 +49,6 @@ const $text = (x) => {
   if (typeof x !== "string") throw new TypeError(`${x} is no text`);
   return x;
 };
-
-export class Pair {
-  constructor(entry, exit) {
-    this.entry = entry;
-    this.exit = exit;
-  }
-  *[Symbol.iterator]() {
-    yield this.entry;
-    yield this.exit;
-  }
-}
 
 export class Member {
   constructor(law, geometry, radius, stretch, squeeze) {
@@ -225,6 +209,17 @@ export class Driven {
   *[Symbol.iterator]() {
     yield this.lines;
     yield this.reference;
+  }
+}
+
+export class Pair {
+  constructor(entry, exit) {
+    this.entry = entry;
+    this.exit = exit;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.exit;
   }
 }
 
@@ -1461,52 +1456,9 @@ const LOW_VOLTAGE = 0.81;
 const LEAST_COMPLIANCE = 1e-16;
 const USUAL_FRICTION = [0.016, 0.03];
 
-/** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
-export function in_page_train__less_runs(of, runs, speed) {
-  let pull = pulls__pull_given(of, NaN, speed);
-  if (runs === 0.0 || pull !== pull) {
-    return of;
-  }
-  return new Pulls(of.entry_tension, of.exit_tension, pull - runs, NaN, NaN);
-}
-
-/** Entry and exit tension that are given; nan where they are not [N]. */
-export function in_page_train__ends_of(of, speed) {
-  let pull = pulls__pull_given(of, NaN, speed);
-  let entry = of.entry_tension;
-  let leaving = of.exit_tension;
-  let first = entry === entry ? entry : leaving + pull;
-  return new Pair(first, leaving === leaving ? leaving : entry - pull);
-}
-
-/** Tensions of a train with those of a load case put over them. */
-export function in_page_train__in_case(of, over, fixed, speed, runs) {
-  let pull = pulls__pull_given(over, NaN, speed);
-  if (pulls__families(over) >= 2 || !(fixed && pull === pull && pulls__pulls(over) === 1)) {
-    return pulls__overridden(of, over, false, NaN, speed);
-  }
-  let ends = in_page_train__ends_of(in_page_train__less_runs(of, runs.base, speed), speed);
-  let both = ends.entry + ends.exit;
-  let between = 0.5 * (pull - runs.case);
-  if (both !== both) {
-    return over;
-  }
-  return new Pulls(0.5 * both + between, 0.5 * both - between, NaN, NaN, NaN);
-}
-
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
-}
-
-/** Tensions of a load case that gives its pull alone, by a take-up between drives. */
-export function in_page_train__behind(of, over, after, before, speed) {
-  let now = in_page_train__ends_of(over, speed);
-  let first = in_page_train__ends_of(of, speed);
-  let pull = now.entry - now.exit;
-  let pull_0 = first.entry - first.exit;
-  let lost = after[0] * (pull + after[2]) - after[1] - before[0] * (pull_0 + before[2]) + before[1];
-  return new Pulls(first.exit - lost + pull, first.exit - lost, NaN, NaN, NaN);
 }
 
 /** Pull that powers of the drives make [N]. */

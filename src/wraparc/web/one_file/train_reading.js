@@ -1,9 +1,16 @@
 // The [train] table of a drive file and those of its load cases, as numbers.
 
 import { si } from "../static/base/units.js";
-import { pulls__families as families, pulls__fault_of as faultOf } from "../static/kernel.js";
-import { inConditions, tell } from "../static/pages/drive/assemble.js";
+import {
+  tension_rules__behind_take_up as behindTakeUp,
+  tension_rules__ends_of as endsOf,
+  tension_rules__families as families,
+  tension_rules__less_runs as lessRuns,
+  tension_rules__overridden as overridden,
+} from "../static/kernel.js";
+import { inConditions, tell, whole } from "../static/pages/drive/assemble.js";
 import { Reader } from "../static/pages/drive/reading.js";
+import { orNull, tensionsBy } from "../static/parts/problems.js";
 import * as K from "./train_kernel.js";
 
 /** @import { Path } from "../static/types.d.ts" */
@@ -25,6 +32,7 @@ const DIVIDE =
   'Write share = ["50 %", "50 %"], speeds = "equal", or a [train.motor.NAME] for each pulley.';
 /** How far shares may miss their sum, and powers the pull that the tensions make. */
 const [SUM, POWER_SUM] = [1e-6, 5e-3];
+const NOTHING = tensionsBy(() => none);
 /** @param {any} v */
 const isTable = (v) => typeof v === "object" && v !== null && !Array.isArray(v);
 
@@ -36,6 +44,7 @@ export class TrainReader {
     this.doc = doc;
     this.motors = motors;
     this.speed = speed;
+    this.drum = { diameter: null, speed: orNull(speed) };
     this.nominal = nominal;
     this.takeUp = takeUp;
     this.design = design;
@@ -44,7 +53,7 @@ export class TrainReader {
   }
   /** The load cases; with problems in the reader where they cannot be read. */
   cases() {
-    const { r, doc, speed } = this;
+    const { r, doc } = this;
     this.shape();
     if (r.problems.length) return [];
     const { train } = doc;
@@ -52,7 +61,7 @@ export class TrainReader {
     const list = doc.load_case ?? [];
     /** @type {(TrainCase | null)[]} */
     const found = [];
-    if (!list.length || !faultOf(base, speed) || this.powers(train))
+    if (!list.length || whole(base, this.drum) || this.powers(train))
       found.push(this.read({ name: this.design }, base, null, ["train"]));
     list.forEach((/** @type {any} */ c, /** @type {number} */ i) => {
       const at = /** @type {Path} */ (["load_case", i]);
@@ -96,9 +105,7 @@ export class TrainReader {
   }
   /** @param {Path} at @returns {any} */
   pulls(at) {
-    const read = (/** @type {string} */ key) => this.r.number("train", [...at, key]);
-    const found = Object.fromEntries(LOADS.map((key) => [key, read(key)]));
-    return { ...found, torque: none };
+    return tensionsBy((key) => (LOADS.includes(key) ? this.r.number("train", [...at, key]) : none));
   }
   /** @param {any} table The pull that powers in place of shares make; 0 for none. */
   powers(table) {
@@ -131,7 +138,7 @@ export class TrainReader {
   /** One load case. @param {any} c @param {any} base @param {any} over @param {Path} at
    * @returns {TrainCase | null} */
   read(c, base, over, at) {
-    const { r, doc, speed, takeUp } = this;
+    const { r, doc, drum, takeUp } = this;
     const { train } = doc;
     const before = r.problems.length;
     const own = this.runs(train, ["train"]).map(orNothing);
@@ -147,14 +154,14 @@ export class TrainReader {
     };
     const fixed = takeUp.kind === "fixed";
     const table = over ? this.pulls(at) : null;
-    let given = table ? K.in_page_train__in_case(base, table, fixed, speed, sums) : base;
+    let given = table ? overridden(base, table, fixed, drum, sums) : base;
     const pull = this.powers(over && "share" in over ? over : train);
-    if (pull && families(given) < 2) given = { ...given, effective_tension: pull };
-    tell(r, at, given, speed);
-    given = K.in_page_train__less_runs(given, sums.case, speed);
+    if (pull && families(given).length < 2) given = { ...given, effective_tension: pull };
+    tell(r, at, given, drum, table ?? given);
+    given = lessRuns(given, sums.case, drum);
     if (over && division) given = this.behind(given, base, { over, division, runs, own, sums }, at);
     if (r.problems.length > before || !division) return null;
-    const { entry, exit } = K.in_page_train__ends_of(given, speed);
+    const { entry, exit } = endsOf(given, drum);
     const { name, kind = "running", condition } = c;
     const found = { name, kind, condition, entry, exit, runs: [...runs, 0], division };
     if (pull && K.in_page_train__miss_of(entry, exit, sums.case, pull) > POWER_SUM) {
@@ -184,13 +191,20 @@ export class TrainReader {
       return given;
     }
     const sum = (/** @type {number[]} */ of) => K.in_page_train__total_of(of, 1);
-    return K.in_page_train__behind(
-      K.in_page_train__less_runs(base, sums.base, this.speed),
-      given,
-      [sum(division.parts.slice(k)), sum(runs.slice(k - 1)), sums.case],
-      [sum(first.parts.slice(k)), sum(own.slice(k - 1)), sums.base],
-      this.speed,
+    /** @param {number[]} parts @param {number[]} gains */
+    const part = (parts, gains) => ({
+      share: sum(parts.slice(k)),
+      behind: sum(gains.slice(k - 1)),
+      runs: sum(gains),
+    });
+    const before = endsOf(lessRuns(base, sums.base, this.drum), this.drum);
+    const ends = behindTakeUp(
+      endsOf(given, this.drum),
+      before,
+      part(division.parts, runs),
+      part(first.parts, own),
     );
+    return ends ? { ...NOTHING, entry_tension: ends.entry, exit_tension: ends.exit } : given;
   }
   /** @param {any} over @param {Path} at @returns {Division | null} */
   division(over, at) {

@@ -879,8 +879,14 @@ export class Judged {
   }
 }
 
-export class Pulls {
-  constructor(entry_tension, exit_tension, effective_tension, torque, power) {
+export class LoadGiven {
+  constructor(
+    entry_tension = null,
+    exit_tension = null,
+    effective_tension = null,
+    torque = null,
+    power = null,
+  ) {
     this.entry_tension = entry_tension;
     this.exit_tension = exit_tension;
     this.effective_tension = effective_tension;
@@ -893,6 +899,30 @@ export class Pulls {
     yield this.effective_tension;
     yield this.torque;
     yield this.power;
+  }
+}
+
+export class NipTensions {
+  constructor(entry, exit) {
+    this.entry = entry;
+    this.exit = exit;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.exit;
+  }
+}
+
+export class LoadFault {
+  constructor(message, remedy, lacks) {
+    this.message = message;
+    this.remedy = remedy;
+    this.lacks = lacks;
+  }
+  *[Symbol.iterator]() {
+    yield this.message;
+    yield this.remedy;
+    yield this.lacks;
   }
 }
 
@@ -1046,10 +1076,11 @@ const DIFFERENCE = 0.001;
 const FARTHEST = 200.0;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
-const SEVERAL_PULLS = 1;
-const ALL_THREE = 2;
-const TOO_FEW = 3;
-const NO_SPEED = 4;
+const ENDS = ["entry_tension", "exit_tension"];
+const EFFECTIVE = ["effective_tension", "torque", "power"];
+const ONE_TOO_MANY = "Leave one of them out.";
+const _ALIKE = 1e-6;
+const FEW = "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.";
 const STEEP = 1;
 const UNUSUAL = 3;
 const FAR = 10.0;
@@ -4459,78 +4490,167 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   );
 }
 
-/** How many quantities are given that fix the effective tension. */
-export function pulls__pulls(of) {
-  let count = of.effective_tension === of.effective_tension ? 1 : 0;
-  count += of.torque === of.torque ? 1 : 0;
-  return count + (of.power === of.power ? 1 : 0);
+/** The keys given that fix the effective tension. */
+export function tension_rules__effective_keys(of) {
+  return [...EFFECTIVE].filter((key) => of[key] !== null);
 }
 
-/** How many independent quantities are given. */
-export function pulls__families(of) {
-  let count = of.entry_tension === of.entry_tension ? 1 : 0;
-  count += of.exit_tension === of.exit_tension ? 1 : 0;
-  return count + (pulls__pulls(of) > 0 ? 1 : 0);
+/** One key for each independent quantity given. */
+export function tension_rules__families(of) {
+  let keys = [...ENDS].filter((key) => of[key] !== null);
+  let pulls = tension_rules__effective_keys(of);
+  if (pulls.length > 0) {
+    keys.push(pulls[0]);
+  }
+  return keys;
 }
 
-/** Effective tension that is given, nan where it is not [N]. */
-export function pulls__pull_given(of, diameter, speed) {
-  if (of.effective_tension === of.effective_tension) {
+/** Effective tension that is given [N]; None where it is not, or does not follow. */
+export function tension_rules__pull_given(of, at) {
+  if (of.effective_tension !== null) {
     return of.effective_tension;
   }
-  if (of.torque === of.torque) {
-    return load_case__pull_of_torque(of.torque, diameter);
+  if (of.torque !== null) {
+    return at.diameter === null ? null : load_case__pull_of_torque(of.torque, at.diameter);
   }
-  return load_case__pull_of_power(of.power, speed);
+  if (of.power === null || at.speed === null) {
+    return null;
+  }
+  return load_case__pull_of_power(of.power, at.speed);
 }
 
-/** Sum of the tensions that are given, nan where they are not [N]. */
-export function pulls__both_tensions(of, diameter, speed) {
-  let pull = pulls__pull_given(of, diameter, speed);
-  let entry = of.entry_tension;
-  let leaving = of.exit_tension;
-  let first = entry === entry ? entry : leaving + pull;
-  return first + (leaving === leaving ? leaving : entry - pull);
+/** What is given with the pull between the outer tensions: that of the pulleys less the runs. */
+export function tension_rules__less_runs(of, runs, at) {
+  let pull = tension_rules__pull_given(of, at);
+  if (runs === 0.0 || pull === null) {
+    return of;
+  }
+  return new LoadGiven(of.entry_tension, of.exit_tension, pull - runs, null, null);
 }
 
-/** Tensions of a pulley with those of a load case put over them. */
-export function pulls__overridden(of, over, fixed, diameter, speed) {
-  let both;
-  if (pulls__families(over) >= 2) {
-    return over;
+/** Both tensions by one of them and the pull [N]. */
+export function tension_rules__filled(entry, leaving, pull) {
+  if (pull !== null && leaving === null && entry !== null) {
+    return new NipTensions(entry, entry - pull);
   }
-  let pull = pulls__pull_given(over, diameter, speed);
-  if (fixed && pull === pull && pulls__pulls(over) === 1) {
-    both = pulls__both_tensions(of, diameter, speed);
-    if (both !== both) {
-      return over;
-    }
-    return new Pulls(0.5 * both + 0.5 * pull, 0.5 * both - 0.5 * pull, NaN, NaN, NaN);
+  if (pull !== null && entry === null && leaving !== null) {
+    return new NipTensions(leaving + pull, leaving);
   }
-  let entry = over.entry_tension;
-  let leaving = over.exit_tension;
-  let taken = pulls__pulls(over) > 0;
-  return new Pulls(
-    entry === entry ? entry : of.entry_tension,
-    leaving === leaving ? leaving : of.exit_tension,
-    taken ? over.effective_tension : of.effective_tension,
-    taken ? over.torque : of.torque,
-    taken ? over.power : of.power,
+  return new NipTensions(entry, leaving);
+}
+
+/** Tensions at the nips, as far as they follow [N]. */
+export function tension_rules__ends_of(of, at) {
+  return tension_rules__filled(
+    of.entry_tension,
+    of.exit_tension,
+    tension_rules__pull_given(of, at),
   );
 }
 
-/** What is wrong with the tensions that are given; 0 where nothing is. */
-export function pulls__fault_of(of, speed) {
-  if (pulls__pulls(of) > 1) {
-    return SEVERAL_PULLS;
+/** What is given of a pulley with what a load case gives put over it. */
+export function tension_rules__overridden(of, over, fixed, at, runs) {
+  let between, ends, half;
+  if (tension_rules__families(over).length >= 2) {
+    return over;
   }
-  if (pulls__families(of) > 2) {
-    return ALL_THREE;
+  let pull = tension_rules__pull_given(over, at);
+  if (fixed && pull !== null && tension_rules__effective_keys(over).length === 1) {
+    ends = tension_rules__ends_of(tension_rules__less_runs(of, runs.base, at), at);
+    if (ends.entry === null || ends.exit === null) {
+      return over;
+    }
+    half = 0.5 * (ends.entry + ends.exit);
+    between = 0.5 * (pull - runs.case);
+    return new LoadGiven(half + between, half - between, null, null, null);
   }
-  if (pulls__families(of) < 2) {
-    return TOO_FEW;
+  let by = tension_rules__effective_keys(over).length > 0 ? over : of;
+  return new LoadGiven(
+    over.entry_tension === null ? of.entry_tension : over.entry_tension,
+    over.exit_tension === null ? of.exit_tension : over.exit_tension,
+    by.effective_tension,
+    by.torque,
+    by.power,
+  );
+}
+
+/** Whether more is given than fixes the tensions. */
+export function tension_rules__overdetermined(of) {
+  return tension_rules__effective_keys(of).length > 1 || tension_rules__families(of).length > 2;
+}
+
+/** Keys in words. */
+export function tension_rules__listed(keys) {
+  return "" + $text(keys.slice(0, -1).join(", ")) + " and " + $text(keys.at(-1));
+}
+
+/** What is wrong with what is given of one pulley, by itself. */
+export function tension_rules__fault_of(of, inherited, at, force) {
+  let between;
+  let pulls = tension_rules__effective_keys(of);
+  let given = tension_rules__families(of);
+  if (!tension_rules__overdetermined(of)) {
+    return null;
   }
-  return of.power === of.power && speed !== speed ? NO_SPEED : 0;
+  if (pulls.length > 1) {
+    return new LoadFault(
+      "" + $text(tension_rules__listed(pulls)) + " each fix the effective tension",
+      ONE_TOO_MANY,
+      "",
+    );
+  }
+  let message =
+    "" + $text(tension_rules__listed(given)) + " are given, and two of them fix the third";
+  let pull = tension_rules__pull_given(of, at);
+  let ends = tension_rules__ends_of(of, at);
+  if (pull !== null && ends.entry !== null && ends.exit !== null) {
+    between = ends.entry - ends.exit;
+    if (Math.abs(pull - between) > _ALIKE * Math.abs(between)) {
+      message =
+        "" +
+        $text(tension_rules__listed(given)) +
+        " contradict each other: entry less exit tension is " +
+        $text(force(between)) +
+        ", " +
+        $text(pulls[0]) +
+        " makes " +
+        $text(force(pull));
+    }
+  }
+  let remedy = "Give two of them in the load case: they replace those of the pulley.";
+  return new LoadFault(message, inherited ? remedy : ONE_TOO_MANY, "");
+}
+
+/** Whether a power is given, and no belt speed to make a pull of it. */
+export function tension_rules__speed_missing(of, at) {
+  if (at.speed !== null || of.power === null) {
+    return null;
+  }
+  let remedy = 'Write speed = "3 m/s" in [belt], or give effective_tension.';
+  return new LoadFault("power needs the belt speed", remedy, "power");
+}
+
+/** What is said where the tensions do not follow. */
+export function tension_rules__too_few(of) {
+  let given = tension_rules__families(of);
+  if (given.length === 0) {
+    return new LoadFault("no tensions are given", FEW, "tensions");
+  }
+  let message =
+    "" + "only " + $text(given[0]) + " is given, and it takes two quantities to fix the tensions";
+  return new LoadFault(message, FEW, "tensions");
+}
+
+/** Tensions of a load case that gives its pull alone, by a take-up between drives [N]. */
+export function tension_rules__behind_take_up(now, first, after, before) {
+  if (now.entry === null || now.exit === null || first.entry === null || first.exit === null) {
+    return null;
+  }
+  let pull = now.entry - now.exit;
+  let pull_0 = first.entry - first.exit;
+  let lost = after.share * (pull + after.runs) - after.behind;
+  lost -= before.share * (pull_0 + before.runs) - before.behind;
+  return new NipTensions(first.exit - lost + pull, first.exit - lost);
 }
 
 /** Entry and exit tension of an arc by its numbers [N]. */

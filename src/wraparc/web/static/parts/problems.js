@@ -7,6 +7,15 @@ import { shownFields } from "./field.js";
 /** @import { Path, Problem } from "../types.d.ts" */
 
 export const TENSIONS = ["entry_tension", "exit_tension", "effective_tension", "power", "torque"];
+/** @typedef {Record<string, number | null>} Tensions what is given of them [SI] */
+/** @typedef {{diameter: number | null, speed: number | null}} Drum */
+/** A number, or null where it is none. @param {number} v */
+export const orNull = (v) => (Number.isNaN(v) ? null : v);
+/** What is given of the tensions of a pulley. @param {(key: string) => number} read
+ * @returns {Tensions} */
+export const tensionsBy = (read) =>
+  /** @type {Tensions} */ (Object.fromEntries(TENSIONS.map((key) => [key, orNull(read(key))])));
+export const NO_RUNS = { base: 0, case: 0 };
 
 /**
  * Path as the server tells it, to the place in the document.

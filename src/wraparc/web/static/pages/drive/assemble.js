@@ -4,24 +4,29 @@ import { isDrive } from "../../base/design.js";
 import {
   compression__block_modulus as blockModulus,
   in_page__described as described,
-  pulls__fault_of as faultOf,
-  pulls__overridden as overridden,
+  tension_rules__ends_of as endsOf,
+  tension_rules__fault_of as faultOf,
+  tension_rules__overridden as overridden,
+  tension_rules__speed_missing as speedMissing,
+  tension_rules__too_few as tooFew,
   in_page__unjudged as unjudged,
 } from "../../kernel.js";
-import { TENSIONS } from "../../parts/problems.js";
+import { NO_RUNS, orNull, TENSIONS, tensionsBy } from "../../parts/problems.js";
 import { numbersOf } from "./own.js";
 import { Reader } from "./reading.js";
 import { checkShape } from "./shape.js";
 import { standardOf } from "./standard.js";
 import { dataWords, filled, general, named, wordsOf } from "./wording.js";
+import { quantity } from "./words.js";
 
 /** @import { Book, BookLagging, BookLaw, Design, Judging } from "../../types.d.ts" */
 /** @import { Path, Problem } from "../../types.d.ts" */
+/** @import { Drum, Tensions } from "../../parts/problems.js" */
 
 /**
  * What a document says, as numbers [SI] and choices.
  * @typedef {ReturnType<typeof read>} Said
- * @typedef {{name: string, kind: string, pulls: Record<string, number>, condition: any}} Case
+ * @typedef {{name: string, kind: string, pulls: Tensions, condition: any}} Case
  */
 
 const none = Number.NaN;
@@ -181,16 +186,16 @@ const sizes = (entry) => ({
  * @param {number} diameter @param {boolean} fixed @returns {Case[]} */
 function casesOf(r, book, speed, diameter, fixed) {
   const { doc } = r;
-  /** @param {Path} at @returns {Record<string, number>} */
-  const pullsAt = (at) =>
-    Object.fromEntries(TENSIONS.map((key) => [key, r.number("tensions", [...at, key])]));
+  const drum = { diameter: orNull(diameter), speed: orNull(speed) };
+  /** @param {Path} at */
+  const pullsAt = (at) => tensionsBy((key) => r.number("tensions", [...at, key]));
   const base = pullsAt(["pulley", 0]);
   const sure = !r.problems.some((p) => /speed$/.test(p.path)); // else nothing is called missing
   const list = doc.load_case ?? [];
   /** @type {Case[]} */
   const found = [];
-  if (!list.length || !faultOf(base, speed)) {
-    if (sure || list.length === 0) tell(r, ["pulley", 0], base, speed);
+  if (!list.length || whole(base, drum)) {
+    if (sure || list.length === 0) tell(r, ["pulley", 0], base, drum);
     found.push({ name: book.design, kind: "running", pulls: base, condition: undefined });
   }
   list.forEach((/** @type {any} */ c, /** @type {number} */ i) => {
@@ -200,8 +205,8 @@ function casesOf(r, book, speed, diameter, fixed) {
     const others = Object.keys(c.pulley ?? {}).filter((n) => n !== pulley);
     if (others.length) r.wrong([...at, "pulley", others[0]], "no such pulley");
     const over = pullsAt([...at, "pulley", pulley]);
-    const pulls = overridden(base, over, fixed, diameter, speed);
-    if (sure) tell(r, [...at, "pulley", pulley], pulls, speed);
+    const pulls = overridden(base, over, fixed, drum, NO_RUNS);
+    if (sure) tell(r, [...at, "pulley", pulley], pulls, drum, over);
     found.push({ name, kind: c.kind ?? "running", pulls, condition: c.condition });
     if (!["running", "starting", "braking"].includes(c.kind ?? "running"))
       r.wrong([...at, "kind"], "must be one of running, starting, braking");
@@ -221,30 +226,23 @@ export function inConditions(cases, conditions) {
       : conditions.map((w) => ({ ...c, name: `${c.name}, ${w?.name ?? w}`, condition: w })),
   );
 }
-const FEW = "it takes two quantities to fix the tensions";
-const FAULTS = [
-  "",
-  "effective_tension, torque and power each fix the effective tension",
-  "three tensions are given, and two of them fix the third",
-  FEW,
-  "power needs the belt speed",
-];
-const REMEDIES = [
-  "",
-  "Leave one of them out.",
-  "Leave one of them out; in a load case give two, which replace those of the pulley.",
-  "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.",
-  'Write speed = "3 m/s" in [belt], or give effective_tension.',
-];
-/** @param {Reader} r @param {Path} at @param {Record<string, number>} pulls
- * @param {number} speed */
-export function tell(r, at, pulls, speed) {
-  const fault = faultOf(pulls, speed);
-  if (!fault || r.problems.some((p) => /_tension|torque|power/.test(p.path))) return;
+/** Whether the tensions follow from what is given. @param {Tensions} of @param {Drum} drum */
+export function whole(of, drum) {
+  const { entry, exit } = endsOf(of, drum);
+  return entry !== null && exit !== null;
+}
+const force = (/** @type {number} */ v) => quantity(v, "force", 4);
+/** @param {Reader} r @param {Path} at @param {Tensions} of @param {Drum} drum
+ * @param {Tensions} [own] what the load case gives itself, where it takes over the rest */
+export function tell(r, at, of, drum, own = of) {
+  if (r.problems.some((p) => /_tension|torque|power/.test(p.path))) return;
+  const inherited = TENSIONS.some((key) => of[key] !== null && own[key] === null);
+  const lacking = () => speedMissing(of, drum) ?? (whole(of, drum) ? null : tooFew(of));
+  const fault = faultOf(of, inherited, drum, force) ?? lacking();
+  if (!fault) return;
   // what is missing has a field
-  const missing = ["entry_tension", "exit_tension"].find((key) => Number.isNaN(pulls[key]));
-  const place = FAULTS[fault] === FEW && missing ? [...at, missing] : at;
-  r.wrong(place, FAULTS[fault], REMEDIES[fault]);
+  const missing = fault.lacks && ["entry_tension", "exit_tension"].find((key) => of[key] === null);
+  r.wrong(missing ? [...at, missing] : at, fault.message, fault.remedy);
 }
 
 /** The law of a lagging in a condition. @param {Reader} r @param {BookLagging | undefined} entry
@@ -310,7 +308,7 @@ export function caseOf(said, c, bookLaw, book) {
   const usual = book.usual;
   const limit = limitOf(said, book);
   const given = {
-    ...Object.fromEntries(TENSIONS.map((key) => [key, c.pulls[key]])),
+    ...Object.fromEntries(TENSIONS.map((key) => [key, c.pulls[key] ?? none])),
     ...{ diameter: pulley.diameter, wrap_angle: pulley.wrap_angle, overrun: pulley.overrun },
     ...{ recovery: +recovery, width: belt.width, modulus: belt.modulus, speed: belt.speed },
     thickness: lagging.thickness,

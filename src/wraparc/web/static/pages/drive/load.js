@@ -3,15 +3,16 @@ import { set } from "../../base/design.js";
 import { note } from "../../base/server.js";
 import { si, written } from "../../base/units.js";
 import {
-  pulls__both_tensions as bothOf,
-  pulls__fault_of as faultOf,
-  pulls__overridden as overridden,
-  pulls__pull_given as pullOf,
+  tension_rules__ends_of as endsOf,
+  tension_rules__overdetermined as overdetermined,
+  tension_rules__overridden as overridden,
+  tension_rules__pull_given as pullOf,
 } from "../../kernel.js";
 import { spec } from "../../parts/field.js";
-import { TENSIONS } from "../../parts/problems.js";
+import { NO_RUNS, orNull, TENSIONS, tensionsBy } from "../../parts/problems.js";
 
 /** @import { Design, Path } from "../../types.d.ts" */
+/** @import { Drum, Tensions } from "../../parts/problems.js" */
 /** @typedef {Record<string, number>} Load quantities by their keys [SI], nan where not given */
 
 const DIGITS = 9;
@@ -20,43 +21,43 @@ const SAME = 1e-6; // of the tensions: what so many digits leave
 const dimension = (key) => spec("tensions", key).dimension || "force";
 /** @param {string} key @param {number} value */
 const text = (key, value) => written(value, dimension(key), DIGITS);
-/** @param {any} table @returns {Record<string, number>} */
-const pullsIn = (table) =>
-  Object.fromEntries(TENSIONS.map((key) => [key, si(table?.[key], dimension(key))]));
+/** @param {any} table */
+const pullsIn = (table) => tensionsBy((key) => si(table?.[key], dimension(key)));
+/** @param {Design} doc @param {number} i @returns {Drum} */
+const drumOf = (doc, i) => ({
+  diameter: orNull(si(doc.pulley[i].diameter, "length")),
+  speed: orNull(si(doc.belt.speed, "speed")),
+});
 
 /** Every quantity of the load that a table of tensions gives, nan where it does not say.
  * @param {Design} doc @param {number} i
- * @returns {(of: Load) => Load} */
+ * @returns {(of: Tensions) => Load} */
 function loadOn(doc, i) {
-  const diameter = si(doc.pulley[i].diameter, "length");
-  const speed = si(doc.belt.speed, "speed");
+  const drum = drumOf(doc, i);
   return (of) => {
-    const ends = of.entry_tension - of.exit_tension;
-    const pull = Number.isNaN(ends) ? pullOf(of, diameter, speed) : ends;
-    const both = bothOf(of, diameter, speed);
+    const { entry, exit } = endsOf(of, drum);
+    const pull = entry === null || exit === null ? pullOf(of, drum) : entry - exit;
     return {
-      entry_tension: (both + pull) / 2,
-      exit_tension: (both - pull) / 2,
-      effective_tension: pull,
-      power: pull * speed,
-      torque: (pull * diameter) / 2,
+      entry_tension: entry ?? none,
+      exit_tension: exit ?? none,
+      effective_tension: pull ?? none,
+      power: (pull ?? none) * (drum.speed ?? none),
+      torque: ((pull ?? none) * (drum.diameter ?? none)) / 2,
     };
   };
 }
-const NONE = Object.fromEntries(TENSIONS.map((key) => [key, Number.NaN]));
-const TOO_MANY = 2; // faults of tensions up to here: more is given than fixes them
+const none = Number.NaN;
+const NONE = Object.fromEntries(TENSIONS.map((key) => [key, none]));
 /** What a load case makes of the tensions of its pulley: nothing, where with them too much is
  * given. @param {Design} doc @param {number} i
- * @returns {(of: Load, over: Load) => Load} */
+ * @returns {(of: Tensions, over: Tensions) => Load} */
 function caseOn(doc, i) {
-  const diameter = si(doc.pulley[i].diameter, "length");
-  const speed = si(doc.belt.speed, "speed");
+  const drum = drumOf(doc, i);
   const all = loadOn(doc, i);
   const fixed = doc.take_up?.kind === "fixed";
   return (of, over) => {
-    const found = overridden(of, over, fixed, diameter, speed);
-    const fault = faultOf(found, speed);
-    return fault && fault <= TOO_MANY ? NONE : all(found);
+    const found = overridden(of, over, fixed, drum, NO_RUNS);
+    return overdetermined(found) ? NONE : all(found);
   };
 }
 /** The tensions that a load case gives at a pulley, and what they come to with those of the pulley.
