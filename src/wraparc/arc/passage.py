@@ -20,6 +20,7 @@ from wraparc.arc.collocation import (
     NO_SLOPES,
     Course,
     Ends,
+    Interface,
     Solved,
     compliance_of,
     converged,
@@ -87,7 +88,7 @@ def passed(
         held = _held(law, arc, ends)
         if held is not None:
             return held
-    met = None if near is None else _again(arc, ends, near, tol)
+    met = None if near is None else _again(law, arc, ends, near, tol)
     if met is None:
         met = _afresh(law, arc, ends, min(tol, AFRESH))
     return _told(arc, met)
@@ -121,13 +122,16 @@ def _held(law: CompactLaw, arc: Geometry, ends: Ends) -> Passed | None:
     )
 
 
-def _again(arc: Geometry, ends: Ends, near: Met, tol: float) -> Met | None:
+def _again(law: CompactLaw, arc: Geometry, ends: Ends, near: Met, tol: float) -> Met | None:
     """The arc from one nearly the same; None where it is another kind."""
-    face, length = near.face, arc.radius * arc.wrap_angle
-    if not near.done or near.course.place[-1] == 0.0 or face.slides * ends.goal < 0.0:
+    length, at, rests = arc.radius * arc.wrap_angle, near.course, near.face.rests
+    if not near.done or at.place[-1] == 0.0 or near.face.slides * ends.goal < 0.0:
         return None
+    face = interface(law, arc)._replace(slides=near.face.slides, rests=rests)
+    if not rests and at.place[-1] != length:  # a drum of another size
+        at = at._replace(place=[length / at.place[-1] * place for place in at.place])
     enough = COARSELY if tol == NO_MESH else SETTLED
-    found = converged(face, arc, ends, near.course, FIRST_STEPS, enough)
+    found = converged(face, arc, ends, at, FIRST_STEPS, enough)
     for _ in range(MOST_ROUNDS if tol < NO_MESH else 0):
         if not found.done:
             return None
@@ -137,14 +141,14 @@ def _again(arc: Geometry, ends: Ends, near: Met, tol: float) -> Met | None:
         if not finer:
             break
         found = converged(face, arc, ends, new, LATER_STEPS, enough)
-    return _checked(arc, near, found, length) if found.done else None
+    return _checked(face, arc, found) if found.done else None
 
 
-def _checked(arc: Geometry, near: Met, found: Solved, length: float) -> Met | None:
+def _checked(face: Interface, arc: Geometry, found: Solved) -> Met | None:
     """The arc found, or None where it has a rest arc and should not, or the other way round."""
-    face, at = near.face, found.course
+    at = found.course
     if face.rests:
-        rest = length - at.place[-1]
+        rest = arc.radius * arc.wrap_angle - at.place[-1]
         if rest < HELD * lag_length(arc) or rest < 0.0:
             return None
         entry = entry_of_rest(face, arc, at.tension[0])

@@ -62,7 +62,7 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     fine = FINE if softening else SHARP
     state = None if softening else settle(system, *guessed(system), fine)
     if state is not None:
-        return _corrected(system, _chosen(system, names, [state]), fine)
+        return _corrected(system, _chosen(system, names, [state]))
     eased = _eased(system, _GIVE)
     for tol in (COARSE, SHARP):  # close to breakaway a coarse mesh misses the solution
         search = Search(eased, tol)
@@ -79,10 +79,10 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         level = search.level(levels[0])
         start = failed[0] if len(failed) > 0 else tuple(search.follow(level).passages)
         return _broken(system, names, start, level)
-    return _corrected(system, _chosen(system, names, states), fine)
+    return _corrected(system, _chosen(system, names, states))
 
 
-def _corrected(system: System, located: Located, tol: float) -> Located:
+def _corrected(system: System, located: Located) -> Located:
     """Return the tensions at which the arcs, solved for their tensions, meet the speeds.
 
     Followed from creep to tension and solved from tension to creep, on meshes of their own, an arc
@@ -103,7 +103,7 @@ def _corrected(system: System, located: Located, tol: float) -> Located:
         if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
             break
         system = replace(system, corrections=tuple(offsets))
-        better = settle(system, state.passages, state.level, tol)
+        better = settle(system, state.passages, state.level, COARSE)
         if better is None:
             break
         located = replace(located, settled=better, passages=better.passages, level=better.level)
@@ -194,7 +194,7 @@ def _broken(
             known = member.between(p.entry, p.exit)
             if known is None:
                 fallen.append(i)
-        elif p.slopes.exit_by_place >= 0.0:
+        elif not member.rises(p):
             fallen.append(i)
         exact.append(p if known is None else known)
     status = TrainStatus.BREAKAWAY

@@ -25,6 +25,7 @@ COARSE, SHARP, FINE = NO_MESH, 1e-3, MESH
 #: Largest entry creep ratio that is considered, either way.
 LARGEST_RATIO = 0.5
 REST_SCALE = 1e-3  # creep of a slide behind a rest arc where its root is a place of the same size
+_LEAST_RISE = 1e-9  # of tension, over a creep as long as the wrap: less is none
 _BEYOND = 30.0  # logarithm of the tension ratio that stands for one too large for numbers
 
 
@@ -139,6 +140,10 @@ class Member:
     def stretch_slope(self, entry: float) -> float:
         """Change of `stretch_log` with tension, about 1/EA + delta/(R T1) [1/N]."""
         return self.stretch / (1.0 + entry * self.stretch) + self.squeeze / self.arm(entry)
+
+    def rises(self, at: Passage) -> bool:
+        """Whether the pulley pulls more if it creeps more; where not, it is past its peak."""
+        return at.slopes.exit_by_place * self.length < -_LEAST_RISE * at.exit
 
     def place_of(self, creep: float) -> float:
         """Place of a creep at the exit [m]."""

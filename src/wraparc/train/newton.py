@@ -12,12 +12,13 @@ from wraparc.train.member import COARSE, FINE, Passage
 from wraparc.train.system import System
 
 #: Miss of a speed equation and of the logarithm of the last tension that counts as none.
-TOLERANCE = 1e-12
+TOLERANCE = 1e-14
 #: Weight of a speed equation beside that of the last tension, for comparing misses only.
 _SPEED_WEIGHT = 1e3
 #: Longest step of a place: of itself, and of the wrap.
 _OF_ITSELF, _OF_WRAP = 2.0, 0.02
 _MOST, _HALVINGS = 30, 15  # steps
+_NEAR = 1e-5  # size from which on a step helps at once, or not at all
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +113,7 @@ def linearized(system: System, passages: Sequence[Passage]) -> tuple[Linear, tup
             pairs = zip(torques[i], torques[line.master], strict=True)
             matrix[i] = [(x - line.ratio * y) / system.torque_scale for x, y in pairs]
     matrix[count] = [x / passages[-1].exit for x in entry]
-    rising = tuple(at.slopes.exit_by_place <= 0.0 for at in passages)
+    rising = tuple(m.rises(at) for m, at in zip(system.members, passages, strict=True))
     return Linear(matrix, pulls, tuple(line.follows for line in system.lines)), rising
 
 
@@ -142,17 +143,20 @@ def settle(
     starts = _starts(system, passages)
     if starts is None:
         return None
-    enough, meshed = tolerance * _SPEED_WEIGHT, False
+    enough, meshed, again = tolerance * _SPEED_WEIGHT, tol == COARSE, False
     places, arcs = [at.place for at in starts], [at.met for at in starts]
     at = _point(system, places, arcs, level, COARSE)
     for _ in range(_MOST):
         linear, rising = linearized(system, at.state)
         new = _stepped(at, system, linear.matrix) if at.size > enough else None
         if new is not None:
-            at = new
+            at, again = new, False
         elif not meshed:
             meshed = True
             at = _point(system, _places(at), _arcs(at), at.level, tol)
+        elif at.size > enough and not again:  # what the arcs still lacked was more than the miss
+            again = True
+            at = _point(system, _places(at), _arcs(at), at.level, COARSE)
         else:  # no step is any better: rounding, or no solution
             done = at.size <= 1e3 * enough
             return Settled(at.state, at.level, linear, rising) if done else None
@@ -196,7 +200,7 @@ def _stepped(at: _Point, system: System, matrix: Matrix) -> _Point | None:
     for member, passage, change in zip(system.members, at.state, step[:-1], strict=True):
         most = _OF_ITSELF * abs(passage.place) + member.place_of(_OF_WRAP * member.length)
         scale = min(scale, most / max(abs(change), 1e-300))
-    for _ in range(_HALVINGS):
+    for _ in range(_HALVINGS if at.size > _NEAR else 2):
         places = [x + scale * d for x, d in zip(_places(at), step[:-1], strict=True)]
         new = _point(system, places, _arcs(at), at.level + scale * step[-1], COARSE)
         if new.size < at.size:
