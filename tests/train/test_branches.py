@@ -31,7 +31,7 @@ def members(exit_: float) -> tuple[Member, Member]:
 
 
 def all_splits(exit_: float, trim: float) -> list[float]:
-    """Shares of drive 1 at which the pulleys agree on the speeds, for creeps up to 10 % of the wrap.
+    """Shares of drive 1 at which the speeds agree, for creeps up to 10 % of the wrap.
 
     Each creep of the first drum has one tension and one speed behind it, and these one creep of the
     second.

@@ -38,4 +38,3 @@ def solution(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[
             rest -= rows[k][j] * found[j]
         found[k] = rest / rows[k][k]
     return found
-

@@ -60,7 +60,8 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         Whether friction falls anywhere with slip, so that there may be several states.
     """
     fine = FINE if softening else SHARP
-    state = None if softening else settle(system, *guessed(system), fine)
+    passages, level = guessed(system)
+    state = None if softening else settle(system, passages, level, fine)
     if state is not None:
         return _corrected(system, _chosen(system, names, [state]))
     eased = _eased(system, _GIVE)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import copysign, exp, log1p, nan, sqrt
+from typing import NamedTuple
 
 from wraparc.arc import WrapArc
 from wraparc.arc.answer import operating_point
@@ -29,8 +30,7 @@ _LEAST_RISE = 1e-9  # of tension, over a creep as long as the wrap: less is none
 _BEYOND = 30.0  # logarithm of the tension ratio that stands for one too large for numbers
 
 
-@dataclass(frozen=True)
-class Slopes:
+class Response(NamedTuple):
     """How a passage answers to its entry tension a and its place x: exit tension b and ratio g."""
 
     exit_by_entry: float
@@ -39,7 +39,7 @@ class Slopes:
     ratio_by_place: float
 
 
-UNKNOWN = Slopes(nan, nan, nan, nan)
+UNKNOWN = Response(nan, nan, nan, nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +71,7 @@ class Passage:
     creep: float = nan
     slip: float = nan
     held: bool = False
-    slopes: Slopes = UNKNOWN
+    slopes: Response = UNKNOWN
     met: Met | None = None
 
 
@@ -168,7 +168,7 @@ class Member:
         fall = slide_slope(self.law, arc, entry) / sqrt(REST_SCALE)
         creep = place * abs(place) / REST_SCALE
         if abs(fall * place) <= SLIDE * entry:
-            slopes = Slopes(1.0, -fall, 0.0, 0.0)
+            slopes = Response(1.0, -fall, 0.0, 0.0)
             return Passage(entry, entry - fall * place, place, 0.0, creep, creep, True, slopes)
         found = passed(self.law, arc, entry, creep, near, tol)
         return self._told(arc, entry, place, creep, 2.0 * abs(place) / REST_SCALE, found)
@@ -185,7 +185,7 @@ class Member:
             gone = copysign(_BEYOND, place)
             ratio = copysign(LARGEST_RATIO, place)
             return Passage(entry, entry * exp(-gone), place, ratio, creep, creep)
-        slopes = Slopes(
+        slopes = Response(
             at.leaving_by_entry,
             at.leaving_by_creep * by_place,
             at.ratio_by_entry,

@@ -239,4 +239,3 @@ def _misses(system: System, state: Sequence[Passage], level: float) -> Row:
         for i, line in enumerate(system.lines)
     ]
     return [*misses, log(state[-1].exit / system.exit)]
-

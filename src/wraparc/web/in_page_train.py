@@ -230,7 +230,10 @@ def told(
     stuck = [i for i, arc in enumerate(arcs) if not arc.solved or i in fallen]
     passages: list[Passage | None] = [None for _ in arcs]
     if len(stuck) == 0:
-        passages = [m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep) for m, arc in zip(system.members, arcs, strict=True)]
+        passages = [
+            m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep)
+            for m, arc in zip(system.members, arcs, strict=True)
+        ]
     torques = [at.drum_torque for at in turnings]
     tension_miss = nan
     if len(stuck) == 0 and (located is None or located.settled is not None):
