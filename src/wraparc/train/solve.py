@@ -301,7 +301,7 @@ def _sensitivity(
     passages: list[Passage | None] = [None] * len(arcs)
     if all(a.status.solved for a in arcs):
         passages = [
-            member.at(arc.entry_tension, arc.exit_tension, arc.exit_creep)
+            member.between(arc.entry_tension, arc.exit_tension)
             for member, arc in zip(system.members, arcs, strict=True)
         ]
     return tuple(tuple(row) for row in sensitivity(system, located, passages))
