@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isnan, log
+from math import isnan, log, sqrt
 
 from wraparc.train.member import COARSE, FINE, SHARP, Passage
 from wraparc.train.newton import Settled, settle
@@ -15,6 +15,7 @@ from wraparc.train.system import Search, System, guessed
 _SAME, _ROUNDS = 1e-7, 5
 #: Give of eased speeds, ln(speed) for the whole load, and where it may be left out [-].
 _GIVE, _LEAST_GIVE = 1e-2, 1e-6
+_LESS, _MOST = 0.2, 0.97  # factors of the give from step to step
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,11 +127,17 @@ def _eased(system: System, give: float) -> System:
 
 def _stiffened(system: System, state: Settled) -> Settled | None:
     """Return what becomes of a state of the eased train as the give goes."""
-    give = _GIVE
-    now: Settled | None = state
-    while now is not None and give > 0.0:
-        give = give * 0.2 if give > _LEAST_GIVE else 0.0
-        now = settle(_eased(system, give), now.passages, now.level)
+    give, factor, now = _GIVE, _LESS, state
+    while give > 0.0:
+        less = factor * give if give > _LEAST_GIVE else 0.0
+        found = settle(_eased(system, less), now.passages, now.level)
+        if found is not None:
+            give, now = less, found
+            factor = max(factor * factor, _LESS)
+        elif less > 0.0 and factor < _MOST:
+            factor = sqrt(factor)
+        else:
+            return None
     return now
 
 
