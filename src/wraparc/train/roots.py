@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+_MOST, _REACH = 80, 0.01  # steps; first of them that the slope does not tell, of the limits
+
 
 def rising_root(
     f: Callable[[float], float],
@@ -92,3 +94,49 @@ def bracketed_root(
             kept = -1
     at_a, at_b = f(a), f(b)
     return (a, at_a) if abs(at_a) <= abs(at_b) else (b, at_b)
+
+
+def sloped_root(
+    f: Callable[[float], tuple[float, float]], x: float, low: float, high: float, tolerance: float
+) -> tuple[float, float]:
+    """Return x with |f(x)| <= tolerance, and f(x), of a rising function that tells its slope.
+
+    Newton's method, and halving where it leaves the bracket or is slow. Where f does not change
+    its sign between the limits, the limit is returned.
+
+    Parameters
+    ----------
+    f
+        Value and slope.
+    x
+        First guess.
+    low, high
+        Limits of x.
+    tolerance
+        Of f.
+    """
+    x, before, reach = min(max(x, low), high), 0.0, _REACH * (high - low)
+    below = above = False  # whether the limits are known to enclose the root
+    value = 0.0
+    for _ in range(_MOST):
+        value, slope = f(x)
+        if abs(value) <= tolerance or (x == high and value < 0.0) or (x == low and value > 0.0):
+            break
+        if value < 0.0:
+            low, below = x, True
+        else:
+            high, above = x, True
+        slow = abs(value) > 0.5 * abs(before) > 0.0
+        way = 1.0 if value < 0.0 else -1.0
+        new = x - value / slope if slope > 0.0 else x + way * reach
+        if below and above and (slow or not low < new < high):
+            new = 0.5 * (low + high)
+        elif slow and not (below and above):  # the slope knows nothing of where the root is
+            new = x + way * max(reach, abs(new - x))
+            reach *= 2.0
+        before = value
+        new = min(max(new, low), high)
+        if new == x:
+            break
+        x = new
+    return x, value

@@ -300,18 +300,11 @@ def _sensitivity(
 ) -> tuple[tuple[float, ...], ...]:
     passages: list[Passage | None] = [None] * len(arcs)
     if all(a.status.solved for a in arcs):
-        passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]
+        passages = [
+            member.between(arc.entry_tension, arc.exit_tension)
+            for member, arc in zip(system.members, arcs, strict=True)
+        ]
     return tuple(tuple(row) for row in sensitivity(system, located, passages))
-
-
-def _passage(member: Member, arc: ArcResult) -> Passage | None:
-    if member.holds:
-        return member.between(arc.entry_tension, arc.exit_tension)
-    g = arc.entry_creep_ratio
-    effort = member.effort_at(g)
-    return Passage(
-        arc.entry_tension, arc.exit_tension, effort, g, arc.exit_creep, arc.exit_slip, False
-    )
 
 
 def _tension_error(setup: Setup, arcs: Sequence[ArcResult]) -> float:

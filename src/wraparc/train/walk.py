@@ -80,6 +80,9 @@ class Walk:
         self._softening = any(p.lagging.law.steepest_fall() < 0.0 for p in self.train.pulleys)
         self._base = setup.system
         state = locate(setup.system, self._names, self._softening).settled
+        if state is not None:  # on coarser meshes
+            passages = [replace(p, met=None) for p in state.passages]
+            state = settle(setup.system, passages, state.level, SHARP, _TOLERANCE)
         if state is None:
             raise InputError(Problem(message="the speeds held have no solution to start from"))
         self._start = (self.here, state)
@@ -126,14 +129,13 @@ class Walk:
         state = self._past[-1][1]
         weights = _extrapolation([at for at, _ in self._past], value)
         old = [past for _, past in self._past]
-        efforts = [
-            sum(w * s.passages[i].effort for w, s in zip(weights, old, strict=True))
+        places = [
+            sum(w * s.passages[i].place for w, s in zip(weights, old, strict=True))
             for i in range(len(state.passages))
         ]
         level = sum(w * s.level for w, s in zip(weights, old, strict=True))
-        passages = [replace(p, effort=e) for p, e in zip(state.passages, efforts, strict=True)]
-        near = None if self._softening else state
-        return settle(system, passages, level, steps=SHARP, near=near, tolerance=_TOLERANCE)
+        passages = [replace(p, place=x) for p, x in zip(state.passages, places, strict=True)]
+        return settle(system, passages, level, SHARP, _TOLERANCE)
 
     def shares(self, state: Settled, value: float) -> list[float]:
         """Shares of a state [-]."""
