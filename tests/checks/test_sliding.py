@@ -18,8 +18,8 @@ from wraparc import Drive, Tensions, load_lagging, solve
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.batch import Setting
 from wraparc.checks import judge
-from wraparc.checks.gross_slip import Rise, loaded, rises, sliding
-from wraparc.checks.sliding import CREEP, MOST, SLIDES, TESTED, lift_for_safety
+from wraparc.checks.gross_slip import Rise, lift, rises, sliding
+from wraparc.checks.sliding import CREEP, MOST, SLIDES, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, tight_at_sliding
 from wraparc.drive import TakeUp
 from wraparc.files.write import drive_document
@@ -94,15 +94,14 @@ def test_the_tension_for_a_safety_gives_that_safety(number: int) -> None:
     of = random_drives(10)[number]
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
     rise = rises([arc], 0, of.criteria.take_up)
-    lift = lift_for_safety(loaded(arc), 1.6, rise.tight)
-    raised = at_lift(of, lift)
+    raised = at_lift(of, lift(arc, 1.6, rise.tight))
     assert sliding(raised, rises([raised], 0, of.criteria.take_up)).place == pytest.approx(1.6)
 
 
-def at_lift(of: Drive, lift: float) -> ArcResult:
+def at_lift(of: Drive, more: float) -> ArcResult:
     (case,) = of.load_cases
     t = case.tensions["head"]
-    tensions = {"head": Tensions(entry=t.entry + lift, exit=t.exit + lift)}
+    tensions = {"head": Tensions(entry=t.entry + more, exit=t.exit + more)}
     (arc,) = solve(replace(of, load_cases=(replace(case, tensions=tensions),)), method=QUICK)
     return arc
 
@@ -122,8 +121,8 @@ def test_rows_find_the_pulls_of_single_arcs() -> None:
         pull = abs(arc.arc.effective_tension)
         least = tight_at_sliding(many, np.array([1.4 * pull]))[0]
         tight = max(arc.arc.entry_tension, arc.arc.exit_tension)
-        lift = lift_for_safety(loaded(arc), 1.4, 0.0)
-        assert least - tight == pytest.approx(lift, rel=1e-4, abs=1e-5 * tight)
+        raised = lift(arc, 1.4, 0.0)
+        assert least - tight == pytest.approx(raised, rel=1e-4, abs=1e-5 * tight)
 
 
 def test_a_drive_beyond_its_tests_is_never_ok() -> None:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from wraparc.arc import capacity
-from wraparc.arc.capacity import HIGHEST
+from wraparc.arc.capacity import FAR, HALVINGS, HIGHEST
 from wraparc.arc.collocation import CREEP, TENSION
 from wraparc.arc.gross_slip import PRESSURES
 from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
@@ -57,7 +57,6 @@ NEARER = 5
 
 FIRST_NEAR = 0.05  # of Newton's method on the first mesh: what it leaves is the mesh's
 LARGEST_FALL = 6.0  # of ln T, of a first guess
-FAR, HALVINGS = 200.0, 12  # of the tension, where a first guess is looked for along a line
 #: numbers of an array that is made and freed at first: from then on glibc keeps what it frees, up
 #: to twice as much, for later arrays; giving it back page by page takes a third of the time
 KEPT = 2_000_000
