@@ -111,6 +111,9 @@ def carry_along(
     tight, slack, tight_rise, slack_rise = line
     if not at_tight.done:
         return Along(nan, at_tight)
+    if tight_rise == 0.0 and slack_rise < 0.0:  # the tight side is held: it is met
+        left = min(at_tight.entry, at_tight.course.tension[-1])
+        return Along(1.0 + (left - slack) / slack_rise, at_tight)
     top, low = _first_along(law, arc, line, limit, at_tight)
     if not (top > 0.0 and low > 0.0):
         return Along(nan, at_tight)

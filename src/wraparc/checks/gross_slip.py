@@ -157,14 +157,14 @@ class _Grip:
 
 
 def _grip_of(result: ArcResult) -> _Grip:
-    """Return what is known of the grip of an arc."""
-    if result not in _grips:
-        of = loaded(result)
-        _grips[result] = _Grip(of, at_limits(of), {}, {})
-    return _grips[result]
+    """Return what is known of the grip of an arc, by whichever method it was solved."""
+    of, known = loaded(result), _grips.setdefault(result.arc, {})
+    if of.peaks not in known:
+        known[of.peaks] = _Grip(of, at_limits(of), {}, {})
+    return known[of.peaks]
 
 
-_grips: WeakKeyDictionary[ArcResult, _Grip] = WeakKeyDictionary()
+_grips: WeakKeyDictionary[WrapArc, dict[bool, _Grip]] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)
