@@ -702,6 +702,19 @@ export class Loaded {
   }
 }
 
+export class AtLimit {
+  constructor(limit, cause, met) {
+    this.limit = limit;
+    this.cause = cause;
+    this.met = met;
+  }
+  *[Symbol.iterator]() {
+    yield this.limit;
+    yield this.cause;
+    yield this.met;
+  }
+}
+
 export class Line {
   constructor(tight, slack, tight_rise, slack_rise) {
     this.tight = tight;
@@ -1038,6 +1051,7 @@ const TESTED = 1;
 const EARLY = 0.8;
 const SLIDES = 0.0635;
 const CREEP_KIND = 1;
+const FAR = 200.0;
 const BY_CREEP = 2;
 const BY_SLIP = 4;
 const BY_LAW = 16;
@@ -1052,7 +1066,6 @@ const TOO_FEW = 3;
 const NO_SPEED = 4;
 const STEEP = 1;
 const UNUSUAL = 3;
-const FAR = 10.0;
 const BEHIND = 1000000000.0;
 const NUMBERLESS = -2000000000.0;
 const AHEAD = 4000000000.0;
@@ -4027,47 +4040,93 @@ export function sliding___tests_end_first(of, tight) {
   return of.load.slip_max + of.geometry.shear * friction * pressure < EARLY * SLIDES;
 }
 
-/** What ends the grip of a law that does not fall, whichever comes first, and its cause. */
-export function sliding___limits(of, tight) {
+/** What ends the grip of an arc, whichever comes first; nothing of a law that falls. */
+export function sliding__at_limits(of) {
+  let limit;
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
   let found = [];
+  if (of.peaks) {
+    return [];
+  }
   if (of.load.slip_max === of.load.slip_max) {
-    found.push([new Limit(SLIP_KIND, of.load.slip_max), TESTED]);
+    limit = new Limit(SLIP_KIND, of.load.slip_max);
+    found.push(new AtLimit(limit, TESTED, capacity__carry(of.law, of.geometry, tight, limit)));
   }
   if (!sliding___tests_end_first(of, tight)) {
-    found.push([new Limit(CREEP_KIND, SLIDES), 0]);
+    limit = new Limit(CREEP_KIND, SLIDES);
+    found.push(new AtLimit(limit, 0, capacity__carry(of.law, of.geometry, tight, limit)));
   }
   return found;
 }
 
-/** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
-export function capacity__carry_along(law, arc, line, limit) {
+/** Tensions of a line at which a limit is met, about: of the tight and of the slack side [N]. */
+export function capacity___first_along(law, arc, line, limit, at_tight) {
+  let asked, k, middle, used;
   let [tight, slack, tight_rise, slack_rise] = line;
-  let first = capacity__carry(law, arc, tight, limit);
-  if (!first.done) {
-    return new Along(NaN, first);
+  let ratio = Math.exp(capacity__log_ratio(at_tight));
+  if (tight_rise > ratio * slack_rise) {
+    k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
+    return [tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise];
   }
-  let ratio = Math.exp(capacity__log_ratio(first));
-  if (tight_rise <= ratio * slack_rise) {
-    return new Along(NaN, first);
+  if (!(tight_rise > 0.0)) {
+    return [NaN, NaN];
   }
-  let k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
-  let top = tight + (k - 1.0) * tight_rise;
-  let low = slack + (k - 1.0) * slack_rise;
+  let face = meet__interface(law, arc);
+  let area = arc.width * arc.radius;
+  let low = tight;
+  let high = FAR * tight;
+  let first = capacity___stress_about(face, tight / area, 0.6 * limit.most) / tight;
+  for (let each1 = 0, end1 = 12; each1 < end1; each1++) {
+    middle = Math.sqrt(low * high);
+    used = capacity___stress_about(face, middle / area, 0.6 * limit.most) / middle;
+    asked = Math.log(middle / (slack + ((middle - tight) / tight_rise) * slack_rise));
+    if (asked < (used / first) * capacity__log_ratio(at_tight)) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return [middle, slack + ((middle - tight) / tight_rise) * slack_rise];
+}
+
+/** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
+export function capacity__carry_along(law, arc, line, limit, at_tight) {
+  let left;
+  let [tight, slack, tight_rise, slack_rise] = line;
+  if (!at_tight.done) {
+    return new Along(NaN, at_tight);
+  }
+  if (tight_rise === 0.0 && slack_rise < 0.0) {
+    left = min(at_tight.entry, at_tight.course.tension.at(-1));
+    return new Along(1.0 + (left - slack) / slack_rise, at_tight);
+  }
+  const found1 = capacity___first_along(law, arc, line, limit, at_tight);
+  let top = found1[0];
+  let low = found1[1];
   if (!(top > 0.0 && low > 0.0)) {
-    return new Along(NaN, first);
+    return new Along(NaN, at_tight);
   }
   let size = max(Math.abs(tight_rise), Math.abs(slack_rise));
-  let at_tight = slack_rise / size;
-  let at_slack = -tight_rise / size;
-  let goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise);
-  let ends = capacity__ends_at(arc, at_tight, at_slack, goal, limit);
-  let guess = capacity___guess(arc, top, low, first.course.creep.at(-1));
-  let met = meet__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
+  let at_top = slack_rise / size;
+  let at_low = -tight_rise / size;
+  let goal = at_top * (tight - tight_rise) + at_low * (slack - slack_rise);
+  let guess = capacity___guess(arc, top, low, at_tight.course.creep.at(-1));
+  let met = meet__meet(
+    law,
+    arc,
+    capacity__ends_at(arc, at_top, at_low, goal, limit),
+    guess,
+    capacity___near(at_tight),
+    MISFIT,
+  );
   if (!met.done) {
     return new Along(NaN, met);
   }
   let found = max(met.entry, met.course.tension.at(-1));
   let other = min(met.entry, met.course.tension.at(-1));
+  if (!(tight_rise * other > slack_rise * found)) {
+    return new Along(NaN, met);
+  }
   let by_tight = Math.abs(tight_rise) >= Math.abs(slack_rise);
   let step = by_tight ? (found - tight) / tight_rise : (other - slack) / slack_rise;
   return new Along(1.0 + step, met);
@@ -4183,15 +4242,15 @@ export function sliding__slide_place(of, line, way, low, start) {
 }
 
 /** Pull at which the belt slides over the pull, tensions growing along a line. */
-export function sliding__pull_at_sliding(of, line) {
-  let cause, exhausted, limit, met, place, tight;
+export function sliding__pull_at_sliding(of, line, begin) {
+  let cause, exhausted, first_met, limit, met, place, tight;
   if (line.tight === line.slack) {
     return new Sliding(Infinity, 0);
   }
   let first = new Sliding(Infinity, 0);
-  for (const each1 of of.peaks ? [] : sliding___limits(of, line.tight)) {
-    [limit, cause] = each1;
-    const found2 = capacity__carry_along(of.law, of.geometry, line, limit);
+  for (const each1 of begin) {
+    [limit, cause, first_met] = each1;
+    const found2 = capacity__carry_along(of.law, of.geometry, line, limit, first_met);
     place = found2.place;
     met = found2.met;
     if (!(place > 0.0)) {
@@ -4282,16 +4341,15 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
 }
 
 /** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
-export function sliding__tight_at_sliding(of, pull) {
+export function sliding__tight_at_sliding(of, pull, begin) {
   let limit, met, slack;
   if (pull <= 0.0) {
     return 0.0;
   }
   let tight = max(of.load.entry_tension, of.load.exit_tension);
   let needed = 0.0;
-  for (const each1 of of.peaks ? [] : sliding___limits(of, tight)) {
-    [limit] = each1;
-    met = capacity__carry(of.law, of.geometry, tight, limit);
+  for (const each1 of begin) {
+    [limit, , met] = each1;
     slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack;
     needed = slack === slack && needed === needed ? max(needed, slack + pull) : NaN;
   }
@@ -4303,14 +4361,14 @@ export function sliding__tight_at_sliding(of, pull) {
 }
 
 /** How much all tensions must rise for a safety factor against sliding [N]. */
-export function sliding__lift_for_safety(of, factor, tight_rise) {
+export function sliding__lift_for_safety(of, factor, tight_rise, begin) {
   let tight = max(of.load.entry_tension, of.load.exit_tension);
   let pull = Math.abs(of.load.entry_tension - of.load.exit_tension);
-  return sliding__tight_at_sliding(of, factor * pull) - tight - (factor - 1.0) * tight_rise;
+  return sliding__tight_at_sliding(of, factor * pull, begin) - tight - (factor - 1.0) * tight_rise;
 }
 
 /** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(loaded, arc, least, limits, given, factor, among) {
+export function in_page__asked_of(loaded, begin, arc, least, limits, given, factor, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let end = among.end;
@@ -4323,7 +4381,7 @@ export function in_page__asked_of(loaded, arc, least, limits, given, factor, amo
   if (limits.tested_slip < given.creep_limit) {
     by_slip = least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
-  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
+  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise, begin);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
@@ -4406,10 +4464,9 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   );
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  let sliding = sliding__pull_at_sliding(
-    loaded,
-    new Line(tight, slack, others.tight_rise, others.slack_rise),
-  );
+  let begin = sliding__at_limits(loaded);
+  let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
+  let sliding = sliding__pull_at_sliding(loaded, line, begin);
   if (sliding.place !== sliding.place) {
     return null;
   }
@@ -4452,7 +4509,16 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     values,
     limits,
     others.held,
-    in_page__asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+    in_page__asked_of(
+      loaded,
+      begin,
+      arc,
+      carried.least_slack,
+      limits,
+      given,
+      criteria.safety,
+      others,
+    ),
     load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
     sliding.cause,
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
@@ -4608,7 +4674,7 @@ export function numbers__times_of(value, limit) {
   if (Number.isNaN(value) || Number.isNaN(limit) || limit <= 0.0 || !Number.isFinite(value)) {
     return NaN;
   }
-  return value / limit >= FAR ? value / limit : NaN;
+  return value / limit >= 10.0 ? value / limit : NaN;
 }
 
 /** Place of a check among those of its level: the least governs, equal ones the first. */
