@@ -135,8 +135,7 @@ def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
     np.empty(KEPT)
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
     left = np.zeros(len(arcs), dtype=np.int64)
-    for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():
-        which = np.flatnonzero(arcs.laws.kind[arcs.law] == kind)
+    for which in arcs.by_kind():
         batch = RowBatch.of(arcs.rows(which), accuracy)
         with np.errstate(all="ignore"):
             batch.find(parts)
@@ -160,8 +159,7 @@ def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
         As for `solve_rows`.
     """
     found = AtLimit(*(np.full(len(arcs), np.nan) for _ in AtLimit._fields))
-    for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():
-        which = np.flatnonzero(arcs.laws.kind[arcs.law] == kind)
+    for which in arcs.by_kind():
         with np.errstate(all="ignore"):
             batch = RowBatch.of(arcs.rows(which), accuracy)
             some = np.flatnonzero((batch.found[:, row.OUTCOME] == SOLVED) & ~batch.rigid)

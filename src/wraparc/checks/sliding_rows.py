@@ -13,7 +13,7 @@ from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
 from wraparc.batch import Setting, row
-from wraparc.batch.arcs import Arcs
+from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
 from wraparc.batch.rows import AtLimit, OnLine, carried_on, solve_rows
 from wraparc.batch.scaled import Unscaled
@@ -84,9 +84,7 @@ class LoadedRows:
         """Something of the laws at the wrap pressures of tight sides, kind by kind, (n,)."""
         arcs, found = self.arcs, np.empty(len(tight))
         pressure = 2.0 * tight / (arcs.belt_width * arcs.diameter)
-        kinds = arcs.laws.kind[arcs.law]
-        for kind in np.unique(kinds).tolist():
-            at = np.flatnonzero(kinds == kind)
+        for at in arcs.by_kind():
             found[at] = of(arcs.laws.traction(arcs.law[at]), pressure[at], at)
         return found
 
@@ -108,7 +106,7 @@ class LoadedRows:
         found = np.full((n, row.FOUND_NUMBERS), np.nan)
         parts = np.where(self.peaks, BY_CREEP + BY_SLIP + BY_LAW, BY_CREEP + BY_SLIP)
         parts[~self.peaks & (self._creep_at_end(tight) < EARLY * SLIDES)] = BY_SLIP
-        for part in np.unique(parts).tolist():
+        for part in present(parts):
             which = np.flatnonzero(parts == part)
             for begin in range(0, n, CHUNK):
                 some = which[begin : begin + CHUNK]
