@@ -99,9 +99,7 @@ class Along(NamedTuple):
     met: Met
 
 
-def carry_along(
-    law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tight: Met
-) -> Along:
+def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tight: Met) -> Along:
     """Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise.
 
     Both tensions on it are one condition more at the ends. `at_tight` is the arc at the limit with

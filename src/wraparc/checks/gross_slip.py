@@ -140,9 +140,7 @@ def lift(result: ArcResult, factor: float, tight_rise: float) -> float:
     """
     known = _grip_of(result)
     if (factor, tight_rise) not in known.lifts:
-        known.lifts[factor, tight_rise] = lift_for_safety(
-            known.of, factor, tight_rise, known.begin
-        )
+        known.lifts[factor, tight_rise] = lift_for_safety(known.of, factor, tight_rise, known.begin)
     return known.lifts[factor, tight_rise]
 
 

@@ -120,7 +120,10 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
     """
     falls = line.slack_rise < 0.0
     even = falls or way < 0.0
-    ends = Bracket(low, 1.0 - line.slack / line.slack_rise if falls else inf)  # no slack side there
+    ends = Bracket(low, inf)
+    if line.slack_rise != 0.0:  # beyond it there is no slack side
+        end = 1.0 - line.slack / line.slack_rise
+        ends = Bracket(low, end) if falls else Bracket(max(low, end), inf)
     k = 0.5 * (ends.low + ends.high) if start >= ends.high else start
     last, spare_last, cause = nan, nan, CREEP
     for _ in range(ROUNDS):

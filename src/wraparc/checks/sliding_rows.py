@@ -258,7 +258,9 @@ def _places(
     even = falls | (way < 0.0)
     a, b, k = low.copy(), np.full(n, np.inf), start.copy()
     with np.errstate(divide="ignore", invalid="ignore"):
-        b = np.where(falls, 1.0 - lines.slack / lines.slack_rise, b)
+        no_slack = 1.0 - lines.slack / lines.slack_rise
+        b = np.where(falls, no_slack, b)
+        a = np.where(lines.slack_rise > 0.0, np.maximum(a, no_slack), a)
     k = np.where(k >= b, 0.5 * (a + b), k)
     last, spare_last = np.full(n, np.nan), np.full(n, np.nan)
     place, cause = np.full(n, np.nan), np.full(n, CREEP, dtype=np.int8)

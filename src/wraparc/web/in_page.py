@@ -314,9 +314,7 @@ def judged(
         values,
         limits,
         others.held,
-        asked_of(
-            loaded, begin, arc, carried.least_slack, limits, given, criteria.safety, others
-        ),
+        asked_of(loaded, begin, arc, carried.least_slack, limits, given, criteria.safety, others),
         resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,

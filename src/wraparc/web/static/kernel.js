@@ -936,12 +936,12 @@ const C2 = 0.8872983346207417;
 const LEAST_COMPLIANCE = 1e-16;
 const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const LEAST_CREEP = 1e-16;
-const HELD = new Piece(0.0, -1);
-const NEWTON = 1e-8;
-const ACCURACY = 1e-15;
 const NEAR_PEAK = 0.8;
 const LEAST_SHARE = 1e-12;
 const NEAR = 1e-5;
+const HELD = new Piece(0.0, -1);
+const NEWTON = 1e-8;
+const ACCURACY = 1e-15;
 const RESIDUAL = 2;
 const _PIECE = 0.25;
 const BREAKAWAY = 1;
@@ -1603,6 +1603,25 @@ export function traction__plateau_stress(law, pressure) {
   return compact__plateau_at(law, compact__segment_of(law, pressure), pressure) * pressure;
 }
 
+/** Slip over peak slip r <= 1 on the rise of the integral-log law: r + k r (1 - ln r) = w. */
+export function traction___rise(k, w) {
+  let change, lr, miss, slope;
+  let short = 1.0 + k - w;
+  let near = short > 0.0 ? (2.0 * short) / (1.0 + Math.sqrt(1.0 + 2.0 * k * short)) : 0.0;
+  let r = near < NEAR_PEAK ? 1.0 - near : w / (1.0 + k * (1.0 - Math.log(min(w, 1.0))));
+  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
+    lr = Math.log(r);
+    miss = r + k * r * (1.0 - lr) - w;
+    slope = 1.0 - k * lr;
+    change = miss / (slope + (0.5 * miss * k) / (r * slope));
+    r = min(max(r - change, LEAST_SHARE), 1.0);
+    if (Math.abs(change) <= NEAR * r) {
+      break;
+    }
+  }
+  return r;
+}
+
 /** Limit of friction [-] and its derivative by pressure [1/Pa], for a law with a limit. */
 export function compact__limit_at(law, segment, pressure) {
   let last = law.edges.length - 1;
@@ -1692,25 +1711,6 @@ export function traction___hold(law, segment, pressure) {
   return segment >= last && last >= 0 ? law.edges[last] / pressure : 1.0;
 }
 
-/** Slip over peak slip r <= 1 on the rise of the integral-log law: r + k r (1 - ln r) = w. */
-export function traction___rise(k, w) {
-  let change, lr, miss, slope;
-  let short = 1.0 + k - w;
-  let near = short > 0.0 ? (2.0 * short) / (1.0 + Math.sqrt(1.0 + 2.0 * k * short)) : 0.0;
-  let r = near < NEAR_PEAK ? 1.0 - near : w / (1.0 + k * (1.0 - Math.log(min(w, 1.0))));
-  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
-    lr = Math.log(r);
-    miss = r + k * r * (1.0 - lr) - w;
-    slope = 1.0 - k * lr;
-    change = miss / (slope + (0.5 * miss * k) / (r * slope));
-    r = min(max(r - change, LEAST_SHARE), 1.0);
-    if (Math.abs(change) <= NEAR * r) {
-      break;
-    }
-  }
-  return r;
-}
-
 /** Slip and branch of a law at a magnitude of creep, > 0 [m]: u = x + c mu(x, p) p inverted. */
 export function traction__piece_at(law, segment, shear, pressure, creep) {
   let mu_pk, residual, slip_pk, slope;
@@ -1743,20 +1743,51 @@ export function traction__piece_at(law, segment, shear, pressure, creep) {
 
 /** Traction at a creep of either sign. */
 export function traction__traction(law, shear, pressure, creep) {
+  let branch, c, form, lr, m1, m2, m3, mu_pk, o, r, slip_pk, t, x1, x2, x3;
   let size = max(Math.abs(creep), LEAST_CREEP);
   let sign = creep >= 0.0 ? 1.0 : -1.0;
   let segment = compact__segment_of(law, pressure);
-  const found1 = traction__piece_at(law, segment, shear, pressure, size);
-  let slip = found1.slip;
-  let branch = found1.branch;
-  if (branch < 0) {
-    return new Traction(creep / shear, 1.0 / shear, 0.0, 0.0);
+  let ease = shear * pressure;
+  let slip = -1.0;
+  let mu = 0.0;
+  let mu_x = 0.0;
+  let mu_p = 0.0;
+  if (law.kind === KNOTS && 0 <= segment && segment < law.edges.length - 1) {
+    c = law.coefficients;
+    o = segment * KNOT_STRIDE;
+    t = pressure - law.edges[segment];
+    x1 = c[o + 1];
+    x2 = c[o + 2];
+    x3 = c[o + 3];
+    m1 = c[o + 5];
+    m2 = c[o + 6];
+    m3 = c[o + 7];
+    slip_pk = c[o] + t * (x1 + t * (x2 + t * x3));
+    mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3));
+    if (size - slip_pk - ease * mu_pk <= 0.0) {
+      slip = slip_pk * traction___rise((ease * mu_pk) / slip_pk, size / slip_pk);
+      r = max(slip / slip_pk, SMALLEST);
+      lr = Math.log(r);
+      form = r - r * lr;
+      mu_x = (-mu_pk * lr) / slip_pk;
+      mu = mu_pk * form;
+      mu_p = (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form;
+      mu_p += (mu_pk * lr * r * (x1 + t * (2.0 * x2 + 3.0 * t * x3))) / slip_pk;
+    }
   }
-  const found2 = compact__friction_at(law, segment, branch, slip, pressure);
-  let mu = found2[0];
-  let mu_x = found2[1];
-  let mu_p = found2[2];
-  let stiff = 1.0 / (1.0 + shear * pressure * mu_x);
+  if (slip < 0.0) {
+    const found1 = traction__piece_at(law, segment, shear, pressure, size);
+    slip = found1.slip;
+    branch = found1.branch;
+    if (branch < 0) {
+      return new Traction(creep / shear, 1.0 / shear, 0.0, 0.0);
+    }
+    const found2 = compact__friction_at(law, segment, branch, slip, pressure);
+    mu = found2[0];
+    mu_x = found2[1];
+    mu_p = found2[2];
+  }
+  let stiff = 1.0 / (1.0 + ease * mu_x);
   let scale = Math.abs(creep) / size;
   return new Traction(
     sign * mu * pressure * scale,
@@ -4194,10 +4225,14 @@ export function sliding___within(ends, new_, k) {
 
 /** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
 export function sliding__slide_place(of, line, way, low, start) {
-  let at, new_, q, slope, spare;
+  let at, end, new_, q, slope, spare;
   let falls = line.slack_rise < 0.0;
   let even = falls || way < 0.0;
-  let ends = new Bracket(low, falls ? 1.0 - line.slack / line.slack_rise : Infinity);
+  let ends = new Bracket(low, Infinity);
+  if (line.slack_rise !== 0.0) {
+    end = 1.0 - line.slack / line.slack_rise;
+    ends = falls ? new Bracket(low, end) : new Bracket(max(low, end), Infinity);
+  }
   let k = start >= ends.high ? 0.5 * (ends.low + ends.high) : start;
   let last = NaN;
   let spare_last = NaN;
