@@ -6,6 +6,7 @@ the closed form exp(mu phi) of constant friction under a lagging that hardly she
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,12 +17,23 @@ from checks.test_rows import quiet, rigid
 from present.drives import drive
 from wraparc import Drive, Tensions, load_lagging, solve
 from wraparc.arc import ArcResult, Distributed, WrapArc
+from wraparc.arc.gross_slip import Line
 from wraparc.batch import Setting
-from wraparc.checks import judge
-from wraparc.checks.gross_slip import Rise, loaded, rises, sliding
-from wraparc.checks.sliding import CREEP, MOST, SLIDES, TESTED, lift_for_safety
+from wraparc.batch.arcs import Arcs, arcs_of_table
+from wraparc.checks import judge, sliding_rows
+from wraparc.checks.gross_slip import Rise, lift, loaded_arc, rises, sliding
+from wraparc.checks.sliding import (
+    CREEP,
+    MOST,
+    SLIDES,
+    TESTED,
+    at_limits,
+    carried_at,
+    pull_at_sliding,
+)
+from wraparc.checks.sliding import tight_at_sliding as tight_of_one
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, tight_at_sliding
-from wraparc.drive import TakeUp
+from wraparc.drive import Lagging, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
 
@@ -94,15 +106,14 @@ def test_the_tension_for_a_safety_gives_that_safety(number: int) -> None:
     of = random_drives(10)[number]
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
     rise = rises([arc], 0, of.criteria.take_up)
-    lift = lift_for_safety(loaded(arc), 1.6, rise.tight)
-    raised = at_lift(of, lift)
+    raised = at_lift(of, lift(arc, 1.6, rise.tight))
     assert sliding(raised, rises([raised], 0, of.criteria.take_up)).place == pytest.approx(1.6)
 
 
-def at_lift(of: Drive, lift: float) -> ArcResult:
+def at_lift(of: Drive, more: float) -> ArcResult:
     (case,) = of.load_cases
     t = case.tensions["head"]
-    tensions = {"head": Tensions(entry=t.entry + lift, exit=t.exit + lift)}
+    tensions = {"head": Tensions(entry=t.entry + more, exit=t.exit + more)}
     (arc,) = solve(replace(of, load_cases=(replace(case, tensions=tensions),)), method=QUICK)
     return arc
 
@@ -122,8 +133,105 @@ def test_rows_find_the_pulls_of_single_arcs() -> None:
         pull = abs(arc.arc.effective_tension)
         least = tight_at_sliding(many, np.array([1.4 * pull]))[0]
         tight = max(arc.arc.entry_tension, arc.arc.exit_tension)
-        lift = lift_for_safety(loaded(arc), 1.4, 0.0)
-        assert least - tight == pytest.approx(lift, rel=1e-4, abs=1e-5 * tight)
+        raised = lift(arc, 1.4, 0.0)
+        assert least - tight == pytest.approx(raised, rel=1e-4, abs=1e-5 * tight)
+
+
+#: How the tensions of the tight and the slack side grow with the pull, over it.
+LINES = {"slack held": (1.0, 0.0), "sum held": (0.5, -0.5), "both grow": (1.5, 0.5)}
+
+
+def designs(side: float, lagging: Lagging, n: int) -> Arcs:
+    """Return drives with fabric and steel-cord belts, side 1 driving and -1 braking."""
+    rng = np.random.default_rng(5)
+    tight = rng.uniform(80e3, 200e3, n)
+    slack = tight / rng.uniform(1.3, 3.0, n)
+    return arcs_of_table(
+        {
+            "entry_tension": tight if side > 0.0 else slack,
+            "exit_tension": slack if side > 0.0 else tight,
+            "diameter": rng.uniform(0.5, 1.2, n),
+            "wrap_angle": rng.uniform(2.9, 3.7, n),
+            "belt_width": rng.uniform(0.8, 1.6, n),
+            "belt_modulus": np.exp(rng.uniform(np.log(5e6), np.log(1.2e8), n)),
+        },
+        lagging,
+    )
+
+
+@pytest.mark.parametrize("name", ["diamond-rubber", "full-ceramic"])
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_many_arcs_slide_where_each_does(
+    name: str, side: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Pulls, causes and least tensions as the scalar solver has them, and without a search."""
+
+    def searches(of: LoadedRows, *_: object) -> tuple[Any, Any]:
+        assert len(of.arcs) == 0
+        return np.empty(0), np.empty(0, dtype=np.int8)
+
+    monkeypatch.setattr(sliding_rows, "_places", searches)
+    lagging = load_lagging(name)
+    arcs = designs(side, lagging, 4)
+    many = replace(LoadedRows.of(arcs, setting=Setting.PRECISE), peaks=np.zeros(4, dtype=bool))
+    singles = [loaded_arc(arcs.arc(i, [lagging.law]), math.inf) for i in range(4)]
+    begun = [at_limits(one) for one in singles]
+    tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
+    slack = np.minimum(arcs.entry_tension, arcs.exit_tension)
+    for up, down in LINES.values():
+        rise = up * (tight - slack), down * (tight - slack)
+        place, cause = pulls_at_sliding(many, rise)
+        for i, one in enumerate(singles):
+            line = Line(tight[i], slack[i], rise[0][i], rise[1][i])
+            expected = pull_at_sliding(one, line, begun[i])
+            assert place[i] == pytest.approx(expected.place, rel=2e-6)
+            assert cause[i] == expected.cause
+    least = tight_at_sliding(many, 1.2 * (tight - slack))
+    for i, one in enumerate(singles):
+        expected_least = tight_of_one(one, 1.2 * float(tight[i] - slack[i]), begun[i])
+        assert least[i] == pytest.approx(expected_least, rel=2e-6)
+
+
+@pytest.mark.parametrize("number", [4, 6, 8])
+def test_where_both_sides_grow_the_belt_is_where_it_slides(number: int) -> None:
+    """A pulley in front of another: its ratio of tensions grows slowly, to one it carries not."""
+    of = random_drives(10)[number]
+    (arc,) = solve(of, method=QUICK, raise_on_failure=False)
+    pull = abs(arc.arc.effective_tension)
+    rise = Rise(1.6 * pull, 0.6 * pull)
+    found = sliding(arc, rise)
+    there = at_pull(of, rise, found.place)
+    tested = arc.arc.law.tested
+    assert tested is not None
+    slip = float(np.abs(there.profile.slip).max())
+    at_slip = slip == pytest.approx(tested.slip_max, rel=1e-5)
+    assert at_slip if found.cause == TESTED else abs(there.exit_creep) == pytest.approx(SLIDES)
+
+
+@pytest.mark.parametrize("number", [0, 3])
+def test_where_both_sides_grow_a_belt_that_slides_already_is_said_to(number: int) -> None:
+    """It carries less than it is asked: with less pull its slack side would pass through none."""
+    of = random_drives(10)[number]
+    (arc,) = solve(of, method=QUICK, raise_on_failure=False)
+    t = of.load_cases[0].tensions["head"]
+    tight = max(t.entry, t.exit)
+    carried = math.exp(carried_at(loaded_arc(arc.arc, math.inf), tight)[0])
+    assert carried < tight / min(t.entry, t.exit)
+    pull = abs(arc.arc.effective_tension)
+    assert 0.0 < sliding(arc, Rise(1.6 * pull, 0.6 * pull)).place < 1.0
+
+
+@pytest.mark.parametrize("number", [0, 3, 6])
+def test_with_the_tight_side_held_it_slides_at_its_capacity(number: int) -> None:
+    """Of ln(T_tight/T_slack) at the tested slip or the creep of sliding, found with it held."""
+    of = random_drives(10)[number]
+    (arc,) = solve(of, method=QUICK, raise_on_failure=False)
+    tight = max(arc.arc.entry_tension, arc.arc.exit_tension)
+    pull = abs(arc.arc.effective_tension)
+    carried, cause = carried_at(loaded_arc(arc.arc, math.inf), tight)
+    found = sliding(arc, Rise(0.0, -pull))
+    assert found.place == pytest.approx(tight * -math.expm1(-carried) / pull, rel=1e-6)
+    assert found.cause == cause
 
 
 def test_a_drive_beyond_its_tests_is_never_ok() -> None:

@@ -233,6 +233,14 @@ def test_hostile_documents_are_answered_with_problems(local: TestClient, body: b
     assert answer.status_code in (200, 400, 422)
 
 
+def test_a_body_that_is_not_json_says_where(local: TestClient) -> None:
+    for body, place in ((b"{", "2"), (b'{"document": x}', "14"), (b" " * 2000 + b"x", "2,001")):
+        headers = {"content-type": "application/json"}
+        answer = local.post(API + "/solve", content=body, headers=headers)
+        assert answer.status_code == 422
+        assert answer.json()["detail"] == f"the body is not JSON from character {place} on."
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [

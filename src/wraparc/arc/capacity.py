@@ -7,7 +7,7 @@ but where friction falls past its peak and carries most at a finite creep.
 
 from __future__ import annotations
 
-from math import exp, expm1, inf, log, nan
+from math import exp, expm1, inf, log, nan, sqrt
 from typing import NamedTuple
 
 from wraparc.arc.collocation import (
@@ -36,6 +36,8 @@ ROUNDS, NEAR, NEAR_TOP = 60, 1e-9, 1e-4  # of searches along the tension, in its
 #: Creeps among which the largest ratio of falling friction is looked for: from a part of the one at
 #: which a share of the peak is reached, in steps of a factor, so many; and how near it is found.
 FIRST_PART, ON_THE_RISE, WIDER, LOOKS, NEAR_PEAK = 0.4, 0.6, 1.5, 14, 1e-6
+
+FAR, HALVINGS = 200.0, 12  # of the tension, where a first guess is looked for along a line
 
 # capacities that may be asked for, to be added up
 CREEP_LIMIT, TESTED_SLIP, LEAST, GROSS_SLIP = 2, 4, 8, 16
@@ -98,35 +100,61 @@ class Along(NamedTuple):
     met: Met
 
 
-def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit) -> Along:
+def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tight: Met) -> Along:
     """Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise.
 
-    Both tensions on it are one condition more at the ends. The place is nan where that is not met:
-    where the ratio of the tensions does not grow to the one that is carried now.
+    Both tensions on it are one condition more at the ends. `at_tight` is the arc at the limit with
+    the tight side of k = 1, to begin with. The place is nan where that is not met, or where the
+    ratio of the tensions does not grow along the line.
     """
     tight, slack, tight_rise, slack_rise = line
-    first = carry(law, arc, tight, limit)
-    if not first.done:
-        return Along(nan, first)
-    ratio = exp(log_ratio(first))
-    if tight_rise <= ratio * slack_rise:
-        return Along(nan, first)
-    k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise)
-    top, low = tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
+    if not at_tight.done:
+        return Along(nan, at_tight)
+    if tight_rise == 0.0 and slack_rise < 0.0:  # the tight side is held: it is met
+        left = min(at_tight.entry, at_tight.course.tension[-1])
+        return Along(1.0 + (left - slack) / slack_rise, at_tight)
+    top, low = _first_along(law, arc, line, limit, at_tight)
     if not (top > 0.0 and low > 0.0):
-        return Along(nan, first)
+        return Along(nan, at_tight)
     size = max(abs(tight_rise), abs(slack_rise))
-    at_tight, at_slack = slack_rise / size, -tight_rise / size
-    goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise)
-    ends = ends_at(arc, at_tight, at_slack, goal, limit)
-    guess = _guess(arc, top, low, first.course.creep[-1])
-    met = meet(law, arc, ends, guess, _near(first), MISFIT)
+    at_top, at_low = slack_rise / size, -tight_rise / size
+    goal = at_top * (tight - tight_rise) + at_low * (slack - slack_rise)
+    guess = _guess(arc, top, low, at_tight.course.creep[-1])
+    met = meet(law, arc, ends_at(arc, at_top, at_low, goal, limit), guess, _near(at_tight), MISFIT)
     if not met.done:
         return Along(nan, met)
     found, other = max(met.entry, met.course.tension[-1]), min(met.entry, met.course.tension[-1])
+    if not tight_rise * other > slack_rise * found:
+        return Along(nan, met)
     by_tight = abs(tight_rise) >= abs(slack_rise)
     step = (found - tight) / tight_rise if by_tight else (other - slack) / slack_rise
     return Along(1.0 + step, met)
+
+
+def _first_along(
+    law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tight: Met
+) -> tuple[float, float]:
+    """Tensions of a line at which a limit is met, about: of the tight and of the slack side [N]."""
+    tight, slack, tight_rise, slack_rise = line
+    ratio = exp(log_ratio(at_tight))
+    if tight_rise > ratio * slack_rise:
+        k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise)
+        return tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
+    if not tight_rise > 0.0:
+        return nan, nan
+    # both sides grow: where friction that falls with pressure meets their ratio
+    face, area = interface(law, arc), arc.width * arc.radius
+    low, high = tight, FAR * tight
+    first = _stress_about(face, tight / area, 0.6 * limit.most) / tight
+    for _ in range(HALVINGS):
+        middle = sqrt(low * high)
+        used = _stress_about(face, middle / area, 0.6 * limit.most) / middle
+        asked = log(middle / (slack + (middle - tight) / tight_rise * slack_rise))
+        if asked < used / first * log_ratio(at_tight):
+            low = middle
+        else:
+            high = middle
+    return middle, slack + (middle - tight) / tight_rise * slack_rise
 
 
 def log_ratio(met: Met) -> float:

@@ -19,11 +19,14 @@ from typing import NamedTuple
 
 from wraparc.friction.compact import (
     ELASTIC,
+    KNOT_STRIDE,
+    KNOTS,
     LIMIT,
     LINE,
     PLASTIC,
     RESIDUAL,
     RISE,
+    SMALLEST,
     TABLE,
     CompactLaw,
     friction_at,
@@ -99,12 +102,28 @@ def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Tr
     """
     size = max(abs(creep), LEAST_CREEP)
     sign = 1.0 if creep >= 0.0 else -1.0
-    segment = segment_of(law, pressure)
-    slip, branch = piece_at(law, segment, shear, pressure, size)
-    if branch < 0:
-        return Traction(creep / shear, 1.0 / shear, 0.0, 0.0)
-    mu, mu_x, mu_p = friction_at(law, segment, branch, slip, pressure)
-    stiff = 1.0 / (1.0 + shear * pressure * mu_x)
+    segment, ease, slip = segment_of(law, pressure), shear * pressure, -1.0
+    mu, mu_x, mu_p = 0.0, 0.0, 0.0
+    if law.kind == KNOTS and 0 <= segment < len(law.edges) - 1:
+        # the common case, written out: `piece_at` and `friction_at` in one go
+        c, o, t = law.coefficients, segment * KNOT_STRIDE, pressure - law.edges[segment]
+        x1, x2, x3 = c[o + 1], c[o + 2], c[o + 3]
+        m1, m2, m3 = c[o + 5], c[o + 6], c[o + 7]
+        slip_pk = c[o] + t * (x1 + t * (x2 + t * x3))
+        mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3))
+        if size - slip_pk - ease * mu_pk <= 0.0:
+            slip = slip_pk * _rise(ease * mu_pk / slip_pk, size / slip_pk)
+            r = max(slip / slip_pk, SMALLEST)
+            lr = log(r)
+            form, mu_x = r - r * lr, -mu_pk * lr / slip_pk
+            mu, mu_p = mu_pk * form, (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form
+            mu_p += mu_pk * lr * r * (x1 + t * (2.0 * x2 + 3.0 * t * x3)) / slip_pk
+    if slip < 0.0:
+        slip, branch = piece_at(law, segment, shear, pressure, size)
+        if branch < 0:
+            return Traction(creep / shear, 1.0 / shear, 0.0, 0.0)
+        mu, mu_x, mu_p = friction_at(law, segment, branch, slip, pressure)
+    stiff = 1.0 / (1.0 + ease * mu_x)
     scale = abs(creep) / size  # 1 but next to no creep, where traction is a straight line
     return Traction(
         sign * mu * pressure * scale,

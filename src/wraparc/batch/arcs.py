@@ -57,6 +57,12 @@ _RIGID = {"belt_modulus", "shear_modulus", "compression_modulus"}  # may be infi
 _MAY_BE_MISSING = {"overrun", "belt_speed", "wear_coefficient"}  # nan says so
 
 
+def present(whole: NDArray[Any]) -> list[int]:
+    """Return which whole numbers >= 0 there are; `np.unique` imports masked arrays first."""
+    found: list[int] = np.flatnonzero(np.bincount(whole)).tolist()
+    return found
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Arcs:
     """Columns of arcs, each of shape (n,), and the laws they refer to.
@@ -115,6 +121,11 @@ class Arcs:
         """Return some of the arcs; the laws are shared."""
         some: dict[str, Any] = {name: v[which] for name, v in self.columns().items()}
         return replace(self, law=self.law[which], **some)
+
+    def by_kind(self) -> list[Integers]:
+        """Rows of every kind of law that there is."""
+        kind = self.laws.kind[self.law]
+        return [np.flatnonzero(kind == k) for k in present(kind)]
 
     def arc(self, i: int, laws: Sequence[FrictionLaw]) -> WrapArc:
         """Return one of the arcs, with its law out of those that the bank was made of."""

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from wraparc.arc import capacity
-from wraparc.arc.capacity import HIGHEST
+from wraparc.arc.capacity import FAR, HALVINGS, HIGHEST
 from wraparc.arc.collocation import CREEP, TENSION
 from wraparc.arc.gross_slip import PRESSURES
 from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
@@ -72,6 +72,50 @@ class Guess(NamedTuple):
     creep: Array
 
 
+class Tensions(NamedTuple):
+    """Tensions of the tight and the slack side, shape (n,) each [N]."""
+
+    tight: Array
+    slack: Array
+
+
+class OnLine(NamedTuple):
+    """Lines that tensions lie on, at_tight T_tight + at_slack T_slack = tension, shape (n,)."""
+
+    at_tight: Array
+    at_slack: Array
+    tension: Array
+
+    def meets(self, ratio: Array) -> Tensions:
+        """Where the tensions have a ratio, tight over slack [-]."""
+        slack = self.tension / (self.at_tight * ratio + self.at_slack)
+        return Tensions(ratio * slack, slack)
+
+    def slack_at(self, tight: Array) -> Array:
+        """Tension of the slack side [N]."""
+        return (self.tension - self.at_tight * tight) / self.at_slack
+
+    def rows(self, which: slice | Integers) -> OnLine:
+        """Those of some of the rows."""
+        return OnLine(*(column[which] for column in self))
+
+
+class AtLimit(NamedTuple):
+    """Arcs at a limit of creep or slip, shape (n,); nan where that is not met.
+
+    Attributes
+    ----------
+    tight, slack
+        Tensions of both sides [N].
+    grows
+        See `Solved`.
+    """
+
+    tight: Array
+    slack: Array
+    grows: Array
+
+
 #: Called with rows that met what was asked, and their blocks and courses.
 Read = Callable[[Integers, Block, Solved], None]
 
@@ -91,14 +135,66 @@ def solve_rows(arcs: Arcs, parts: int, accuracy: float) -> tuple[Array, Flags]:
     np.empty(KEPT)
     found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
     left = np.zeros(len(arcs), dtype=np.int64)
-    for kind in np.unique(arcs.laws.kind[arcs.law]).tolist():
-        which = np.flatnonzero(arcs.laws.kind[arcs.law] == kind)
+    for which in arcs.by_kind():
         batch = RowBatch.of(arcs.rows(which), accuracy)
         with np.errstate(all="ignore"):
             batch.find(parts)
         found[which], left[which] = batch.found, batch.left
     _leave(arcs, parts, found, left)
     return found, left > 0
+
+
+def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
+    """Meet the creep limit or the largest tested slip of arcs with tensions on lines.
+
+    Parameters
+    ----------
+    arcs
+        The arcs; their tensions are where to begin.
+    on
+        What the tensions are to keep.
+    part
+        `CREEP_LIMIT` or `TESTED_SLIP`.
+    accuracy
+        As for `solve_rows`.
+    """
+    found = AtLimit(*(np.full(len(arcs), np.nan) for _ in AtLimit._fields))
+    for which in arcs.by_kind():
+        with np.errstate(all="ignore"):
+            batch = RowBatch.of(arcs.rows(which), accuracy)
+            some = np.flatnonzero((batch.found[:, row.OUTCOME] == SOLVED) & ~batch.rigid)
+            by_creep = part == capacity.CREEP_LIMIT
+            limit = batch.of_input("creep_limit")[some] if by_creep else None
+            met = batch.at_limit(some, on.rows(which[some]), limit)
+        for told, column in zip(found, met, strict=True):
+            told[which[some]] = column
+    return found
+
+
+def _guess_on(block: Block, on: OnLine, tight: Array, goal: Array) -> tuple[Tensions, Array]:
+    """Tensions of a line at which about a limit is met, and the stress that is used [Pa]."""
+    used, fall = _about(block, tight, goal)
+    first = on.meets(np.exp(fall)).tight
+    used, fall = _about(block, first, goal)
+    guess = on.meets(np.exp(fall))
+    beyond = np.flatnonzero(~(guess.slack > 0.0))
+    if len(beyond):  # both sides grow: where friction that falls with pressure meets their ratio
+        some, of, goal = block.rows(beyond), on.rows(beyond), goal[beyond]
+        low, high = tight[beyond], FAR * tight[beyond]
+        for _ in range(HALVINGS):
+            middle = np.sqrt(low * high)
+            more = np.log(middle / of.slack_at(middle)) < _about(some, middle, goal)[1]
+            low, high = np.where(more, middle, low), np.where(more, high, middle)
+        guess.tight[beyond], guess.slack[beyond] = middle, of.slack_at(middle)
+        used[beyond] = _about(some, middle, goal)[0]
+    return guess, used
+
+
+def _about(block: Block, tight: Array, goal: Array) -> tuple[Array, Array]:
+    """Stress that is used at a creep with a tight side [N], about, and the fall of ln T by it."""
+    used = block.laws.stress(block.shear, tight / block.area, 0.6 * goal).stress
+    fall = used / tight * block.area * block.length / block.radius
+    return used, 0.9 * np.minimum(fall, LARGEST_FALL)
 
 
 def _leave(arcs: Arcs, parts: int, found: Array, left: Integers) -> None:
@@ -173,6 +269,13 @@ class RowBatch:
         return np.maximum(self.of_input("entry_tension"), self.of_input("exit_tension"))
 
     @property
+    def rigid(self) -> Flags:
+        """Rows whose law jumps and is set-valued without shear: a solver of its own has them."""
+        return np.asarray(
+            (self.block.laws.jump(self.tight / self.block.area) > 0.0) & (self.block.shear == 0.0)
+        )
+
+    @property
     def log_ratio(self) -> Array:
         """ln(tight/slack) of the tensions given [-]."""
         return np.abs(np.log(self.of_input("entry_tension") / self.of_input("exit_tension")))
@@ -191,9 +294,7 @@ class RowBatch:
         """Find what is wanted of every row that is not refused."""
         live = np.flatnonzero(self.found[:, row.OUTCOME] == SOLVED)
         self._find_gross(live, parts)
-        # a law that jumps is set-valued without shear: its rest arc has a solver of its own
-        p = self.tight / self.block.area
-        rigid = (self.block.laws.jump(p) > 0.0) & (self.block.shear == 0.0)
+        rigid = self.rigid
         self.left[live[rigid[live]]] = parts
         live = live[~rigid[live]]
         if parts & row.TENSIONS:
@@ -307,29 +408,42 @@ class RowBatch:
         # a belt that creeps by more than its length is one that the scalar solver does not hold
         self.left[which[columns[row.CREEP_RATIO] >= 1.0]] |= row.TENSIONS
 
-    def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
-        """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
+    def at_limit(
+        self, which: Integers, on: OnLine, limit: Array | None, guess: Tensions | None = None
+    ) -> AtLimit:
+        """Meet a creep [m], or the largest tested slip, at the exit with tensions on lines.
+
+        From a guess of the tensions; without one, where about what is used then meets the line.
+        """
         block = self.block.rows(which)
         slip = self.of_input("slip_max")[which]
         goal = slip if limit is None else limit
-        used = block.laws.stress(block.shear, tight / block.area, 0.6 * goal).stress
-        fall = np.minimum(used / tight * block.area * block.length / block.radius, LARGEST_FALL)
-        slack = tight * np.exp(-0.9 * fall)
-        drives = block.side > 0.0
+        about, used = _guess_on(block, on, self.tight[which], goal)
+        guess = about if guess is None else guess
+        drives, tight, slack = block.side > 0.0, guess.tight, guess.slack
         end = block.side * (goal if limit is not None else goal + block.shear * used)
-        guess = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
+        begin = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
         asked_slip = block.side * slip if limit is None else np.full(len(which), np.nan)
-        at_entry = np.where(drives, 1.0, 0.0)
-        ends = Ends(at_entry, 1.0 - at_entry, tight, CREEP, end, asked_slip)
-
-        found = np.full(len(self.left), np.nan)
+        at_entry = np.where(drives, on.at_tight, on.at_slack)
+        at_exit = np.where(drives, on.at_slack, on.at_tight)
+        ends = Ends(at_entry, at_exit, on.tension, CREEP, end, asked_slip)
+        tight, slack, grows = (np.full(len(self.left), np.nan) for _ in range(3))
 
         def read(rows: Integers, block: Block, met: Solved) -> None:
-            tension = met.courses.tension
-            found[rows] = np.abs(np.log(tension[0] / tension[-1]))
+            entry, leaving = met.courses.tension[0], met.courses.tension[-1]
+            tight[rows], slack[rows] = np.maximum(entry, leaving), np.minimum(entry, leaving)
+            grows[rows] = met.grows
 
-        self.meet(which, ends, guess, read)
-        return found[which]
+        begun = np.flatnonzero((guess.slack > 0.0) & np.isfinite(guess.tight))
+        some = Guess(*(column[begun] for column in begin))
+        self.meet(which[begun], ends.rows(begun), some, read)
+        return AtLimit(tight[which], slack[which], grows[which])
+
+    def _carried(self, which: Integers, tight: Array, limit: Array | None) -> Array:
+        """ln(tight/slack) at a creep [m], or at the largest tested slip; nan where that fails."""
+        one = np.ones(len(which))
+        met = self.at_limit(which, OnLine(one, 0.0 * one, tight), limit)
+        return np.log(met.tight / met.slack)
 
     def _find_carried(self, which: Integers, limit: Array | None, place: int, part: int) -> None:
         """Capacity at the creep limit, or at the largest tested slip."""
@@ -348,23 +462,12 @@ class RowBatch:
         carried = -np.expm1(-self.found[which, row.CREEP_CAPACITY])
         tight = np.minimum(pull[which] / carried, top[which])
         tight = np.maximum(tight, 1.02 * pull[which])
-        slack, drives = tight - pull[which], self.block.side[which] > 0.0
-        limit = self.of_input("creep_limit")
-        end = self.block.side[which] * limit[which]
-        guess = Guess(np.where(drives, tight, slack), np.where(drives, slack, tight), end)
-        side = self.block.side[which]
-        ends = Ends(side, -side, pull[which], CREEP, end, np.full(len(which), np.nan))
-        done = np.zeros(len(self.left), dtype=bool)
-
-        def read(rows: Integers, block: Block, met: Solved) -> None:
-            tight = np.maximum(met.courses.tension[0], met.courses.tension[-1])
-            good = (met.grows > 0.0) & (tight <= top[rows])
-            rows = rows[good]
-            self.found[rows, row.LEAST_SLACK] = tight[good] - pull[rows]
-            done[rows] = True
-
-        self.meet(which, ends, guess, read)
-        rest = which[~done[which]]
+        limit, one = self.of_input("creep_limit"), np.ones(len(which))
+        guess = Tensions(tight, tight - pull[which])
+        met = self.at_limit(which, OnLine(one, -one, pull[which]), limit[which], guess)
+        done = (met.grows > 0.0) & (met.tight <= top[which])
+        self.found[which[done], row.LEAST_SLACK] = (met.tight - pull[which])[done]
+        rest = which[~done]
         if not len(rest):
             return
 

@@ -13,7 +13,14 @@ from numpy.typing import NDArray
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.gross_slip import Line
 from wraparc.checks.numbers import rise_among
-from wraparc.checks.sliding import Loaded, Sliding, pull_at_sliding
+from wraparc.checks.sliding import (
+    AtLimit,
+    Loaded,
+    Sliding,
+    at_limits,
+    lift_for_safety,
+    pull_at_sliding,
+)
 from wraparc.drive import TakeUp
 
 Array = NDArray[np.float64]
@@ -120,13 +127,42 @@ def sliding(result: ArcResult, rise: Rise) -> Sliding:
     arc = result.arc
     tight = max(arc.entry_tension, arc.exit_tension)
     slack = min(arc.entry_tension, arc.exit_tension)
-    line, known = Line(tight, slack, rise.tight, rise.slack), _slidings.setdefault(result, {})
-    if line not in known:  # it is asked for every table, in both systems of units
-        known[line] = pull_at_sliding(loaded(result), line)
-    return known[line]
+    line, known = Line(tight, slack, rise.tight, rise.slack), _grip_of(result)
+    if line not in known.slidings:  # it is asked for every table, in both systems of units
+        known.slidings[line] = pull_at_sliding(known.of, line, known.begin)
+    return known.slidings[line]
 
 
-_slidings: WeakKeyDictionary[ArcResult, dict[Line, Sliding]] = WeakKeyDictionary()
+def lift(result: ArcResult, factor: float, tight_rise: float) -> float:
+    """Return by how much all tensions must rise for a safety factor against sliding [N].
+
+    As `wraparc.checks.sliding.lift_for_safety`.
+    """
+    known = _grip_of(result)
+    if (factor, tight_rise) not in known.lifts:
+        known.lifts[factor, tight_rise] = lift_for_safety(known.of, factor, tight_rise, known.begin)
+    return known.lifts[factor, tight_rise]
+
+
+@dataclass
+class _Grip:
+    """What is known of the grip of an arc, and with what further questions of it begin."""
+
+    of: Loaded
+    begin: list[AtLimit]
+    slidings: dict[Line, Sliding]
+    lifts: dict[tuple[float, float], float]
+
+
+def _grip_of(result: ArcResult) -> _Grip:
+    """Return what is known of the grip of an arc, by whichever method it was solved."""
+    of, known = loaded(result), _grips.setdefault(result.arc, {})
+    if of.peaks not in known:
+        known[of.peaks] = _Grip(of, at_limits(of), {}, {})
+    return known[of.peaks]
+
+
+_grips: WeakKeyDictionary[WrapArc, dict[bool, _Grip]] = WeakKeyDictionary()
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,10 @@ from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
 from wraparc.checks.check import Place
 from wraparc.checks.design_standard import asked
-from wraparc.checks.gross_slip import loaded, rises
+from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_slip
 from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rules import idle, tension_factor
-from wraparc.checks.sliding import lift_for_safety
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
@@ -101,10 +100,6 @@ def _tension(figure: Figure) -> float:
 
 
 _found: WeakKeyDictionary[DriveResult, LeastTension | None] = WeakKeyDictionary()
-
-
-#: Lifts that were found: a load case is judged among all, alone and for the page.
-_lifts: WeakKeyDictionary[ArcResult, dict[tuple[float, float], float]] = WeakKeyDictionary()
 
 
 def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
@@ -241,10 +236,7 @@ def _gross_slip(
     """Return what the safety factor on gross slip asks for, with what the take-up holds."""
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
     rise = rises(arcs, index, drive.criteria.take_up)
-    known = _lifts.setdefault(arcs[index], {})
-    if (factor, rise.tight) not in known:  # it is asked for every table, in both systems of units
-        known[factor, rise.tight] = lift_for_safety(loaded(arcs[index]), factor, rise.tight)
-    lift = known[factor, rise.tight]
+    raised = lift(arcs[index], factor, rise.tight)
     title = f"Safety {factor:g} against gross slip"
-    lift = inf if math.isnan(lift) else lift
-    return Figure("gross_slip", title, end + lift, Place(arc.pulley, case.name))
+    raised = inf if math.isnan(raised) else raised
+    return Figure("gross_slip", title, end + raised, Place(arc.pulley, case.name))

@@ -6,6 +6,7 @@ the largest friction of the law. What a law says beyond them is an extrapolation
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import exp, inf, isnan, log, nan
 from typing import NamedTuple
 
@@ -17,6 +18,7 @@ from wraparc.arc.capacity import Limit, carry, carry_along, find_capacities, lea
 from wraparc.arc.collocation import CREEP as CREEP_KIND
 from wraparc.arc.collocation import SLIP as SLIP_KIND
 from wraparc.arc.gross_slip import Line, plateau_capacity
+from wraparc.arc.meet import Met
 from wraparc.arc.quantities import SOLVED, Geometry, Load
 from wraparc.drive import CREEP_LIMIT
 from wraparc.friction.compact import CompactLaw, plateau_at, segment_of
@@ -86,13 +88,25 @@ def _tests_end_first(of: Loaded, tight: float) -> bool:
     return of.load.slip_max + of.geometry.shear * friction * pressure < EARLY * SLIDES
 
 
-def _limits(of: Loaded, tight: float) -> list[tuple[Limit, int]]:
-    """What ends the grip of a law that does not fall, whichever comes first, and its cause."""
-    found = []
+class AtLimit(NamedTuple):
+    """What ends the grip of a law that does not fall, and the arc there with its tight side."""
+
+    limit: Limit
+    cause: int
+    met: Met
+
+
+def at_limits(of: Loaded) -> list[AtLimit]:
+    """What ends the grip of an arc, whichever comes first; nothing of a law that falls."""
+    tight, found = max(of.load.entry_tension, of.load.exit_tension), []
+    if of.peaks:
+        return []
     if of.load.slip_max == of.load.slip_max:
-        found.append((Limit(SLIP_KIND, of.load.slip_max), TESTED))
+        limit = Limit(SLIP_KIND, of.load.slip_max)
+        found.append(AtLimit(limit, TESTED, carry(of.law, of.geometry, tight, limit)))
     if not _tests_end_first(of, tight):
-        found.append((Limit(CREEP_KIND, SLIDES), CREEP))
+        limit = Limit(CREEP_KIND, SLIDES)
+        found.append(AtLimit(limit, CREEP, carry(of.law, of.geometry, tight, limit)))
     return found
 
 
@@ -106,7 +120,10 @@ def slide_place(of: Loaded, line: Line, way: float, low: float, start: float) ->
     """
     falls = line.slack_rise < 0.0
     even = falls or way < 0.0
-    ends = Bracket(low, 1.0 - line.slack / line.slack_rise if falls else inf)  # no slack side there
+    ends = Bracket(low, inf)
+    if line.slack_rise != 0.0:  # beyond it there is no slack side
+        end = 1.0 - line.slack / line.slack_rise
+        ends = Bracket(low, end) if falls else Bracket(max(low, end), inf)
     k = 0.5 * (ends.low + ends.high) if start >= ends.high else start
     last, spare_last, cause = nan, nan, CREEP
     for _ in range(ROUNDS):
@@ -167,13 +184,16 @@ def _spare(of: Loaded, line: Line, k: float, q: float, even: bool) -> tuple[floa
     return log(k), log(q / asked), fall - grows
 
 
-def pull_at_sliding(of: Loaded, line: Line) -> Sliding:
-    """Pull at which the belt slides over the pull, tensions growing along a line."""
+def pull_at_sliding(of: Loaded, line: Line, begin: Sequence[AtLimit]) -> Sliding:
+    """Pull at which the belt slides over the pull, tensions growing along a line.
+
+    `begin` is what `at_limits` says of the arc.
+    """
     if line.tight == line.slack:
         return Sliding(inf, CREEP)
     first = Sliding(inf, CREEP)
-    for limit, cause in [] if of.peaks else _limits(of, line.tight):
-        place, met = carry_along(of.law, of.geometry, line, limit)
+    for limit, cause, first_met in begin:
+        place, met = carry_along(of.law, of.geometry, line, limit, first_met)
         if not place > 0.0:  # not found so
             return slide_place(of, line, 1.0, 0.0, 1.0)
         tight = max(met.entry, met.course.tension[-1])
@@ -183,16 +203,15 @@ def pull_at_sliding(of: Loaded, line: Line) -> Sliding:
     return slide_place(of, line, 1.0, 0.0, 1.0) if first.place == inf else first
 
 
-def tight_at_sliding(of: Loaded, pull: float) -> float:
+def tight_at_sliding(of: Loaded, pull: float, begin: Sequence[AtLimit]) -> float:
     """Least tension of the tight side with which a pull does not slide the belt [N]; inf if none.
 
-    Sought up to 200 times the pull.
+    Sought up to 200 times the pull; `begin` as for `pull_at_sliding`.
     """
     if pull <= 0.0:
         return 0.0
     tight, needed = max(of.load.entry_tension, of.load.exit_tension), 0.0
-    for limit, _ in [] if of.peaks else _limits(of, tight):
-        met = carry(of.law, of.geometry, tight, limit)
+    for limit, _, met in begin:
         slack = least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack
         needed = max(needed, slack + pull) if slack == slack and needed == needed else nan
     if needed > 0.0:
@@ -218,7 +237,9 @@ def wet_creep(of: Loaded, factor: float) -> float:
     return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 
 
-def lift_for_safety(of: Loaded, factor: float, tight_rise: float) -> float:
+def lift_for_safety(
+    of: Loaded, factor: float, tight_rise: float, begin: Sequence[AtLimit]
+) -> float:
     """How much all tensions must rise for a safety factor against sliding [N].
 
     All tensions rise by the lift, and then with the pull of the whole drive, the tight side by
@@ -226,4 +247,4 @@ def lift_for_safety(of: Loaded, factor: float, tight_rise: float) -> float:
     """
     tight = max(of.load.entry_tension, of.load.exit_tension)
     pull = abs(of.load.entry_tension - of.load.exit_tension)
-    return tight_at_sliding(of, factor * pull) - tight - (factor - 1.0) * tight_rise
+    return tight_at_sliding(of, factor * pull, begin) - tight - (factor - 1.0) * tight_rise

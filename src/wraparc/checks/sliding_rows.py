@@ -13,9 +13,9 @@ from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
 from wraparc.batch import Setting, row
-from wraparc.batch.arcs import Arcs
+from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
-from wraparc.batch.rows import solve_rows
+from wraparc.batch.rows import AtLimit, OnLine, carried_on, solve_rows
 from wraparc.batch.scaled import Unscaled
 from wraparc.batch.solve import CHUNK
 from wraparc.batch.traction import Laws
@@ -84,9 +84,7 @@ class LoadedRows:
         """Something of the laws at the wrap pressures of tight sides, kind by kind, (n,)."""
         arcs, found = self.arcs, np.empty(len(tight))
         pressure = 2.0 * tight / (arcs.belt_width * arcs.diameter)
-        kinds = arcs.laws.kind[arcs.law]
-        for kind in np.unique(kinds).tolist():
-            at = np.flatnonzero(kinds == kind)
+        for at in arcs.by_kind():
             found[at] = of(arcs.laws.traction(arcs.law[at]), pressure[at], at)
         return found
 
@@ -101,17 +99,14 @@ class LoadedRows:
         """Largest ln(tight/slack) with tight sides held [N], and what comes first, (n,) each."""
         arcs, n = self.arcs, len(tight)
         driving = arcs.entry_tension >= arcs.exit_tension
-        columns: dict[str, Any] = dict(arcs.columns()) | {
-            "entry_tension": np.where(driving, tight, 0.5 * tight),
-            "exit_tension": np.where(driving, 0.5 * tight, tight),
-            "creep_limit": np.full(n, SLIDES),
-        }
-        f, s = self.friction_factor, self.slip_factor
-        given = Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
+        given = self._unscaled(
+            entry_tension=np.where(driving, tight, 0.5 * tight),
+            exit_tension=np.where(driving, 0.5 * tight, tight),
+        )
         found = np.full((n, row.FOUND_NUMBERS), np.nan)
         parts = np.where(self.peaks, BY_CREEP + BY_SLIP + BY_LAW, BY_CREEP + BY_SLIP)
         parts[~self.peaks & (self._creep_at_end(tight) < EARLY * SLIDES)] = BY_SLIP
-        for part in np.unique(parts).tolist():
+        for part in present(parts):
             which = np.flatnonzero(parts == part)
             for begin in range(0, n, CHUNK):
                 some = which[begin : begin + CHUNK]
@@ -125,6 +120,34 @@ class LoadedRows:
             self.peaks & (q >= found[:, row.GROSS_CAPACITY] * near)
         )
         return q, np.where(most, MOST, np.where(first, TESTED, CREEP)).astype(np.int8)
+
+    def _unscaled(self, **tensions: Array) -> Unscaled:
+        """Return the arcs with the creep of sliding for their limit."""
+        columns: dict[str, Any] = dict(self.arcs.columns()) | tensions
+        columns["creep_limit"] = np.full(len(self.arcs), SLIDES)
+        f, s = self.friction_factor, self.slip_factor
+        laws, law = self.arcs.laws, self.arcs.law
+        return Unscaled(laws=laws, law=law, friction_factor=f, slip_factor=s, **columns)
+
+    def at_limits(self, on: OnLine) -> list[tuple[int, Integers, AtLimit]]:
+        """Return what ends the grip of laws that do not fall, the rows of it, and the arcs there.
+
+        See `checks.sliding`; every row has at least one of them.
+        """
+        given = self._unscaled()
+        tight = np.maximum(self.arcs.entry_tension, self.arcs.exit_tension)
+        tests_end_first = self._creep_at_end(tight) < EARLY * SLIDES
+        tested = np.isfinite(self.arcs.laws.tested[self.arcs.law].T[2])
+        found = []
+        for cause, part, has in ((TESTED, BY_SLIP, tested), (CREEP, BY_CREEP, ~tests_end_first)):
+            which = np.flatnonzero(has & ~self.peaks)
+            parts = [
+                carried_on(given.rows(some), on.rows(some), part, self.setting.accuracy)
+                for some in np.split(which, range(CHUNK, len(which), CHUNK))
+            ]
+            columns = (np.concatenate(column) for column in zip(*parts, strict=True))
+            found.append((cause, which, AtLimit(*columns)))
+        return found
 
     def _creep_at_end(self, tight: Array) -> Array:
         """Creep where the tests end: their slip and what the lagging shears, shape (n,) [m]."""
@@ -148,6 +171,21 @@ class _Lines:
             self.slack + (k - 1.0) * self.slack_rise,
         )
 
+    def on(self) -> OnLine:
+        """Return what the tensions keep on them."""
+        size = np.maximum(np.abs(self.tight_rise), np.abs(self.slack_rise))
+        a, b = self.slack_rise / size, -self.tight_rise / size
+        least = a * (self.tight - self.tight_rise) + b * (self.slack - self.slack_rise)
+        return OnLine(a, b, least)
+
+    def place(self, met: AtLimit) -> Array:
+        """Return where tensions lie on them; nan where their ratio does not grow along them."""
+        by_tight = (met.tight - self.tight) / self.tight_rise
+        by_slack = (met.slack - self.slack) / self.slack_rise
+        more = np.abs(self.tight_rise) >= np.abs(self.slack_rise)
+        grows = self.tight_rise * met.slack > self.slack_rise * met.tight
+        return np.where(grows, 1.0 + np.where(more, by_tight, by_slack), np.nan)
+
     def rows(self, which: Integers) -> _Lines:
         return _Lines(
             self.tight[which], self.slack[which], self.tight_rise[which], self.slack_rise[which]
@@ -165,9 +203,30 @@ def pulls_at_sliding(of: LoadedRows, rises: tuple[Array, Array]) -> tuple[Array,
     place, cause = np.full(len(tight), np.inf), np.full(len(tight), CREEP, dtype=np.int8)
     pulls = np.flatnonzero(tight != slack)
     lines = _Lines(tight[pulls], slack[pulls], rises[0][pulls], rises[1][pulls])
-    start, low = np.ones(len(pulls)), np.zeros(len(pulls))
-    place[pulls], cause[pulls] = _places(of.rows(pulls), lines, 1.0, low, start)
+    pulled = of.rows(pulls)
+    with np.errstate(all="ignore"):
+        place[pulls], cause[pulls] = _first_places(pulled, lines)
+    rest = np.flatnonzero(np.isnan(place[pulls]))
+    start, low = np.ones(len(rest)), np.zeros(len(rest))
+    found = _places(pulled.rows(rest), lines.rows(rest), 1.0, low, start)
+    place[pulls[rest]], cause[pulls[rest]] = found
     return place, cause
+
+
+def _first_places(of: LoadedRows, lines: _Lines) -> tuple[Array, Codes]:
+    """`checks.sliding.pull_at_sliding` by one solution a limit; nan where one is not met so."""
+    n = len(lines.tight)
+    near = 1.0 - max(ALIKE, of.setting.accuracy)
+    place, cause = np.full(n, np.inf), np.full(n, CREEP, dtype=np.int8)
+    missed = of.peaks.copy()
+    for limit, which, met in of.at_limits(lines.on()):
+        there = lines.rows(which).place(met)
+        most = np.log(met.tight / met.slack) >= of.rows(which).plateau(met.tight) * near
+        first = there < place[which] * near
+        cause[which[first]] = np.where(most, MOST, limit)[first]
+        place[which[first]] = there[first]
+        missed[which[~(there > 0.0)]] = True
+    return np.where(missed, np.nan, place), cause
 
 
 def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
@@ -175,10 +234,18 @@ def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
 
     As `checks.sliding.tight_at_sliding`.
     """
+    one, needed, missed = np.ones(len(pull)), np.zeros(len(pull)), of.peaks.copy()
+    for _, which, met in of.at_limits(OnLine(one, -one, pull)):
+        found = (met.grows > 0.0) & (met.tight <= FARTHEST * pull[which])
+        needed[which[found]] = np.maximum(needed[which], met.tight)[found]
+        missed[which[~found]] = True
+    rest = np.flatnonzero(missed)
+    of, pull = of.rows(rest), pull[rest]
     tight = np.maximum(of.arcs.entry_tension, of.arcs.exit_tension)
     lines = _Lines(pull, np.zeros(len(pull)), pull, pull)
     start = np.maximum(tight / pull, 1.0 + 1e-6)
-    return pull * _places(of, lines, -1.0, np.ones(len(pull)), start)[0]
+    needed[rest] = pull * _places(of, lines, -1.0, np.ones(len(pull)), start)[0]
+    return needed
 
 
 def _places(
@@ -191,7 +258,9 @@ def _places(
     even = falls | (way < 0.0)
     a, b, k = low.copy(), np.full(n, np.inf), start.copy()
     with np.errstate(divide="ignore", invalid="ignore"):
-        b = np.where(falls, 1.0 - lines.slack / lines.slack_rise, b)
+        no_slack = 1.0 - lines.slack / lines.slack_rise
+        b = np.where(falls, no_slack, b)
+        a = np.where(lines.slack_rise > 0.0, np.maximum(a, no_slack), a)
     k = np.where(k >= b, 0.5 * (a + b), k)
     last, spare_last = np.full(n, np.nan), np.full(n, np.nan)
     place, cause = np.full(n, np.nan), np.full(n, CREEP, dtype=np.int8)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc import Capacities
 from wraparc.batch import Setting
-from wraparc.batch.arcs import Arcs
+from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.checks.rules import NO_GRIP
@@ -307,7 +307,7 @@ class Study:
             some = good[begin : begin + size]
             part, friction = arcs.rows(some), factor[some]
             if own:
-                part = part.with_laws(np.unique(part.law))
+                part = part.with_laws(np.asarray(present(part.law)))
             solved = solve_scaled(
                 part,
                 friction,

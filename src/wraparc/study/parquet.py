@@ -213,7 +213,10 @@ def merge(parts: Iterable[Path], schema: Any, target: Path) -> None:
     with _writer(str(target), schema) as writer:
         for part in parts:
             with pq.ParquetFile(part) as file:
-                writer.write_table(file.read().cast(schema))
+                table = file.read()
+                if table.schema != schema:  # a cast imports twice what a part takes
+                    table = table.cast(schema)
+                writer.write_table(table.replace_schema_metadata(schema.metadata))
 
 
 def read_data(path: str | os.PathLike[str]) -> dict[str, Any]:

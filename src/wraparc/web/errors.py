@@ -121,6 +121,8 @@ def request_problems(errors: Sequence[Any]) -> list[Problem]:
         steps = [step for step in error["loc"] if step not in ("body", "query", "path", "header")]
         key = ".".join(map(str, steps))
         message = str(error["msg"])
+        if error["type"] == "json_invalid":  # its place is a count of characters
+            key, message = "", f"the body is not JSON from character {int(steps[-1]) + 1:,} on"
         given = error.get("input")
         value = "" if error["type"] in ("missing", "json_invalid") else shown(_small(given))
         remedy = _BODY if error["type"] == "missing" and key in ("", "document") else ""

@@ -45,7 +45,9 @@ from wraparc.checks.numbers import (
 )
 from wraparc.checks.sliding import (
     NOT_CARRIED,
+    AtLimit,
     Loaded,
+    at_limits,
     lift_for_safety,
     pull_at_sliding,
     wet_creep,
@@ -274,8 +276,9 @@ def judged(
     solved = found.outcome == SOLVED
     limits = limits_of(given, arc, tested, criteria)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
-    tight, slack = max(entry, leaving), min(entry, leaving)
-    sliding = pull_at_sliding(loaded, Line(tight, slack, others.tight_rise, others.slack_rise))
+    tight, slack, begin = max(entry, leaving), min(entry, leaving), at_limits(loaded)
+    line = Line(tight, slack, others.tight_rise, others.slack_rise)
+    sliding = pull_at_sliding(loaded, line, begin)
     if sliding.place != sliding.place:
         return None
     values = Compared(
@@ -311,7 +314,7 @@ def judged(
         values,
         limits,
         others.held,
-        asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+        asked_of(loaded, begin, arc, carried.least_slack, limits, given, criteria.safety, others),
         resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
@@ -334,8 +337,8 @@ class Asked(NamedTuple):
 
 
 def asked_of(
-    loaded: Loaded, arc: Description, least: float, limits: Compared, given: Given,
-    factor: float, among: Among,
+    loaded: Loaded, begin: list[AtLimit], arc: Description, least: float, limits: Compared,
+    given: Given, factor: float, among: Among,
 ) -> Asked:  # fmt: skip
     """What the checks of an arc ask of the take-up, its pull held."""
     entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
@@ -345,7 +348,7 @@ def asked_of(
     of, by_slip = Pull(abs(entry - leaving), tight, top), nan
     if limits.tested_slip < given.creep_limit:
         by_slip = least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
-    lift = lift_for_safety(loaded, factor, among.tight_rise)
+    lift = lift_for_safety(loaded, factor, among.tight_rise, begin)
     return Asked(
         creep=end - slack + (least if least == least else inf),
         tested_slip=end - slack + by_slip,

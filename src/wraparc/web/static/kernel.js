@@ -702,6 +702,19 @@ export class Loaded {
   }
 }
 
+export class AtLimit {
+  constructor(limit, cause, met) {
+    this.limit = limit;
+    this.cause = cause;
+    this.met = met;
+  }
+  *[Symbol.iterator]() {
+    yield this.limit;
+    yield this.cause;
+    yield this.met;
+  }
+}
+
 export class Line {
   constructor(tight, slack, tight_rise, slack_rise) {
     this.tight = tight;
@@ -953,12 +966,12 @@ const C2 = 0.8872983346207417;
 const LEAST_COMPLIANCE = 1e-16;
 const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const LEAST_CREEP = 1e-16;
-const HELD = new Piece(0.0, -1);
-const NEWTON = 1e-8;
-const ACCURACY = 1e-15;
 const NEAR_PEAK = 0.8;
 const LEAST_SHARE = 1e-12;
 const NEAR = 1e-5;
+const HELD = new Piece(0.0, -1);
+const NEWTON = 1e-8;
+const ACCURACY = 1e-15;
 const RESIDUAL = 2;
 const _PIECE = 0.25;
 const BREAKAWAY = 1;
@@ -1068,6 +1081,7 @@ const TESTED = 1;
 const EARLY = 0.8;
 const SLIDES = 0.0635;
 const CREEP_KIND = 1;
+const FAR = 200.0;
 const BY_CREEP = 2;
 const BY_SLIP = 4;
 const BY_LAW = 16;
@@ -1083,7 +1097,6 @@ const _ALIKE = 1e-6;
 const FEW = "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.";
 const STEEP = 1;
 const UNUSUAL = 3;
-const FAR = 10.0;
 const BEHIND = 1000000000.0;
 const NUMBERLESS = -2000000000.0;
 const AHEAD = 4000000000.0;
@@ -1621,6 +1634,25 @@ export function traction__plateau_stress(law, pressure) {
   return compact__plateau_at(law, compact__segment_of(law, pressure), pressure) * pressure;
 }
 
+/** Slip over peak slip r <= 1 on the rise of the integral-log law: r + k r (1 - ln r) = w. */
+export function traction___rise(k, w) {
+  let change, lr, miss, slope;
+  let short = 1.0 + k - w;
+  let near = short > 0.0 ? (2.0 * short) / (1.0 + Math.sqrt(1.0 + 2.0 * k * short)) : 0.0;
+  let r = near < NEAR_PEAK ? 1.0 - near : w / (1.0 + k * (1.0 - Math.log(min(w, 1.0))));
+  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
+    lr = Math.log(r);
+    miss = r + k * r * (1.0 - lr) - w;
+    slope = 1.0 - k * lr;
+    change = miss / (slope + (0.5 * miss * k) / (r * slope));
+    r = min(max(r - change, LEAST_SHARE), 1.0);
+    if (Math.abs(change) <= NEAR * r) {
+      break;
+    }
+  }
+  return r;
+}
+
 /** Limit of friction [-] and its derivative by pressure [1/Pa], for a law with a limit. */
 export function compact__limit_at(law, segment, pressure) {
   let last = law.edges.length - 1;
@@ -1710,25 +1742,6 @@ export function traction___hold(law, segment, pressure) {
   return segment >= last && last >= 0 ? law.edges[last] / pressure : 1.0;
 }
 
-/** Slip over peak slip r <= 1 on the rise of the integral-log law: r + k r (1 - ln r) = w. */
-export function traction___rise(k, w) {
-  let change, lr, miss, slope;
-  let short = 1.0 + k - w;
-  let near = short > 0.0 ? (2.0 * short) / (1.0 + Math.sqrt(1.0 + 2.0 * k * short)) : 0.0;
-  let r = near < NEAR_PEAK ? 1.0 - near : w / (1.0 + k * (1.0 - Math.log(min(w, 1.0))));
-  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
-    lr = Math.log(r);
-    miss = r + k * r * (1.0 - lr) - w;
-    slope = 1.0 - k * lr;
-    change = miss / (slope + (0.5 * miss * k) / (r * slope));
-    r = min(max(r - change, LEAST_SHARE), 1.0);
-    if (Math.abs(change) <= NEAR * r) {
-      break;
-    }
-  }
-  return r;
-}
-
 /** Slip and branch of a law at a magnitude of creep, > 0 [m]: u = x + c mu(x, p) p inverted. */
 export function traction__piece_at(law, segment, shear, pressure, creep) {
   let mu_pk, residual, slip_pk, slope;
@@ -1761,20 +1774,51 @@ export function traction__piece_at(law, segment, shear, pressure, creep) {
 
 /** Traction at a creep of either sign. */
 export function traction__traction(law, shear, pressure, creep) {
+  let branch, c, form, lr, m1, m2, m3, mu_pk, o, r, slip_pk, t, x1, x2, x3;
   let size = max(Math.abs(creep), LEAST_CREEP);
   let sign = creep >= 0.0 ? 1.0 : -1.0;
   let segment = compact__segment_of(law, pressure);
-  const found1 = traction__piece_at(law, segment, shear, pressure, size);
-  let slip = found1.slip;
-  let branch = found1.branch;
-  if (branch < 0) {
-    return new Traction(creep / shear, 1.0 / shear, 0.0, 0.0);
+  let ease = shear * pressure;
+  let slip = -1.0;
+  let mu = 0.0;
+  let mu_x = 0.0;
+  let mu_p = 0.0;
+  if (law.kind === KNOTS && 0 <= segment && segment < law.edges.length - 1) {
+    c = law.coefficients;
+    o = segment * KNOT_STRIDE;
+    t = pressure - law.edges[segment];
+    x1 = c[o + 1];
+    x2 = c[o + 2];
+    x3 = c[o + 3];
+    m1 = c[o + 5];
+    m2 = c[o + 6];
+    m3 = c[o + 7];
+    slip_pk = c[o] + t * (x1 + t * (x2 + t * x3));
+    mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3));
+    if (size - slip_pk - ease * mu_pk <= 0.0) {
+      slip = slip_pk * traction___rise((ease * mu_pk) / slip_pk, size / slip_pk);
+      r = max(slip / slip_pk, SMALLEST);
+      lr = Math.log(r);
+      form = r - r * lr;
+      mu_x = (-mu_pk * lr) / slip_pk;
+      mu = mu_pk * form;
+      mu_p = (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form;
+      mu_p += (mu_pk * lr * r * (x1 + t * (2.0 * x2 + 3.0 * t * x3))) / slip_pk;
+    }
   }
-  const found2 = compact__friction_at(law, segment, branch, slip, pressure);
-  let mu = found2[0];
-  let mu_x = found2[1];
-  let mu_p = found2[2];
-  let stiff = 1.0 / (1.0 + shear * pressure * mu_x);
+  if (slip < 0.0) {
+    const found1 = traction__piece_at(law, segment, shear, pressure, size);
+    slip = found1.slip;
+    branch = found1.branch;
+    if (branch < 0) {
+      return new Traction(creep / shear, 1.0 / shear, 0.0, 0.0);
+    }
+    const found2 = compact__friction_at(law, segment, branch, slip, pressure);
+    mu = found2[0];
+    mu_x = found2[1];
+    mu_p = found2[2];
+  }
+  let stiff = 1.0 / (1.0 + ease * mu_x);
   let scale = Math.abs(creep) / size;
   return new Traction(
     sign * mu * pressure * scale,
@@ -4064,47 +4108,93 @@ export function sliding___tests_end_first(of, tight) {
   return of.load.slip_max + of.geometry.shear * friction * pressure < EARLY * SLIDES;
 }
 
-/** What ends the grip of a law that does not fall, whichever comes first, and its cause. */
-export function sliding___limits(of, tight) {
+/** What ends the grip of an arc, whichever comes first; nothing of a law that falls. */
+export function sliding__at_limits(of) {
+  let limit;
+  let tight = max(of.load.entry_tension, of.load.exit_tension);
   let found = [];
+  if (of.peaks) {
+    return [];
+  }
   if (of.load.slip_max === of.load.slip_max) {
-    found.push([new Limit(SLIP_KIND, of.load.slip_max), TESTED]);
+    limit = new Limit(SLIP_KIND, of.load.slip_max);
+    found.push(new AtLimit(limit, TESTED, capacity__carry(of.law, of.geometry, tight, limit)));
   }
   if (!sliding___tests_end_first(of, tight)) {
-    found.push([new Limit(CREEP_KIND, SLIDES), 0]);
+    limit = new Limit(CREEP_KIND, SLIDES);
+    found.push(new AtLimit(limit, 0, capacity__carry(of.law, of.geometry, tight, limit)));
   }
   return found;
 }
 
-/** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
-export function capacity__carry_along(law, arc, line, limit) {
+/** Tensions of a line at which a limit is met, about: of the tight and of the slack side [N]. */
+export function capacity___first_along(law, arc, line, limit, at_tight) {
+  let asked, k, middle, used;
   let [tight, slack, tight_rise, slack_rise] = line;
-  let first = capacity__carry(law, arc, tight, limit);
-  if (!first.done) {
-    return new Along(NaN, first);
+  let ratio = Math.exp(capacity__log_ratio(at_tight));
+  if (tight_rise > ratio * slack_rise) {
+    k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
+    return [tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise];
   }
-  let ratio = Math.exp(capacity__log_ratio(first));
-  if (tight_rise <= ratio * slack_rise) {
-    return new Along(NaN, first);
+  if (!(tight_rise > 0.0)) {
+    return [NaN, NaN];
   }
-  let k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
-  let top = tight + (k - 1.0) * tight_rise;
-  let low = slack + (k - 1.0) * slack_rise;
+  let face = meet__interface(law, arc);
+  let area = arc.width * arc.radius;
+  let low = tight;
+  let high = FAR * tight;
+  let first = capacity___stress_about(face, tight / area, 0.6 * limit.most) / tight;
+  for (let each1 = 0, end1 = 12; each1 < end1; each1++) {
+    middle = Math.sqrt(low * high);
+    used = capacity___stress_about(face, middle / area, 0.6 * limit.most) / middle;
+    asked = Math.log(middle / (slack + ((middle - tight) / tight_rise) * slack_rise));
+    if (asked < (used / first) * capacity__log_ratio(at_tight)) {
+      low = middle;
+    } else {
+      high = middle;
+    }
+  }
+  return [middle, slack + ((middle - tight) / tight_rise) * slack_rise];
+}
+
+/** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
+export function capacity__carry_along(law, arc, line, limit, at_tight) {
+  let left;
+  let [tight, slack, tight_rise, slack_rise] = line;
+  if (!at_tight.done) {
+    return new Along(NaN, at_tight);
+  }
+  if (tight_rise === 0.0 && slack_rise < 0.0) {
+    left = min(at_tight.entry, at_tight.course.tension.at(-1));
+    return new Along(1.0 + (left - slack) / slack_rise, at_tight);
+  }
+  const found1 = capacity___first_along(law, arc, line, limit, at_tight);
+  let top = found1[0];
+  let low = found1[1];
   if (!(top > 0.0 && low > 0.0)) {
-    return new Along(NaN, first);
+    return new Along(NaN, at_tight);
   }
   let size = max(Math.abs(tight_rise), Math.abs(slack_rise));
-  let at_tight = slack_rise / size;
-  let at_slack = -tight_rise / size;
-  let goal = at_tight * (tight - tight_rise) + at_slack * (slack - slack_rise);
-  let ends = capacity__ends_at(arc, at_tight, at_slack, goal, limit);
-  let guess = capacity___guess(arc, top, low, first.course.creep.at(-1));
-  let met = meet__meet(law, arc, ends, guess, capacity___near(first), MISFIT);
+  let at_top = slack_rise / size;
+  let at_low = -tight_rise / size;
+  let goal = at_top * (tight - tight_rise) + at_low * (slack - slack_rise);
+  let guess = capacity___guess(arc, top, low, at_tight.course.creep.at(-1));
+  let met = meet__meet(
+    law,
+    arc,
+    capacity__ends_at(arc, at_top, at_low, goal, limit),
+    guess,
+    capacity___near(at_tight),
+    MISFIT,
+  );
   if (!met.done) {
     return new Along(NaN, met);
   }
   let found = max(met.entry, met.course.tension.at(-1));
   let other = min(met.entry, met.course.tension.at(-1));
+  if (!(tight_rise * other > slack_rise * found)) {
+    return new Along(NaN, met);
+  }
   let by_tight = Math.abs(tight_rise) >= Math.abs(slack_rise);
   let step = by_tight ? (found - tight) / tight_rise : (other - slack) / slack_rise;
   return new Along(1.0 + step, met);
@@ -4172,10 +4262,14 @@ export function sliding___within(ends, new_, k) {
 
 /** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
 export function sliding__slide_place(of, line, way, low, start) {
-  let at, new_, q, slope, spare;
+  let at, end, new_, q, slope, spare;
   let falls = line.slack_rise < 0.0;
   let even = falls || way < 0.0;
-  let ends = new Bracket(low, falls ? 1.0 - line.slack / line.slack_rise : Infinity);
+  let ends = new Bracket(low, Infinity);
+  if (line.slack_rise !== 0.0) {
+    end = 1.0 - line.slack / line.slack_rise;
+    ends = falls ? new Bracket(low, end) : new Bracket(max(low, end), Infinity);
+  }
   let k = start >= ends.high ? 0.5 * (ends.low + ends.high) : start;
   let last = NaN;
   let spare_last = NaN;
@@ -4220,15 +4314,15 @@ export function sliding__slide_place(of, line, way, low, start) {
 }
 
 /** Pull at which the belt slides over the pull, tensions growing along a line. */
-export function sliding__pull_at_sliding(of, line) {
-  let cause, exhausted, limit, met, place, tight;
+export function sliding__pull_at_sliding(of, line, begin) {
+  let cause, exhausted, first_met, limit, met, place, tight;
   if (line.tight === line.slack) {
     return new Sliding(Infinity, 0);
   }
   let first = new Sliding(Infinity, 0);
-  for (const each1 of of.peaks ? [] : sliding___limits(of, line.tight)) {
-    [limit, cause] = each1;
-    const found2 = capacity__carry_along(of.law, of.geometry, line, limit);
+  for (const each1 of begin) {
+    [limit, cause, first_met] = each1;
+    const found2 = capacity__carry_along(of.law, of.geometry, line, limit, first_met);
     place = found2.place;
     met = found2.met;
     if (!(place > 0.0)) {
@@ -4319,16 +4413,15 @@ export function least_numbers__least_for_slip(law, geometry, of, limit) {
 }
 
 /** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
-export function sliding__tight_at_sliding(of, pull) {
+export function sliding__tight_at_sliding(of, pull, begin) {
   let limit, met, slack;
   if (pull <= 0.0) {
     return 0.0;
   }
   let tight = max(of.load.entry_tension, of.load.exit_tension);
   let needed = 0.0;
-  for (const each1 of of.peaks ? [] : sliding___limits(of, tight)) {
-    [limit] = each1;
-    met = capacity__carry(of.law, of.geometry, tight, limit);
+  for (const each1 of begin) {
+    [limit, , met] = each1;
     slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack;
     needed = slack === slack && needed === needed ? max(needed, slack + pull) : NaN;
   }
@@ -4340,14 +4433,14 @@ export function sliding__tight_at_sliding(of, pull) {
 }
 
 /** How much all tensions must rise for a safety factor against sliding [N]. */
-export function sliding__lift_for_safety(of, factor, tight_rise) {
+export function sliding__lift_for_safety(of, factor, tight_rise, begin) {
   let tight = max(of.load.entry_tension, of.load.exit_tension);
   let pull = Math.abs(of.load.entry_tension - of.load.exit_tension);
-  return sliding__tight_at_sliding(of, factor * pull) - tight - (factor - 1.0) * tight_rise;
+  return sliding__tight_at_sliding(of, factor * pull, begin) - tight - (factor - 1.0) * tight_rise;
 }
 
 /** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(loaded, arc, least, limits, given, factor, among) {
+export function in_page__asked_of(loaded, begin, arc, least, limits, given, factor, among) {
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   let end = among.end;
@@ -4360,7 +4453,7 @@ export function in_page__asked_of(loaded, arc, least, limits, given, factor, amo
   if (limits.tested_slip < given.creep_limit) {
     by_slip = least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
-  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
+  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise, begin);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
@@ -4443,10 +4536,9 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   );
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
-  let sliding = sliding__pull_at_sliding(
-    loaded,
-    new Line(tight, slack, others.tight_rise, others.slack_rise),
-  );
+  let begin = sliding__at_limits(loaded);
+  let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
+  let sliding = sliding__pull_at_sliding(loaded, line, begin);
   if (sliding.place !== sliding.place) {
     return null;
   }
@@ -4489,7 +4581,16 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     values,
     limits,
     others.held,
-    in_page__asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+    in_page__asked_of(
+      loaded,
+      begin,
+      arc,
+      carried.least_slack,
+      limits,
+      given,
+      criteria.safety,
+      others,
+    ),
     load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
     sliding.cause,
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
@@ -4734,7 +4835,7 @@ export function numbers__times_of(value, limit) {
   if (Number.isNaN(value) || Number.isNaN(limit) || limit <= 0.0 || !Number.isFinite(value)) {
     return NaN;
   }
-  return value / limit >= FAR ? value / limit : NaN;
+  return value / limit >= 10.0 ? value / limit : NaN;
 }
 
 /** Place of a check among those of its level: the least governs, equal ones the first. */
