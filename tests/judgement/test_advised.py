@@ -122,7 +122,7 @@ def followed_choice(of: Drive, folder: Path) -> None:
     selection = choose(search)
     sheet = choose_sheet(selection)
     assert sheet.verdict is not None
-    found = re.match(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.headline)
+    found = re.search(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.headline)
     if found is None:
         assert not len(selection.ranking)
         return
@@ -130,6 +130,8 @@ def followed_choice(of: Drive, folder: Path) -> None:
     (head,) = search.drive.pulleys
     chosen = replace(search.drive, pulleys=(replace(head, lagging=lagging),))
     told = judge(solve(with_slack(chosen, printed(found[2])), raise_on_failure=False))
+    if "cannot be applied" in sheet.verdict.headline:  # a rule that says nothing on this drive
+        told = Verdict(tuple(c for c in told.checks if c.name != "design_standard"))
     assert {c.name for c in told.missed if c.binding or c.name == "design_standard"} == set()
     assert "below" not in sheet.verdict.headline
 

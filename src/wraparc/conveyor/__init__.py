@@ -1,7 +1,7 @@
 """The pull of a conveyor from its resistances, and the wrap angle from where pulleys stand."""
 
 from wraparc.conveyor.belt_path import Point, wrap_angle
-from wraparc.conveyor.conveyor import DRIVES_AT, Conveyor, State, choices
+from wraparc.conveyor.conveyor import DRIVES_AT, USUAL_CONVEYOR, Conveyor, State, choices
 from wraparc.conveyor.resistance import (
     GRAVITY,
     LENGTH_COEFFICIENTS,
@@ -16,6 +16,7 @@ __all__ = [
     "DRIVES_AT",
     "GRAVITY",
     "LENGTH_COEFFICIENTS",
+    "USUAL_CONVEYOR",
     "Conveyor",
     "Point",
     "Resistance",

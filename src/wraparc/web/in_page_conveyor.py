@@ -4,13 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from wraparc.conveyor import Conveyor, State
+from wraparc.checks.numbers import usual
+from wraparc.conveyor import USUAL_CONVEYOR, Conveyor, State
 from wraparc.errors import Problem
 
 
 def misfits(of: Conveyor) -> list[Problem]:
     """What of a conveyor does not fit together."""
     return list(of.misfits())
+
+
+def unusual(of: Conveyor) -> str:
+    """Key of a size that conveyors do not have; empty where all are usual."""
+    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+        if not usual(value, least, most):
+            return key
+    return ""
 
 
 def states(of: Conveyor) -> list[State]:
