@@ -293,7 +293,7 @@ class Verdict:
         """Word of the verdict; an OK says what it is limited to, and what data it stands on."""
         if self.level is not Level.OK:
             return str(self.level)
-        ok = f"{Level.OK} dry only" if self.over_wet else str(Level.OK)
+        ok = str(Level.OK) if self.wet < 0.0 else f"{Level.OK} dry only"
         return f"{ok}, {self.qualifier}" if self.qualifier else ok
 
     @cached_property

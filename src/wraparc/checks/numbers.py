@@ -155,8 +155,9 @@ def compared_sizes(of: Sizes) -> list[float]:
     """Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends."""
     return [
         of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle,
-        of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength,
-        of.fatigue_limit, of.face_pressure, of.least_diameter, of.sag / of.width,
+        of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus,
+        of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter,
+        of.sag / of.width,
         of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
         of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
     ]  # fmt: skip

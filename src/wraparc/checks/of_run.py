@@ -21,7 +21,7 @@ from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
 from wraparc.checks.sliding import SLIDES
 from wraparc.conveyor import GRAVITY
-from wraparc.drive import Drive, LoadCase, Pulley, Tensions
+from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
@@ -86,8 +86,16 @@ def judge_run(run: RunResult) -> Verdict:
     The same run is judged once, however often it is asked about.
     """
     if run not in _told:
-        _told[run] = Verdict(tuple(_checks(run)))
+        verdict = Verdict(tuple(_checks(run)))
+        dry = verdict.level is Level.OK and all(map(of_data.wet_factor, _laggings(run)))
+        _told[run] = replace(verdict, wet=math.nan) if dry else verdict
     return _told[run]
+
+
+def _laggings(run: RunResult) -> Iterator[Lagging]:
+    """Yield the laggings in the condition that runs."""
+    condition = run.station.train.case(run.station.load_case).condition
+    return (pulley.lagging_in(condition) for pulley in run.station.train.pulleys)
 
 
 def otherwise(run: RunResult) -> tuple[Otherwise, ...]:
@@ -149,7 +157,7 @@ def _odd_sizes(run: RunResult) -> Iterator[Check]:
     for name, drum in zip(station.names, station.drums, strict=True):
         owners += [(of, f" of drum {name}") for of in (drum, drum.control, drum.trim) if of]
     for of, words in owners:
-        for key, limit in getattr(of, "LIMITS").items():
+        for key, limit in of.LIMITS.items():
             value, ends = getattr(of, key), USUAL_MOTION.get(key)
             if ends and value and not usual(value, *ends):
                 told = f"{key.replace('_', ' ')}{words}"

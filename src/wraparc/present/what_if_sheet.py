@@ -8,7 +8,7 @@ from typing import Any
 from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Level, Place, judge, least_tension, placed
+from wraparc.checks import Place, judge, least_tension, placed
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table

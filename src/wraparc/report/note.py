@@ -346,14 +346,12 @@ def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
     """The belt across its width, where a pulley says what is uneven."""
     if not any(pulley.across for pulley in result.drive.pulleys):
         return
-    from wraparc.across import across_of
-    from wraparc.present.across_tables import across_tables
+    from wraparc.present.across_tables import across_tables, worst_first
 
-    worst = largest(across_of(result), lambda r: r.entry_unevenness)
     yield Section(
         "Across the width",
         tables=tuple(across_tables(result, system)),
-        drawings=(across_drawing(worst, system),),
+        drawings=(across_drawing(worst_first(result)[0], system),),
     )
 
 

@@ -13,6 +13,7 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
+from wraparc.checks.of_data import wet_factor
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -116,7 +117,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         setting=setting,
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
-        ground=before(drive).qualifier,
+        ground=_ground(drive, pulley, known),
     )
     return StudyFile(
         study=study,
@@ -200,6 +201,15 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
         if place in fits and not isinstance(axis, DrawnFit):
             message = "a lagging cannot be drawn from its fit and be exchanged as well"
             report.add(("axis",), message, "Keep one of the two.", axis.field)
+
+
+def _ground(drive: Drive, pulley: str, conditions: Sequence[Condition]) -> str:
+    """Return what limits an OK: that it is dry only, and the data it stands on."""
+    of = drive.pulley(pulley)
+    dry = not conditions and all(
+        wet_factor(of.lagging_in(case.condition)) != 0.0 for case in drive.load_cases
+    )
+    return ", ".join(part for part in ("dry only" if dry else "", before(drive).qualifier) if part)
 
 
 def _shares(conditions: Sequence[Condition], report: Report) -> None:

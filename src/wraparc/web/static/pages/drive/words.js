@@ -158,7 +158,7 @@ export function verdictOf({ checks: all, of, wet, over }, load_case, pulley) {
   const sentences = others.sort(byBadness).map((c) => `${c.level}: ${placed(c)}`);
   if (worst?.missed && of.qualifier) sentences.push(`All of this stands ${of.qualifier}.`);
   const whole = checks.length === all.length;
-  const ok = whole && over ? "OK dry only" : "OK";
+  const ok = whole && !(wet < 0) ? "OK dry only" : "OK";
   const told = level !== "OK" ? level : of.qualifier ? `${ok}, ${of.qualifier}` : ok;
   const levels = listed(checks)
     .filter((c) => c.level !== NOT_CHECKED)
