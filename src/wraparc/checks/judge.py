@@ -57,7 +57,8 @@ _MOTOR = {
     True: "Motor torque over rated torque, momentary",
 }
 MOMENTARY_SOURCE = (
-    "IEC 60034-1: 1.6 times the rated torque for 15 s, and no stall at 90 % of the voltage"
+    "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG "
+    "1-12.44, condensed edition of 2011: torque falls with its square)"
 )
 BALANCE = "Tensions, speeds and torques of the train agree"
 
@@ -312,7 +313,8 @@ def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check
         source=MOMENTARY_SOURCE if momentary else "rating of the motor, continuous duty",
         short="motor overloaded",
         says="The motors work at {percent} % of their rated torque, and may at {most} %.",
-        because="No service factor (at most 1.15, NEMA MG 1) covers that.",
+        because="The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that "
+        "of the nameplate).",
         remedy=remedy,
         more={"percent": (100.0 * abs(load), "number"), "most": (100.0 * most, "number")},
         place=place,
