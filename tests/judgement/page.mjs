@@ -2,6 +2,7 @@
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
 import { arcsOf, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
+import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
 import { verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
 import { assembled } from "../../src/wraparc/web/one_file/plain_drive.js";
@@ -12,9 +13,11 @@ app.units = "si";
 const told = documents.map((doc) => {
   app.doc = doc;
   const { judging, problems } = assembled(doc, book);
-  if (!judging) return problems.map((p) => p.message).join(" ");
+  if (!judging) return { first: problems.map((p) => p.message).join(" "), least: null };
   const judged = judge(judging, doc, numbersOfAll(arcsOf(judging)));
   const verdict = judged && verdictOf(judged);
-  return verdict ? `${verdict.told} ${verdict.headline}` : "no answer";
+  if (!verdict) return { first: "no answer", least: null };
+  const least = leastTold(judged, { table: { rows: [] } })?.sentence;
+  return { first: `${verdict.told} ${verdict.headline}`, least: least ?? "" };
 });
 process.stdout.write(JSON.stringify(told));

@@ -167,6 +167,19 @@ def test_the_trim_that_is_told_shares_the_load() -> None:
         followed_trim(load_train(EXAMPLES / name))
 
 
+def test_where_a_binding_standard_cannot_be_applied_no_tension_is_advised(tmp_path: Path) -> None:
+    """Drive 44: CEMA binds, its table of manual take-ups begins at 180 deg, the wrap is less."""
+    of = random_drives(45, seed=11)[44]
+    assert of.pulleys[0].wrap_angle < 3.14
+    assert of.criteria.standard.binding
+    assert of.criteria.take_up.fixed
+    told = verdict(solve(of, raise_on_failure=False))
+    assert "No slack-side tension keeps every binding check: CEMA cannot" in told.sentences[0]
+    followed(of)
+    followed_what_if(of)
+    followed_choice(of, tmp_path)
+
+
 def test_a_contradiction_is_seen() -> None:
     """A pull that no tension carries within belt and tests: neither more nor less is advised."""
     of = next(d for d in random_drives(40, seed=11) if _none(d))

@@ -12,8 +12,16 @@ import pytest
 
 from cli.running import wraparc
 from judgement.rows import ALIKE, DOORS, PLAN, ROWS, SEARCH, Row
+from wraparc import load_drive, solve
+from wraparc.arc import DriveResult
+from wraparc.present.least_tension import least_sentence
 from wraparc.web.answers.book import book
 from wraparc.web.answers.form import form
+
+
+def solved(path: Path) -> DriveResult:
+    """Return a drive file solved."""
+    return solve(load_drive(str(path)), raise_on_failure=False)
 
 
 def lead(words: str) -> str:
@@ -22,8 +30,8 @@ def lead(words: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def of_page() -> dict[str, str]:
-    """Return what the page of one file says of its rows, by name."""
+def of_page() -> dict[str, dict[str, str]]:
+    """Return what the page of one file says first of its rows, and of the least tension."""
     rows = [row for row in ROWS if "page" in row.doors]
     told = {
         "form": json.loads(form().model_dump_json()),
@@ -62,16 +70,25 @@ def first_of(row: Row, door: str, folder: Path) -> str:
 def test_the_first_lines_say_what_is_the_matter(
     row: Row, door: str, tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
-    by_page = door == "page"
-    first = (
-        request.getfixturevalue("of_page")[row.name] if by_page else first_of(row, door, tmp_path)
-    )
+    if door == "page":
+        first = request.getfixturevalue("of_page")[row.name]["first"]
+    else:
+        first = first_of(row, door, tmp_path)
     for word in row.must:
         assert word in first, first
     for word in row.must_not:
         assert word not in first, first
     if row.level and door in ALIKE:
         assert f" {row.level}" in f" {first}", first
+
+
+def test_the_page_tells_the_least_tension_of_the_program(
+    of_page: dict[str, dict[str, str]], tmp_path: Path
+) -> None:
+    path = tmp_path / "drive.toml"
+    for row in (row for row in ROWS if "page" in row.doors):
+        path.write_text(row.text, "utf-8")
+        assert of_page[row.name]["least"] == least_sentence(solved(path)), row.name
 
 
 def test_there_are_sixty_ways_to_fail() -> None:
