@@ -8,7 +8,7 @@ import pytest
 from motion.stations import station
 from wraparc.checks import Check, Level, judge_run
 from wraparc.checks.of_run import otherwise
-from wraparc.motion import Event, LoadStep, Start, simulate
+from wraparc.motion import Event, LoadStep, Start, simulate, stability
 from wraparc.motion.control import Droop, ExactSpeed, Follower
 from wraparc.motion.result import RunResult
 from wraparc.present.motion_sheet import run_sheet
@@ -86,3 +86,11 @@ def test_motors_of_a_run_are_judged(
     assert found[2].value == pytest.approx(max(load**2 - 1.0, 0.0) * seconds)
     # of the other drum no rating is known
     assert named(made, "motor_heat")[1].level is Level.NOT_CHECKED
+
+
+def test_the_length_that_a_fixed_take_up_keeps_is_no_growth() -> None:
+    """Expected: the length of the whole belt is a constant, a root at 0, and stability agrees."""
+    of = station("fabric", Droop(), Droop(), conveyor_mass=100e3, take_up="fixed")
+    (check,) = named(simulate(of, STEP, points=20), "vibration")
+    assert check.level is Level.OK
+    assert stability(of).controls[0].stable

@@ -39,7 +39,7 @@ USUAL_SIZES = (
     (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
     (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
     (0.05e-3, 63.5e-3),  # creep limit; ten customary ones is sliding
-    (-5e-3, 5e-3),  # overrun
+    (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
     (0.0, 60e-3),  # thickness of the lagging
     (0.1e6, 50e6),  # its shear modulus
     (0.1e6, 5e9),  # its compression modulus
@@ -173,7 +173,7 @@ def usual_sizes(of: Sizes) -> bool:
 
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
 #: belt [-], least and most.
-USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.2, 5.0))
+USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.6, 1.7))
 
 
 def compared_motor(

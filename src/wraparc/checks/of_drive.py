@@ -15,7 +15,7 @@ from wraparc.checks.rules import (
     tension_rule,
     wrap_pressure,
 )
-from wraparc.conveyor import USUAL_CONVEYOR, Conveyor
+from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension, meant_by
@@ -44,7 +44,9 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
                     ends = size * least, size * most
                     check = unusual(name, dimension, place, size * value, ends)
                     odd.setdefault(check.sentence(), check)
-    for check in () if drive.conveyor is None else _conveyor_sizes(drive.conveyor):
+    for check in (
+        () if drive.conveyor is None else _conveyor_sizes(drive.conveyor, drive.belt.width)
+    ):
         odd.setdefault(check.sentence(), check)
     yield from odd.values()
     if not odd:
@@ -56,7 +58,15 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
         )
 
 
-def _conveyor_sizes(of: Conveyor) -> Iterator[Check]:
+def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
+    full = FULLEST * width**2
+    if of.material > full:
+        name = "load per length of the full belt (capacity, speed and width)"
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, (0.0, full))
+    slope = of.lift / of.length
+    if abs(slope) > STEEPEST:
+        name = "lift over length of the conveyor"
+        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
     for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
         if not usual(value, least, most):
             name = f"{key.replace('_', ' ')} of the conveyor"

@@ -307,7 +307,7 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
 
 def _vibration(run: RunResult) -> Check:
     """Check that small vibrations about the running state die out, whatever the event shows."""
-    from wraparc.motion.linear import Linear
+    from wraparc.motion.linear import CALM, Linear
 
     name, title = "vibration", "Growth per second of the least damped vibration"
     place = Place(event=run.event.name)
@@ -321,10 +321,10 @@ def _vibration(run: RunResult) -> Check:
         title=f"{title}{'' if math.isnan(root.real) else f', {hertz} Hz'}",
         level=Level.OK,
         place=place,
-        value=root.real,
+        value=0.0 if abs(root.real) <= CALM else root.real,
         limit=0.0,
     )
-    if not root.real > 0.0:
+    if not root.real > CALM:
         return check
     double = display(math.log(2.0) / root.real, "time", digits=2)
     return replace(

@@ -150,7 +150,7 @@ function statesOf(r, table) {
   const made = new /** @type {any} */ (K.Conveyor)();
   const of = Object.assign(made, known, drive && { drive_at: drive });
   if (tell(K.in_page_conveyor__misfits(of))) return none;
-  const odd = K.in_page_conveyor__unusual(of);
+  const odd = K.in_page_conveyor__unusual(of, r.number("belt", ["belt", "width"]));
   if (odd) {
     r.wrong(["conveyor", odd], NOT_HERE[3]);
     r.problems[r.problems.length - 1].beyond = true;

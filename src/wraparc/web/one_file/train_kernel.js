@@ -746,6 +746,12 @@ export class Conveyor {
       yield* resistance__no_coefficient(this.length);
     }
   }
+  get material() {
+    if (this.material_mass !== null) {
+      return this.material_mass;
+    }
+    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
+  }
   sizes() {
     return [
       this.length,
@@ -857,12 +863,6 @@ export class Conveyor {
     let carrying = resistance__inertia(acceleration, this.length, this._moving(material));
     let returning = resistance__inertia(acceleration, this.length, this._moving(null));
     yield new Resistance("inertia", carrying, returning, INERTIA);
-  }
-  get material() {
-    if (this.material_mass !== null) {
-      return this.material_mass;
-    }
-    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
   }
   get take_up() {
     if (this.take_up_tension !== null) {
@@ -1382,7 +1382,7 @@ const BEYOND_MOTOR =
 const USUAL_MOTORS = [
   [250.0, 20000000.0],
   [10.0, 400.0],
-  [0.2, 5.0],
+  [0.6, 1.7],
 ];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
@@ -1407,6 +1407,8 @@ const USUAL_CONVEYOR = [
   ["take_up_tension", 300.0, 2000000.0],
   ["counterweight", 30.0, 200000.0],
 ];
+const FULLEST = 700.0;
+const STEEPEST = 0.5;
 const NONE = "-";
 const _AS_FAST = 5e-6;
 const _TOLERATED = 0.05;
@@ -2502,8 +2504,8 @@ export function in_page_conveyor__misfits(of) {
   return [...of.misfits()];
 }
 
-/** Key of a size that conveyors do not have; empty where all are usual. */
-export function in_page_conveyor__unusual(of) {
+/** Key of a size that conveyors of a belt width [m] do not have; empty where all are usual. */
+export function in_page_conveyor__unusual(of, width) {
   let key, least, most, value;
   for (const each1 of $zip(of.sizes(), USUAL_CONVEYOR)) {
     [value, [key, least, most]] = each1;
@@ -2511,7 +2513,10 @@ export function in_page_conveyor__unusual(of) {
       return key;
     }
   }
-  return "";
+  if (of.material > FULLEST * width ** 2) {
+    return of.capacity === null ? "material_mass" : "capacity";
+  }
+  return Math.abs(of.lift) > STEEPEST * of.length ? "lift" : "";
 }
 
 /** Load cases of a conveyor, whatever tensions they leave. */
