@@ -54,7 +54,7 @@ def test_what_does_not_deform_and_what_is_idle_is_usual() -> None:
 
 
 def test_a_snub_pulley_may_be_wrapped_little() -> None:
-    """Expected: what pulls nothing may be a snub or a bend; a drive pulley has about half a turn."""
+    """Expected: what pulls nothing may be a snub or a bend; a drive has half a turn."""
     assert said(pulley={"wrap_angle": 0.5}, entry=60e3) == []
     (told,) = said(pulley={"wrap_angle": 0.5})
     assert "Is it what a snub pulley adds to half a turn?" in told

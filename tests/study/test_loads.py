@@ -1,7 +1,8 @@
 """Loads of shaft and belt in the columns of a study.
 
-Expected: the strands of a half turn pull alike, R = T1 + T2, in the line of T1; at 3/4 of a
-turn they stand square on each other, R^2 = T1^2 + T2^2. Torque T_e D/2; strength over the larger tension.
+Expected: the strands of a half turn pull alike, R = T1 + T2, in the line of T1; at 3/4 of a turn
+they stand square on each other, R^2 = T1^2 + T2^2. Torque T_e D/2; strength over the larger
+tension.
 """
 
 import math
