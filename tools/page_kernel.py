@@ -88,6 +88,7 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     conveyor.choices,
     conveyor.Conveyor,
     in_page_conveyor.misfits,
+    in_page_conveyor.unusual,
     in_page_conveyor.states,
     in_page_conveyor.unfit,
     belt_path.turned_by,

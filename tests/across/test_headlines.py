@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 from python_calamine import CalamineWorkbook
 
 from cli.running import wraparc
-from wraparc import InputError, load_drive
+from wraparc import InputError, Tensions, load_drive, solve
 from wraparc.across import (
     AcrossSolver,
     cushion,
@@ -18,8 +19,9 @@ from wraparc.across import (
     solve_across,
     wide_arc,
 )
-from wraparc.checks import Level
+from wraparc.checks import Level, judge
 from wraparc.present.across_answers import wear_verdict
+from wraparc.present.across_tables import across_tables, worst_first
 from wraparc.web.answers.across import read_profile, solve_width, thickness_width, wear_width
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 from wraparc.web.examples import examples
@@ -162,3 +164,22 @@ def test_a_lagging_that_is_down_already_is_not_said_to_heal() -> None:
     assert told.level is Level.ATTENTION
     assert told.headline == "Re-lag now: the thinnest strip is down to 20 mm already."
     assert not told.sentences
+
+
+def test_the_load_case_that_governs_stands_first() -> None:
+    """The start creeps 12.7 mm at its worst strip, the running case before it 8.88 mm."""
+    of = load_drive(EXAMPLES / f"{FABRIC}.toml")
+    (case,) = of.load_cases
+    start = replace(
+        case, name="start", kind="starting", tensions={"head": Tensions(entry=186e3, exit=60e3)}
+    )
+    result = solve(replace(of, load_cases=(case, start)), raise_on_failure=False)
+    first, *_ = worst_first(result)
+    assert first.wide.arc.load_case == "start"
+    table = across_tables(result, "si")[0]
+    assert table.title == "Across the width: pulley head, load case start"
+    assert "load case start: The strip that comes off worst creeps 12.7 mm" in (
+        judge(result).headline()
+    )
+    rows = {row.title: row.values[0] for row in table.rows}
+    assert rows["Largest creep across the width"] == "12.7 mm"

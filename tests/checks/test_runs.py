@@ -7,9 +7,11 @@ import pytest
 
 from motion.stations import station
 from wraparc.checks import Check, Level, judge_run
-from wraparc.motion import Event, LoadStep, simulate
+from wraparc.checks.of_run import otherwise
+from wraparc.motion import Event, LoadStep, Start, simulate, stability
 from wraparc.motion.control import Droop, ExactSpeed, Follower
 from wraparc.motion.result import RunResult
+from wraparc.present.motion_sheet import run_sheet
 
 
 def named(run: RunResult, name: str) -> list[Check]:
@@ -42,6 +44,21 @@ def test_calm_station_tells_its_least_damped_vibration() -> None:
     assert check.title.endswith(" Hz")
 
 
+def test_what_a_length_by_default_is_worth_is_told() -> None:
+    # expected: the same start with 200 m of belt before the first drum, followed by itself
+    start = Event(name="start", duration=12.0, happenings=(Start(time=8.0),))
+    of = station("fabric", ExactSpeed(), ExactSpeed(), carry_run=50.0, conveyor_mass=100e3)
+    assert otherwise(simulate(of, start, points=20)) == ()  # nothing is left out
+    run = simulate(replace(of, taken=("carry_run",)), start, points=20)
+    (told,) = otherwise(run)
+    longer = simulate(replace(of, carry_run=200.0), start, points=20)
+    assert (told.key, told.taken, told.other) == ("carry_run", 50.0, 200.0)
+    assert told.tension == pytest.approx(longer.peak_tension.value, rel=1e-9)
+    said = run_sheet(run).verdict
+    assert said is not None
+    assert any(s.startswith("carry_run is not given: 50 m") for s in said.sentences)
+
+
 @pytest.mark.parametrize(
     ("load", "seconds", "levels"),
     [
@@ -69,3 +86,11 @@ def test_motors_of_a_run_are_judged(
     assert found[2].value == pytest.approx(max(load**2 - 1.0, 0.0) * seconds)
     # of the other drum no rating is known
     assert named(made, "motor_heat")[1].level is Level.NOT_CHECKED
+
+
+def test_the_length_that_a_fixed_take_up_keeps_is_no_growth() -> None:
+    """Expected: the length of the whole belt is a constant, a root at 0, and stability agrees."""
+    of = station("fabric", Droop(), Droop(), conveyor_mass=100e3, take_up="fixed")
+    (check,) = named(simulate(of, STEP, points=20), "vibration")
+    assert check.level is Level.OK
+    assert stability(of).controls[0].stable

@@ -53,6 +53,13 @@ def test_what_does_not_deform_and_what_is_idle_is_usual() -> None:
     assert said(lagging=rigid, entry=60e3) == []
 
 
+def test_a_snub_pulley_may_be_wrapped_little() -> None:
+    """Expected: what pulls nothing may be a snub or a bend; a drive has half a turn."""
+    assert said(pulley={"wrap_angle": 0.5}, entry=60e3) == []
+    (told,) = said(pulley={"wrap_angle": 0.5})
+    assert "Is it what a snub pulley adds to half a turn?" in told
+
+
 def test_what_is_unusual_in_a_condition_or_a_load_case_is_told_once() -> None:
     of = quiet(pulley={"wrap_angle": 9.42})
     two = replace(of, load_cases=(*of.load_cases, replace(of.load_cases[0], name="other")))

@@ -182,6 +182,12 @@ def _margin(place: int) -> Callable[[BatchResult], Array]:
     return lambda r: np.exp(r.found[:, place] - _log_actual(r.arcs))
 
 
+def _resultant(arcs: Arcs) -> tuple[Array, Array]:
+    """Resultant of the tensions across and along the line of the entry, `drive.resultant` [N]."""
+    leaving, wrap = arcs.exit_tension, arcs.wrap_angle
+    return leaving * np.sin(wrap), arcs.entry_tension - leaving * np.cos(wrap)
+
+
 _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "status": lambda r: r.found[:, row.OUTCOME].astype(np.int8),
     "entry_tension": lambda r: r.arcs.entry_tension,
@@ -212,6 +218,9 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
     "gross_slip_margin": _margin(row.GROSS_CAPACITY),
     "gross_slip_creep": _place(row.GROSS_CREEP),
+    "drum_torque": lambda r: 0.5 * r.arcs.diameter * _pull(r.arcs),
+    "resultant_force": lambda r: np.hypot(*_resultant(r.arcs)),
+    "resultant_angle": lambda r: np.arctan2(*_resultant(r.arcs)),
     "transmitted_power": lambda r: _surface_speed(r) * _pull(r.arcs),
     "sliding_power": _power(_place(row.WORK)),
     "shear_loss": _power(_shear_energy),

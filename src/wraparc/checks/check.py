@@ -260,10 +260,13 @@ class Verdict:
     wet
         Largest creep when wet of a drive that was computed dry only [m]: infinite in gross slip,
         nan if nothing is known of it; negative where it was not computed dry only.
+    over_wet
+        Whether a creep when wet is beyond its limit.
     """
 
     checks: tuple[Check, ...]
     wet: float = -1.0
+    over_wet: bool = False
 
     @cached_property
     def governing(self) -> Check | None:
@@ -287,10 +290,11 @@ class Verdict:
 
     @property
     def word(self) -> str:
-        """Word of the verdict; an OK says what data it stands on."""
-        if self.level is Level.OK and self.qualifier:
-            return f"{Level.OK}, {self.qualifier}"
-        return str(self.level)
+        """Word of the verdict; an OK says what it is limited to, and what data it stands on."""
+        if self.level is not Level.OK:
+            return str(self.level)
+        ok = str(Level.OK) if self.wet < 0.0 else f"{Level.OK} dry only"
+        return f"{ok}, {self.qualifier}" if self.qualifier else ok
 
     @cached_property
     def listed(self) -> tuple[Check, ...]:
@@ -339,8 +343,7 @@ class Verdict:
             return "Nothing could be checked."
         if worst.missed:
             return f"{placed(worst, system)}{self._sense()}"
-        kept = sum(c.compares for c in self.listed)
-        text = f"All {kept} checks are kept{self._dry_only(system)}"
+        text = self._kept(sum(c.compares for c in self.listed), system)
         if math.isnan(worst.margin) or math.isinf(worst.margin):
             return f"{text}.{self._sense()}"
         value, _ = worst.texts(system)
@@ -361,14 +364,17 @@ class Verdict:
             told += f" {title}{some}."
         return told
 
-    def _dry_only(self, system: System) -> str:
-        """Say that a drive was computed dry only, and what wet would give."""
-        if self.wet < 0.0:
-            return ""
-        told = "it slips through"
+    def _kept(self, count: int, system: System) -> str:
+        """Say that checks are kept; of a drive computed dry only, what wet would give."""
+        if not self.wet >= 0.0:
+            return f"All {count} checks are kept{', dry only' if math.isnan(self.wet) else ''}"
+        wet = "it slips through"
         if math.isfinite(self.wet):
-            told = f"it creeps {quantity_text(self.wet, 'length', system)}"
-        return ", dry only" if math.isnan(self.wet) else f", dry only (wet {told})"
+            wet = f"it creeps {quantity_text(self.wet, 'length', system)}"
+        if not self.over_wet:
+            return f"All {count} checks are kept, dry only (wet {wet})"
+        limit = ", beyond its limit" if math.isfinite(self.wet) else ""
+        return f"Wet {wet}{limit}: all {count} checks are kept dry only"
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""

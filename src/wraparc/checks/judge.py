@@ -13,7 +13,7 @@ from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
-from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, pull_against, usual
+from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, kept, pull_against, usual
 from wraparc.checks.rules import RULES, idle
 from wraparc.checks.sliding import wet_creep
 from wraparc.drive import Drive, LoadCase, Pulley
@@ -57,7 +57,8 @@ _MOTOR = {
     True: "Motor torque over rated torque, momentary",
 }
 MOMENTARY_SOURCE = (
-    "IEC 60034-1: 1.6 times the rated torque for 15 s, and no stall at 90 % of the voltage"
+    "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG "
+    "1-12.44, condensed edition of 2011: torque falls with its square)"
 )
 BALANCE = "Tensions, speeds and torques of the train agree"
 
@@ -73,7 +74,8 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
         verdict = Verdict(sound(every_check(result), least_tension(result)))
         if verdict.level is Level.OK:
             one = result.drive_result() if isinstance(result, TrainResult) else result
-            verdict = replace(verdict, wet=_wet(one))
+            wet, over = _wet(one)
+            verdict = replace(verdict, wet=wet, over_wet=over)
         _told[result] = verdict
     return _told[result]
 
@@ -83,18 +85,22 @@ def every_check(result: DriveResult | TrainResult) -> tuple[Check, ...]:
     return tuple(_train(result) if isinstance(result, TrainResult) else _drive(result))
 
 
-def _wet(result: DriveResult) -> float:
-    """Largest creep when wet of a drive that was computed dry only, see `Verdict.wet`."""
-    most, drive = -1.0, result.drive
+def _wet(result: DriveResult) -> tuple[float, bool]:
+    """Largest creep when wet of a drive that was computed dry only, and whether one is too large.
+
+    See `Verdict.wet`.
+    """
+    most, over, drive = -1.0, False, result.drive
     for arc in result:
         condition = drive.load_case(arc.arc.load_case).condition
         factor = of_data.wet_factor(drive.pulley(arc.arc.pulley).lagging_in(condition))
         if factor == 0.0:
-            return -1.0
+            return -1.0, False
         if not idle(arc.arc):
             creep = wet_creep(loaded(arc), factor)
             most = creep if math.isnan(creep) else max(most, creep)
-    return most
+            over = over or not (math.isnan(creep) or kept(creep, arc.arc.creep_limit, True))
+    return most, over
 
 
 def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check, ...]:
@@ -307,7 +313,8 @@ def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check
         source=MOMENTARY_SOURCE if momentary else "rating of the motor, continuous duty",
         short="motor overloaded",
         says="The motors work at {percent} % of their rated torque, and may at {most} %.",
-        because="No service factor (at most 1.15, NEMA MG 1) covers that.",
+        because="The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that "
+        "of the nameplate).",
         remedy=remedy,
         more={"percent": (100.0 * abs(load), "number"), "most": (100.0 * most, "number")},
         place=place,

@@ -204,10 +204,14 @@ def _standard(
 ) -> Iterator[Figure]:
     criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
     rule = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
-    if rule is not None and not math.isnan(rule.wrap_factor):
+    if rule is None:
+        return
+    binding, tension = criteria.standard.binding, inf  # none keeps a rule that cannot be applied
+    if not math.isnan(rule.wrap_factor):
         tension = offset + design_slack(drive, case, result, rule.wrap_factor)
-        binding = criteria.standard.binding
-        yield Figure("design_standard", rule.rule, tension, place, binding=binding)
+    elif not (binding and criteria.standard.name):
+        return
+    yield Figure("design_standard", rule.rule, tension, place, binding=binding)
 
 
 def _slip(arc: WrapArc, offset: float, place: Place) -> Iterator[Figure]:

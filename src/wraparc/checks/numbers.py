@@ -36,9 +36,10 @@ USUAL_SIZES = (
     (1e5, 1e9),  # modulus
     (0.05, 15.0),  # speed
     (0.15, 3.0),  # diameter
-    (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle; with a snub pulley 240 deg
+    (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
+    (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
     (0.05e-3, 63.5e-3),  # creep limit; ten customary ones is sliding
-    (-5e-3, 5e-3),  # overrun
+    (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
     (0.0, 60e-3),  # thickness of the lagging
     (0.1e6, 50e6),  # its shear modulus
     (0.1e6, 5e9),  # its compression modulus
@@ -131,7 +132,8 @@ class Sizes(NamedTuple):
     modulus: float
     speed: float
     diameter: float
-    wrap_angle: float
+    idle_wrap: float  # wrap angle of a pulley that does not pull, else nan
+    wrap_angle: float  # of one that does
     creep_limit: float
     overrun: float
     thickness: float
@@ -152,9 +154,10 @@ class Sizes(NamedTuple):
 def compared_sizes(of: Sizes) -> list[float]:
     """Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends."""
     return [
-        of.width, of.modulus, of.speed, of.diameter, of.wrap_angle, of.creep_limit, of.overrun,
-        of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength,
-        of.fatigue_limit, of.face_pressure, of.least_diameter, of.sag / of.width,
+        of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle,
+        of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus,
+        of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter,
+        of.sag / of.width,
         of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
         of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
     ]  # fmt: skip
@@ -170,7 +173,7 @@ def usual_sizes(of: Sizes) -> bool:
 
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
 #: belt [-], least and most.
-USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.2, 5.0))
+USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.6, 1.7))
 
 
 def compared_motor(

@@ -143,8 +143,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
             place=place,
             short="standard not applicable",
             says=escaped(f"{found.rule} was chosen and cannot be applied: {found.why_not}."),
-            remedy="Complete the lagging (surface, condition), or name another rule in "
-            "[design_standard].",
+            remedy="Give what it asks for, or name another rule in [design_standard].",
             binding=criteria.standard.binding,
         )
     slack = min(result.arc.entry_tension, result.arc.exit_tension)

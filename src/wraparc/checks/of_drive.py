@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from wraparc.alike import falling
-from wraparc.checks.check import Check, Level, Miss, Place, keeps
+from wraparc.checks.check import NOWHERE, Check, Level, Miss, Place, keeps
 from wraparc.checks.numbers import USUAL_SIZES, Sizes, compared_sizes, held_alike, idles, usual
 from wraparc.checks.rules import (
     RULES,
@@ -15,6 +15,7 @@ from wraparc.checks.rules import (
     tension_rule,
     wrap_pressure,
 )
+from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension, meant_by
@@ -43,6 +44,10 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
                     ends = size * least, size * most
                     check = unusual(name, dimension, place, size * value, ends)
                     odd.setdefault(check.sentence(), check)
+    for check in (
+        () if drive.conveyor is None else _conveyor_sizes(drive.conveyor, drive.belt.width)
+    ):
+        odd.setdefault(check.sentence(), check)
     yield from odd.values()
     if not odd:
         yield Check(
@@ -51,6 +56,22 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
             level=Level.OK,
             binding=False,
         )
+
+
+def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
+    full = FULLEST * width**2
+    if of.material > full:
+        name = "load per length of the full belt (capacity, speed and width)"
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, (0.0, full))
+    slope = of.lift / of.length
+    if abs(slope) > STEEPEST:
+        name = "lift over length of the conveyor"
+        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
+    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+        if not usual(value, least, most):
+            name = f"{key.replace('_', ' ')} of the conveyor"
+            dimension = Conveyor.LIMITS[key].dimension
+            yield unusual(name, dimension, NOWHERE, value, (least, most))
 
 
 def unusual(
@@ -62,6 +83,8 @@ def unusual(
     remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
     if dimension == "angle" and value > most:
         remedy = "Is it the sum of two pulleys? Give each of them its own."
+    elif dimension == "angle" and not meant:
+        remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
     if name.startswith(_AT_RATING):
         remedy = "Check the diameter and the rating."
     if name == _STRONG:
@@ -101,6 +124,7 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         ("speed of the belt", "speed", belt),
         (f"diameter {of}", "length", drum),
         (f"wrap angle {of}", "angle", drum),
+        (f"wrap angle {of}", "angle", drum),
         (f"creep limit {of}", "length", drum),
         (f"overrun {of}", "length", drum),
         (f"thickness {lagging}", "length", drum),
@@ -135,7 +159,8 @@ def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
         modulus=belt.modulus,
         speed=known(belt.speed),
         diameter=pulley.diameter,
-        wrap_angle=pulley.wrap_angle,
+        idle_wrap=pulley.wrap_angle if idle else math.nan,
+        wrap_angle=math.nan if idle else pulley.wrap_angle,
         creep_limit=drive.creep_limit_of(pulley),
         overrun=known(pulley.overrun),
         thickness=lagging.thickness,

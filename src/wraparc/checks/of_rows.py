@@ -384,9 +384,11 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
     ranks = np.full(len(arcs), Level.OK.rank)
     margins = np.full(len(arcs), math.inf)
-    pull = np.where(_idle(arcs) | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
+    idle = _idle(arcs)
+    pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
+    wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))
     given: Any = [
-        arcs.belt_width, arcs.belt_modulus, arcs.belt_speed, arcs.diameter, arcs.wrap_angle,
+        arcs.belt_width, arcs.belt_modulus, arcs.belt_speed, arcs.diameter, *wraps,
         arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
         arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
         held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,10 +16,12 @@ import numpy as np
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.judge import motor_load
+from wraparc.checks.numbers import usual
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
 from wraparc.checks.sliding import SLIDES
-from wraparc.drive import Drive, LoadCase, Pulley, Tensions
+from wraparc.conveyor import GRAVITY
+from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
@@ -37,8 +39,45 @@ SETTLED = 0.1
 HEAT = (1.5**2 - 1.0) * 120.0
 HEATING = "Heating of the motors beyond their rating"
 _LAST = 0.1  # of the run: what lasts
+#: Sizes that what moves has, and what happens to it, least and most, by key [SI]; 0 is none.
+USUAL_MOTION = {
+    "conveyor_mass": (100.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
+    "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
+    "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (0.1, 1e6),
+    "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
+    "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
+    "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
+    "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
+    "filter_time": (1e-3, 60.0), "duration": (0.1, 7200.0), "time": (0.1, 600.0),
+    "length": (0.01, 2e3), "rise": (-0.02, 0.02), "run_out": (-0.01, 0.01),
+    "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3), "ripple": (-0.3, 0.3),
+}  # fmt: skip
 
 _told: WeakKeyDictionary[RunResult, Verdict] = WeakKeyDictionary()
+_otherwise: WeakKeyDictionary[RunResult, tuple[Otherwise, ...]] = WeakKeyDictionary()
+#: A length that the file leaves out is tried so many times as long: 50 m of belt, or 200 m.
+LONGER = 4.0
+#: Largest pull over the weight of what it moves: the steepest slope and a quick start [-].
+PULL_OVER_WEIGHT = (0.0, 1.2)
+
+
+class Otherwise(NamedTuple):
+    """A length of [motion] that a file leaves out, and what another would make of a run.
+
+    Attributes
+    ----------
+    key
+        Of the file.
+    taken, other
+        The length by default, and the one tried [m].
+    tension
+        Largest belt tension with that [N].
+    """
+
+    key: str
+    taken: float
+    other: float
+    tension: float
 
 
 def judge_run(run: RunResult) -> Verdict:
@@ -47,8 +86,39 @@ def judge_run(run: RunResult) -> Verdict:
     The same run is judged once, however often it is asked about.
     """
     if run not in _told:
-        _told[run] = Verdict(tuple(_checks(run)))
+        verdict = Verdict(tuple(_checks(run)))
+        dry = verdict.level is Level.OK and all(map(of_data.wet_factor, _laggings(run)))
+        _told[run] = replace(verdict, wet=math.nan) if dry else verdict
     return _told[run]
+
+
+def _laggings(run: RunResult) -> Iterator[Lagging]:
+    """Yield the laggings in the condition that runs."""
+    condition = run.station.train.case(run.station.load_case).condition
+    return (pulley.lagging_in(condition) for pulley in run.station.train.pulleys)
+
+
+def otherwise(run: RunResult) -> tuple[Otherwise, ...]:
+    """Return what the largest tension would be with other lengths than those taken by default.
+
+    The same event followed again, coarsely and until after its peak, with each length that the file
+    leaves out `LONGER` times as large.
+    """
+    from wraparc.motion.follow import simulate
+
+    station, event = run.station, run.event
+    if not station.taken or not event.moves or station.conveyor_mass is None:
+        return ()
+    if run not in _otherwise:
+        until = min(event.duration, 3.0 * run.peak_tension.time + 5.0)
+        found = []
+        for key in station.taken:
+            length = getattr(station, key)
+            other = replace(station, **{key: LONGER * length})
+            again = simulate(other, replace(event, duration=until), points=20)
+            found.append(Otherwise(key, length, LONGER * length, again.peak_tension.value))
+        _otherwise[run] = tuple(found)
+    return _otherwise[run]
 
 
 def _checks(run: RunResult) -> Iterator[Check]:
@@ -73,8 +143,31 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield _vibration(run)
     yield _tension(run, case)
     yield _sag(drive, run)
-    yield from of_drive.usual_sizes(drive)
+    odd = list(_odd_sizes(run))
+    given = of_drive.usual_sizes(drive)
+    yield from (*odd, *(check for check in given if not odd or check.missed))
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
+
+
+def _odd_sizes(run: RunResult) -> Iterator[Check]:
+    """Yield what of the moving parts and of the event no conveyor has, with the unit meant."""
+    station, event = run.station, run.event
+    owners: list[tuple[object, str]] = [(station, ""), (event, f" of event {event.name}")]
+    owners += [(of, f" of event {event.name}") for of in event.happenings]
+    for name, drum in zip(station.names, station.drums, strict=True):
+        owners += [(of, f" of drum {name}") for of in (drum, drum.control, drum.trim) if of]
+    for of, words in owners:
+        for key, limit in of.LIMITS.items():
+            value, ends = getattr(of, key), USUAL_MOTION.get(key)
+            if ends and value and not usual(value, *ends):
+                told = f"{key.replace('_', ' ')}{words}"
+                yield of_drive.unusual(told, limit.dimension, Place(), value, ends)
+    if station.conveyor_mass is not None:
+        pull = sum(abs(drum.extremes.pull.value) for drum in run)
+        over = pull / (station.conveyor_mass * GRAVITY)
+        if not usual(over, *PULL_OVER_WEIGHT):
+            told = "largest pull of the drives over the weight of the conveyor_mass"
+            yield of_drive.unusual(told, "number", Place(), over, PULL_OVER_WEIGHT)
 
 
 def _case(run: RunResult) -> LoadCase:
@@ -214,7 +307,7 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
 
 def _vibration(run: RunResult) -> Check:
     """Check that small vibrations about the running state die out, whatever the event shows."""
-    from wraparc.motion.linear import Linear
+    from wraparc.motion.linear import CALM, Linear
 
     name, title = "vibration", "Growth per second of the least damped vibration"
     place = Place(event=run.event.name)
@@ -228,10 +321,10 @@ def _vibration(run: RunResult) -> Check:
         title=f"{title}{'' if math.isnan(root.real) else f', {hertz} Hz'}",
         level=Level.OK,
         place=place,
-        value=root.real,
+        value=0.0 if abs(root.real) <= CALM else root.real,
         limit=0.0,
     )
-    if not root.real > 0.0:
+    if not root.real > CALM:
         return check
     double = display(math.log(2.0) / root.real, "time", digits=2)
     return replace(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -37,11 +39,8 @@ def next_dearer(search: Search, grid: Grid, ranking: Integers) -> int | None:
     return int(ranking[np.argmax(lagging == lagging[following])])
 
 
-def named(
-    search: Search, grid: Grid, ranking: Integers, cost: Array, others: tuple[Array, Array]
-) -> Integers:
+def named(search: Search, grid: Grid, ranking: Integers, fronts: Sequence[Integers]) -> Integers:
     """Designs that an answer may name as good: the first ones, the fronts, the next dearer."""
-    fronts = [front(ranking, cost, other) for other in others]
     dearer = next_dearer(search, grid, ranking)
     more = np.array([] if dearer is None else [dearer], dtype=np.int64)
     return np.unique(np.concatenate([ranking[:MOST], *fronts, more]))
@@ -56,6 +55,34 @@ def ordered(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) ->
     designs = np.flatnonzero(good)
     order = np.lexsort((designs, slack[designs], _alike(creep[designs]), _alike(cost[designs])))
     return designs[order].astype(np.int64)
+
+
+def recommended(by_cost: Integers, grid: Grid, below: NDArray[np.bool_]) -> Integers:
+    """Return designs in the order in which they are recommended, from their order by cost.
+
+    Those that keep the design standard come first. More wrap and more tension save energy lost to
+    creep, and what they cost themselves (a snub pulley, the take-up, the belt) is not known: of
+    designs that differ in nothing else the one with least wrap and then least tension stands for
+    all, at its own cost.
+
+    Parameters
+    ----------
+    by_cost
+        The feasible designs, cheapest first.
+    grid
+        The designs.
+    below
+        Which of all stand below the design standard.
+    """
+    if not len(by_cost):
+        return by_cost
+    _, group = np.unique(grid.places[:4, by_cost], axis=1, return_inverse=True)
+    late, at_cost = below[by_cost], np.arange(len(by_cost))
+    order = np.lexsort((at_cost, grid.slack[by_cost], grid.wrap_angle[by_cost], late))
+    _, first = np.unique(np.ravel(group)[order], return_index=True)
+    others = np.ones(len(by_cost), dtype=bool)
+    others[order[first]] = False
+    return by_cost[np.lexsort((at_cost, others, late))]
 
 
 def _alike(values: Array) -> Array:

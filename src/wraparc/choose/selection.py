@@ -12,9 +12,10 @@ from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.life_cycle import Costs, costs_of
 from wraparc.choose.limits import OF_THE_ARC, Held, feasible, held_to
-from wraparc.choose.ranking import front, named, next_dearer, ordered
+from wraparc.choose.ranking import front, named, next_dearer, ordered, recommended
 from wraparc.choose.search import Grid, Search
 from wraparc.choose.slack_rules import (
+    below_standard,
     gross_slip_slack,
     others_slack,
     slack_offset,
@@ -51,7 +52,8 @@ class Selection:
     costs
         Costs of every design.
     ranking
-        Feasible designs, cheapest first; then by creep, slack tension and order.
+        Feasible designs as they are recommended (`ranking.recommended`), cheapest first; then by
+        creep, slack tension and order.
     creep_front, slack_front
         Designs of `ranking` that nobody beats in cost and creep, in cost and slack tension.
     """
@@ -128,10 +130,11 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
     precise = search.least_slack or len(grid) <= MOST_PRECISE
     if search.least_slack:
         least, shortage = least_slack(search, grid, solve)
-        grid = grid.with_slack(np.where(np.isnan(least), own_slack(search), least))
+        grid = grid.with_slack(np.where(np.isfinite(least), least, own_slack(search)))
     cases = search.drive.load_cases
     ends = [grid.ends(case) for case in cases]
     slack = np.min([least for least, _ in ends], axis=0)
+    below = below_standard(search, grid, slack)
     answers = _answers(search, grid, solve, np.arange(len(grid)), precise=precise)
     refined, edges = np.full(len(grid), precise), Edges.none(len(grid))
     while True:
@@ -140,10 +143,12 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
             held = {**held, "edge_tension": Held(**excess_of(edges), where=edges.where)}
         costs = costs_of(search, grid, answers[: len(cases)])
         creep = _worst([np.abs(a["exit_creep"]) for a in answers])
-        ranking = ordered(feasible(held, len(grid)), costs.total, creep, slack)
+        by_cost = ordered(feasible(held, len(grid)), costs.total, creep, slack)
+        ranking = recommended(by_cost, grid, below)
         again = _undecided(held, ranking, refined)
         if not len(again):
-            told = named(search, grid, ranking, costs.total, (creep, slack))
+            fronts = [front(by_cost, costs.total, other) for other in (creep, slack)]
+            told = named(search, grid, ranking, fronts)
             told = told[np.isnan(edges.unevenness[told])]
             if not is_uneven(search) or not len(told):
                 break
@@ -167,8 +172,8 @@ def choose(search: Search, *, solve: Solver = solve_columns) -> Selection:
         held=held,
         costs=costs,
         ranking=ranking,
-        creep_front=front(ranking, costs.total, creep),
-        slack_front=front(ranking, costs.total, slack),
+        creep_front=fronts[0],
+        slack_front=fronts[1],
     )
 
 

@@ -68,6 +68,25 @@ def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
     return max(found)
 
 
+def below_standard(search: Search, grid: Grid, slack: Array) -> NDArray[np.bool_]:
+    """Whether designs with a tension behind the drives [N] stand below the design standard."""
+    asked_for = np.zeros(len(grid))
+    for condition in range(len(search.conditions)):
+        for case in search.drive.load_cases:
+            asked_for = np.maximum(asked_for, standard_slack(search, grid, case, condition))
+    return slack < asked_for * (1.0 - 1e-9)
+
+
+def inapplicable(search: Search, grid: Grid, design: int) -> str:
+    """Why a standard that was chosen says nothing on a design; empty where it does, or none was."""
+    criteria, wrap_angle = search.drive.criteria, float(grid.wrap_angle[design])
+    if not criteria.standard.name:
+        return ""
+    surface = search.conditioned()[int(grid.places[0, design])]
+    rule = asked(criteria.standard, criteria.take_up, surface, wrap_angle)
+    return "" if rule is None or not rule.why_not else f"{rule.rule}, {rule.why_not}"
+
+
 def slack_offset(search: Search, case: LoadCase) -> float:
     """Tension of the slack end of the drive less that of the slack side of the pulley [N]."""
     t = case.tensions[search.pulley]
@@ -93,8 +112,10 @@ def _asked(search: Search, case: LoadCase, lagging: int, wrap_angle: float) -> t
     pull *= criteria.standard.start_factor if case.kind == "running" else 1.0
     surface = search.conditioned()[lagging]
     rule = asked(criteria.standard, criteria.take_up, surface, wrap_angle)
-    if rule is None or math.isnan(rule.wrap_factor):
+    if rule is None:
         return 0.0, ""
+    if math.isnan(rule.wrap_factor):  # a rule that binds and cannot be applied is never kept
+        return (math.inf, rule.rule) if criteria.standard.binding else (0.0, "")
     return rule.wrap_factor * pull, rule.rule
 
 

@@ -1,7 +1,15 @@
 """The pull of a conveyor from its resistances, and the wrap angle from where pulleys stand."""
 
 from wraparc.conveyor.belt_path import Point, wrap_angle
-from wraparc.conveyor.conveyor import DRIVES_AT, Conveyor, State, choices
+from wraparc.conveyor.conveyor import (
+    DRIVES_AT,
+    FULLEST,
+    STEEPEST,
+    USUAL_CONVEYOR,
+    Conveyor,
+    State,
+    choices,
+)
 from wraparc.conveyor.resistance import (
     GRAVITY,
     LENGTH_COEFFICIENTS,
@@ -14,8 +22,11 @@ from wraparc.conveyor.resistance import (
 
 __all__ = [
     "DRIVES_AT",
+    "FULLEST",
     "GRAVITY",
     "LENGTH_COEFFICIENTS",
+    "STEEPEST",
+    "USUAL_CONVEYOR",
     "Conveyor",
     "Point",
     "Resistance",

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from math import nan
 from typing import ClassVar
 
 from wraparc.conveyor.resistance import (
@@ -26,6 +27,27 @@ from wraparc.units import display
 DRIVES_AT = ("head", "tail")
 #: Friction factors f of conveyors that are driven [-] (DIN 22101:2002-08, 6.2.3; ISO 5048).
 USUAL_FRICTION = (0.016, 0.030)
+#: Sizes that conveyors have, least and most, in the order of `Conveyor.sizes` [SI].
+USUAL_CONVEYOR = (
+    ("length", 3.0, 30e3),
+    ("lift", -1500.0, 1500.0),
+    ("belt_mass", 1.0, 200.0),
+    ("carry_idler_mass", 0.5, 200.0),
+    ("return_idler_mass", 0.2, 100.0),
+    ("material_mass", 0.5, 4000.0),
+    ("capacity", 0.1, 15e3),
+    ("friction_factor", 0.01, 0.04),
+    ("secondary_resistance", 10.0, 500e3),
+    ("special_resistance", 10.0, 200e3),
+    ("start_time", 1.0, 600.0),
+    ("stop_time", 1.0, 600.0),
+    ("take_up_tension", 300.0, 2e6),
+    ("counterweight", 30.0, 200e3),
+)
+#: Steepest that a belt carries: lift over length [-]; a troughed belt slides its load at 0.35.
+STEEPEST = 0.5
+#: Most material per length over the square of the belt width: a full trough of ore [kg/m3].
+FULLEST = 700.0
 _MASS = Limit("mass_per_length", open=True, most=10_000.0)
 _FORCE = Limit("force", most=1e8)
 _TIME = Limit("time", open=True, most=3600.0)
@@ -201,6 +223,25 @@ class Conveyor:
             return self.material_mass
         # both are there, or it was refused
         return _known(self.capacity, 0.0) / _known(self.speed, 1.0)
+
+    def sizes(self) -> list[float]:
+        """Return what is given, in the order of `USUAL_CONVEYOR`; nan for what is not [SI]."""
+        return [
+            self.length,
+            self.lift,
+            self.belt_mass,
+            self.carry_idler_mass,
+            self.return_idler_mass,
+            _known(self.material_mass, nan),
+            _known(self.capacity, nan),
+            self.friction_factor,
+            _known(self.secondary_resistance, nan),
+            nan if self.special_resistance == 0.0 else self.special_resistance,
+            _known(self.start_time, nan),
+            _known(self.stop_time, nan),
+            _known(self.take_up_tension, nan),
+            _known(self.counterweight, nan),
+        ]
 
     @property
     def take_up(self) -> float:

@@ -33,6 +33,8 @@ USUAL_EVENTS = (
         happenings=(Start(time=20.0), Stop(at=40.0, time=15.0)),
     ),
 )
+#: What decides the largest tension of a start and may be left out.
+DECIDING = ("carry_run", "return_run")
 _HEAD = re.compile(r"\s*(time|speed|torque)\s*\[([^\]]+)\]\s*", re.IGNORECASE)
 
 
@@ -162,7 +164,8 @@ class _Builder:
         drums = self._drums(self.train)
         if drums is None or not self.record.sound() or None in events:
             return None
-        station = MOTION.built(self.record, self.report, train=self.train, drums=drums)
+        taken = tuple(key for key in DECIDING if key not in self.record)
+        station = MOTION.built(self.record, self.report, train=self.train, drums=drums, taken=taken)
         if station is None:
             return None
         made = tuple(e for e in events if e is not None)

@@ -25,6 +25,9 @@ NDArrayInt = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 
 #: Highest frequency looked at [Hz], real parts searched [1/s], points on the left side.
 HIGHEST = 15.0
+#: Growth that the search does not tell from none [1/s]: a root at 0, as the length of belt that a
+#: fixed take-up keeps, doubles in no less than 70 s.
+CALM = 0.01
 _LEFT, _RIGHT, _POINTS = -3.0, 25.0, 400
 #: Laplace variable that stands for 0 [1/s].
 SLOWLY = 1e-4j
@@ -192,9 +195,8 @@ class Linear:
     def share_by_speed(self, pulley: int) -> float:
         """Static d share/d ln omega of a drum, all speeds and outer tensions held [-]."""
         rigid = [replace(d, control=ExactSpeed(), trim=None) for d in self.station.drums]
-        held = replace(self, station=replace(self.station, drums=tuple(rigid), conveyor_mass=None))
-        if self.station.take_up != "gravity":
-            held = replace(held, station=replace(held.station, take_up="gravity"))
+        station = replace(self.station, drums=tuple(rigid), conveyor_mass=None, take_up="gravity")
+        held = replace(self, station=station)
         found = held.forced(np.array([SLOWLY]), "speed", pulley)
         return float(found["share"][0, pulley].real)
 

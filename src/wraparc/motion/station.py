@@ -80,6 +80,8 @@ class Station:
         Largest belt speed of the winch [m/s].
     source
         Where the numbers came from.
+    taken
+        Keys that a file leaves out, and that are taken as they are here.
     """
 
     LIMITS: ClassVar[dict[str, Limit]] = {
@@ -100,6 +102,7 @@ class Station:
     take_up: TakeUp = "gravity"
     winch_speed: float = 0.1
     source: str = ""
+    taken: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         limits = dict(self.LIMITS)

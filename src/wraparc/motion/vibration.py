@@ -18,7 +18,7 @@ from wraparc.motion.control import (
     Follower,
     SpeedLoop,
 )
-from wraparc.motion.linear import HIGHEST, Linear, NDArrayInt, contour, windings
+from wraparc.motion.linear import CALM, HIGHEST, Linear, NDArrayInt, contour, windings
 from wraparc.motion.station import Drum, Station
 
 
@@ -260,7 +260,7 @@ def _answer(linear: Linear, name: str, controls: Sequence[Control]) -> ControlAn
         if isinstance(control, CoupledMotor):
             slip = control.slip_at(duty.torque / control.rating(duty))
             lost += abs(duty.torque * duty.speed) * slip / (1.0 - slip)
-    stable = with_.roots_beyond(0.0) == 0
+    stable = with_.roots_beyond(CALM) == 0
     root = complex(math.nan, math.nan) if stable else with_.rightmost
     return ControlAnswer(name, root, stable, float(size[0]), float(size[1]), lost / total)
 

@@ -19,7 +19,8 @@ from wraparc.across import (
 from wraparc.across.wide_arc import Array
 from wraparc.alike import place_of_largest
 from wraparc.arc import DriveResult
-from wraparc.checks import Level
+from wraparc.checks import Level, Place, Verdict, judge
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import NONE, Row, Table, named, percent, quantity, row_of
@@ -40,19 +41,33 @@ DEFECTS = {
 
 
 def across_tables(result: DriveResult, system: System) -> list[Table]:
-    """Return the tables of every uneven pulley of a solved drive, in its first load case in full.
+    """Return the tables of every uneven pulley, in the load case that governs it in full.
 
     Further load cases of the same pulley have the answer alone.
     """
     tables: list[Table] = []
     told: set[str] = set()
-    for uneven in across_of(result):
+    for uneven in worst_first(result):
         pulley = uneven.wide.arc.pulley
         tables.append(answer_table(uneven, system))
         if pulley not in told and uneven.status is AcrossStatus.SOLVED:
             tables += [profile_table(uneven, system), shares_table(result.drive, uneven, system)]
         told.add(pulley)
     return tables
+
+
+def worst_first(result: DriveResult) -> list[AcrossResult]:
+    """Return uneven pulleys in their load cases, the one that comes off worst across first."""
+    checks = [c for c in judge(result).checks if c.name in ACROSS_CHECKS]
+
+    def badness(found: AcrossResult) -> tuple[int, float]:
+        place = Place(found.wide.arc.pulley, found.wide.arc.load_case)
+        worst = Verdict(tuple(c for c in checks if c.place == place)).governing
+        margin = math.nan if worst is None else worst.margin
+        rank = 0 if worst is None else worst.level.rank
+        return -rank, math.inf if math.isnan(margin) else round(margin, 9)
+
+    return sorted(across_of(result), key=badness)
 
 
 def answer_table(result: AcrossResult, system: System) -> Table:

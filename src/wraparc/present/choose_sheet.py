@@ -21,6 +21,8 @@ from wraparc.present.choose_words import (
     reason,
     reasons,
     saving_words,
+    silent_standard,
+    unpriced_words,
 )
 from wraparc.present.least_tension import at_least
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, number, percent, quantity
@@ -96,14 +98,21 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
         )
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
+    below, silent = below_standard(selection, best, system), silent_standard(selection, best)
+    told = f"Choose {design_name(selection, best, system)}"
+    if below:
+        told = f"No candidate {below}; the cheapest is {design_name(selection, best, system)}"
     headline = (
-        f"Choose {design_name(selection, best, system)} with a slack-side tension of "
-        f"{at_least(float(selection.slack_tension[best]), system)}"
-        f"{below_standard(selection, best, system)}: "
+        f"{silent}{told} with a slack-side tension of "
+        f"{at_least(float(selection.slack_tension[best]), system)}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
     )
-    sentences = [*next_dearer_words(selection, system), *saving_words(selection, system)]
+    sentences = [
+        *unpriced_words(selection, system),
+        *next_dearer_words(selection, system),
+        *saving_words(selection, system),
+    ]
     if lighter is not None:
         width = selection.search.drive.belt.width
         tight = named("belt_modulus", lighter.tight_tension / width, system)
@@ -112,7 +121,7 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
         )
-    level = Level.ATTENTION if below_standard(selection, best) else Level.OK
+    level = Level.ATTENTION if below or silent else Level.OK
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = f"{level}, on {kind} data" if level is Level.OK and kind in WEAK else ""
@@ -147,6 +156,8 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         rows.append(Row(design_name(selection, i, system), values))
     more = len(selection.ranking) - len(rows)
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
+    if max(selection.search.shape[4:]) > 1:
+        note += "; of designs that differ in wrap and tension alone the least of both comes first"
     if is_uneven(selection.search):
         note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
         note += ", - where not solved across the width" if len(selection.unjudged) else ""
@@ -155,8 +166,9 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         if more > 0
         else ""
     )
+    order = "as recommended" if max(selection.search.shape[4:]) > 1 else "cheapest first"
     return Table(
-        "Designs that keep every limit, cheapest first",
+        f"Designs that keep every limit, {order}",
         tuple(rows),
         _heads(selection, system),
         note,

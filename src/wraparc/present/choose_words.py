@@ -3,10 +3,14 @@
 import math
 from collections.abc import Iterator
 
+import numpy as np
+
 from wraparc.choose.limits import NO_TENSION
+from wraparc.choose.ranking import SAME
 from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection, own_slack
-from wraparc.choose.slack_rules import standard_asks
+from wraparc.choose.slack_rules import inapplicable, standard_asks
+from wraparc.present.least_tension import at_least
 from wraparc.present.sheet import named, percent, quantity
 from wraparc.units import Dimension, System
 
@@ -106,7 +110,29 @@ def below_standard(selection: Selection, design: int, system: System = "si") -> 
     asked, rule = standard_asks(selection.search, selection.grid, design)
     if asked <= float(selection.slack_tension[design]) * (1.0 + 1e-9):
         return ""
-    return f", which is below the {named('tension', asked, system)} that {rule} asks for"
+    return f"reaches the {at_least(asked, system)} that {rule} asks for"
+
+
+def silent_standard(selection: Selection, design: int) -> str:
+    """Return that the standard that was chosen says nothing on a design; else nothing."""
+    why = inapplicable(selection.search, selection.grid, design)
+    return f"The design standard cannot be applied ({why}). " if why else ""
+
+
+def unpriced_words(selection: Selection, system: System = "si") -> Iterator[str]:
+    """Yield what wrap or tension beyond that of the first design would save, and at what price."""
+    ranking, total = selection.ranking, selection.costs.total
+    best, least = int(ranking[0]), int(ranking[np.argmin(total[ranking])])
+    saved = float(total[best] - total[least])
+    if saved <= SAME * total[best]:
+        return
+    why = "what more wrap or tension costs (snub pulley, take-up, belt) is not in it"
+    if below_standard(selection, least):
+        why = "it is below the design standard"
+    yield (
+        f"{design_name(selection, least, system)} would save "
+        f"{money(saved, selection.search.costing.currency)}; {why}."
+    )
 
 
 def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:

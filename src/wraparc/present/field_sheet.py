@@ -8,7 +8,7 @@ from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Verdict as Judgement
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
-from wraparc.present.words import as_it_is, in_words
+from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.units import System
 
 
@@ -52,8 +52,7 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
     worst, governing = found.worst, judged.governing
     why, as_is = "", []
     if governing is not None and governing.missed:
-        where = f" ({governing.place})" if str(governing.place) else ""
-        why = f"As it is: {governing.short}{where}. "
+        why = f"As it is: {in_short(judged)}. "
         as_is = [as_it_is(judged, system)]
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
     return Verdict(

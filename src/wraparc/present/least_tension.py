@@ -51,6 +51,11 @@ def divides_anew(result: DriveResult | TrainResult) -> bool:
 
 def _none(found: LeastTension, result: DriveResult | TrainResult, system: System) -> str:
     governs, top = found.governing, found.highest
+    if math.isinf(governs.tension) and governs.name == "design_standard":
+        return (
+            f"No {least_name(result)} keeps every binding check: {governs.title} cannot be applied "
+            f"({governs.place})."
+        )
     if math.isinf(governs.tension) or top is None:
         return (
             f"No {least_name(result)} with wrap pressures in the tested range keeps "

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from wraparc.alike import largest, least
 from wraparc.checks import Level, judge_run
+from wraparc.checks.of_run import otherwise
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.present.checks_table import check_table
@@ -50,6 +51,14 @@ _NOT_EXCLUDED = (
 
 def _run_sentences(run: RunResult, system: System) -> Iterator[str]:
     peak, tension = run.peak_creep, run.peak_tension
+    now = named("entry_tension", tension.value, system)
+    for of in otherwise(run):
+        taken, other = (display(v, "length", system) for v in (of.taken, of.other))
+        then = named("entry_tension", of.tension, system)
+        yield (
+            f"{of.key} is not given: {taken} of belt is taken. With {other} the largest tension "
+            f"is {then} instead of {now}."
+        )
     yield (
         f"The largest creep, {named('exit_creep', peak.value, system)}, comes at {peak.place} "
         f"after {display(peak.time, 'time', digits=3)}; the largest tension, "

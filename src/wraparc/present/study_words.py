@@ -64,11 +64,15 @@ def verdict(summary: Summary, system: System = "si") -> Verdict:
     for word, why in _NO_ANSWER:
         if counts[word]:
             sentences.append(f"{counts[word]:,} {what} have no answer: {why}.")
+    leads = ""
     if missed:
         name, most = next(iter(missed.items()))
         of = part(most, sum(missed.values())) if len(missed) > 1 else "all"
-        governed = "that fail or need attention"
-        sentences.append(f"{started(RULES[name].what)} governs {of} of those {governed}.")
+        governs = f"{started(RULES[name].what)} governs {of} of those that fail or need attention."
+        if name == "creep":  # the first words are of it
+            sentences.append(governs)
+        else:
+            leads = f" {governs}"
     left = summary.data.get("not_checked", ())
     ground = summary.data.get("ground", "") if level is Level.OK else ""
     if left:
@@ -78,7 +82,7 @@ def verdict(summary: Summary, system: System = "si") -> Verdict:
     weighted = _weighted(summary, lambda group: group.over_limit.value)
     if not math.isnan(weighted):
         beyond = _over_time(weighted, summary, what, system)
-    headline = f"{beyond}{_among(lost)}; {_ends(summary)}."
+    headline = f"{beyond}{_among(lost)}; {_ends(summary)}.{leads}"
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
 
 

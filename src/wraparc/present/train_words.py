@@ -8,7 +8,7 @@ from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
-from wraparc.present.words import as_it_is, in_words
+from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.train import (
     CaseResult,
     MarkKind,
@@ -216,6 +216,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
             f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
         )
     judged = judge(result)
+    missed = f" As it is: {in_short(judged)}." if judged.missed else ""
     sentences = [
         *([as_it_is(judged, system)] if judged.missed else []),
         *_who_and_why(matching),
@@ -224,7 +225,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
         *_changes(matching, system),
         *_losses(matching),
     ]
-    return Verdict(judged.level, f"{headline}.", tuple(sentences), judged.word)
+    return Verdict(judged.level, f"{headline}.{missed}", tuple(sentences), judged.word)
 
 
 def _to_set(matching: Matching, name: str) -> str:

@@ -1,13 +1,14 @@
 """Before and after a change: one table, and the reason for each change in words."""
 
 import math
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
 from wraparc.across import across_of
 from wraparc.alike import alike
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.checks import Level, Place, judge, least_tension, placed
+from wraparc.checks import Place, judge, least_tension, placed
 from wraparc.choose.what_if import WhatIf
 from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
@@ -74,7 +75,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
             as_is.level,
             _headline(found, system),
             tuple(sentences),
-            as_is.word.replace(str(Level.OK), f"{Level.OK} as it is", 1),
+            re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
         ),
         tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),

@@ -35,6 +35,14 @@ def as_it_is(told: Judgement, system: System) -> str:
     return f"As it is: {told.headline(system)}"
 
 
+def in_short(told: Judgement) -> str:
+    """Return what governs a verdict that misses something, in a few words, and where."""
+    worst = told.governing
+    if worst is None:
+        return ""
+    return f"{worst.short} ({worst.place})" if str(worst.place) else worst.short
+
+
 def level_of(result: DriveResult, arc: ArcResult) -> Level:
     """Return how good the news of one arc of a drive is."""
     return judge(result).at(arc.arc.pulley, arc.arc.load_case).level

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import TYPE_CHECKING, Literal
 
-from wraparc.alike import largest
 from wraparc.arc import DriveResult
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
@@ -346,14 +345,12 @@ def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
     """The belt across its width, where a pulley says what is uneven."""
     if not any(pulley.across for pulley in result.drive.pulleys):
         return
-    from wraparc.across import across_of
-    from wraparc.present.across_tables import across_tables
+    from wraparc.present.across_tables import across_tables, worst_first
 
-    worst = largest(across_of(result), lambda r: r.entry_unevenness)
     yield Section(
         "Across the width",
         tables=tuple(across_tables(result, system)),
-        drawings=(across_drawing(worst, system),),
+        drawings=(across_drawing(worst_first(result)[0], system),),
     )
 
 

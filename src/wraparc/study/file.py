@@ -13,6 +13,7 @@ from wraparc import catalogue
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
+from wraparc.checks.of_data import wet_factor
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -29,7 +30,14 @@ from wraparc.study.fields import DRUM_KEYS, SCALING, label_of
 from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.keys import STUDY
-from wraparc.study.parameter_study import OUTPUTS, TRAIN_OUTPUTS, Condition, Rows, Study
+from wraparc.study.parameter_study import (
+    BELT_SAFETY,
+    OUTPUTS,
+    TRAIN_OUTPUTS,
+    Condition,
+    Rows,
+    Study,
+)
 from wraparc.study.plan import Drawn, DrawnField, Levels, Plan, Saltelli, Sweep
 from wraparc.study.sampling import SAMPLINGS
 from wraparc.study.source import DriveSource, Field
@@ -116,7 +124,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
         setting=setting,
         outputs=tuple(dict.fromkeys((*outputs, *sensitivity))),
         description={"study": _plain(document), "drive": _plain(base)},
-        ground=before(drive).qualifier,
+        ground=_ground(drive, pulley, known),
     )
     return StudyFile(
         study=study,
@@ -202,6 +210,15 @@ def _each_once(axes: Sequence[tuple[Axis, Place]], report: Report) -> None:
             report.add(("axis",), message, "Keep one of the two.", axis.field)
 
 
+def _ground(drive: Drive, pulley: str, conditions: Sequence[Condition]) -> str:
+    """Return what limits an OK: that it is dry only, and the data it stands on."""
+    of = drive.pulley(pulley)
+    dry = not conditions and all(
+        wet_factor(of.lagging_in(case.condition)) != 0.0 for case in drive.load_cases
+    )
+    return ", ".join(part for part in ("dry only" if dry else "", before(drive).qualifier) if part)
+
+
 def _shares(conditions: Sequence[Condition], report: Report) -> None:
     names = [c.name for c in conditions]
     if len(set(names)) < len(names):
@@ -230,7 +247,7 @@ def output_names() -> tuple[str, ...]:
     """Return the results that a study can keep."""
     nothing: Any = None
     even = (name for name in BatchResult(nothing, nothing) if name not in _NO_OUTPUTS)
-    return (*even, *ACROSS_OUTPUTS, *TRAIN_OUTPUTS)
+    return (*even, BELT_SAFETY, *ACROSS_OUTPUTS, *TRAIN_OUTPUTS)
 
 
 def _sensitivity(record: Record, report: Report) -> tuple[str, ...]:

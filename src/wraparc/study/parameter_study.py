@@ -64,6 +64,8 @@ OUTPUTS = (
 )
 #: Results that a pulley has within a train; not a number where the study does not divide its load.
 TRAIN_OUTPUTS = ("share", "speed_trim")
+#: Strength of the belt over its larger tension at the pulley; not a number without a strength.
+BELT_SAFETY = "belt_safety"
 #: Results that need the capacities.
 CAPACITY_OUTPUTS = frozenset(f.name for f in fields(Capacities))
 
@@ -331,7 +333,9 @@ class Study:
             whole = {
                 n: rows.of_train[n][some] if n in rows.of_train else missing for n in TRAIN_OUTPUTS
             }
-            more = {**uneven, **whole}
+            tension = np.maximum(part.entry_tension, part.exit_tension)
+            safety = rows.held.strength[some] * part.belt_width / tension
+            more = {**uneven, **whole, BELT_SAFETY: safety}
             kept = {n: more[n] if n in more else solved[n] for n in wanted}
             found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}

@@ -22,7 +22,8 @@ from wraparc.schema.limits import limit_problems, raise_all
 BEYOND = 10.0
 #: Torque over rated torque that an AC motor bears for 15 s (IEC 60034-1, excess torque) [-].
 MOMENTARY = 1.6
-#: Breakdown torque at the lowest voltage of the mains, 90 % (IEC 60034-1), over the rated one [-].
+#: Breakdown torque at the lowest voltage that a motor has to run at, 90 %, over the rated one, by
+#: the square of the voltage [-] (NEMA MG 1-12.44.1 and 12.44.2, condensed edition of 2011, 9.9).
 LOW_VOLTAGE = 0.81
 
 

@@ -134,6 +134,12 @@ _CONFUSED: dict[Dimension, tuple[str, ...]] = {
     "speed": ("m/s", "m/min", "ft/min", "km/h"),
     "angle": ("deg", "rad"),
     "power": ("kW", "W", "hp", "MW"),
+    "mass": ("t", "kg", "g"),
+    "mass_per_length": ("kg/m", "g/m", "t/m"),
+    "mass_flow": ("t/h", "kg/s", "kg/h"),
+    "moment_of_inertia": ("kg m2", "t m2", "kg cm2"),
+    "torque": ("kN m", "N m", "MN m"),
+    "time": ("s", "min", "ms", "h"),
 }
 
 

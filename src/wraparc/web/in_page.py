@@ -107,6 +107,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         modulus=given.modulus,
         speed=given.speed,
         diameter=given.diameter,
+        idle_wrap=nan,  # those that do not pull are for the server
         wrap_angle=given.wrap_angle,
         creep_limit=given.creep_limit,
         overrun=given.overrun,

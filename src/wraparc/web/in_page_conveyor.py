@@ -4,13 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from wraparc.conveyor import Conveyor, State
+from wraparc.checks.numbers import usual
+from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor, State
 from wraparc.errors import Problem
 
 
 def misfits(of: Conveyor) -> list[Problem]:
     """What of a conveyor does not fit together."""
     return list(of.misfits())
+
+
+def unusual(of: Conveyor, width: float) -> str:
+    """Key of a size that conveyors of a belt width [m] do not have; empty where all are usual."""
+    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+        if not usual(value, least, most):
+            return key
+    if of.material > FULLEST * width**2:
+        return "material_mass" if of.capacity is None else "capacity"
+    return "lift" if abs(of.lift) > STEEPEST * of.length else ""
 
 
 def states(of: Conveyor) -> list[State]:

@@ -28,7 +28,12 @@ from wraparc.present.across_answers import (
     wear_table,
     wear_verdict,
 )
-from wraparc.present.across_tables import answer_table, profile_table, shares_table
+from wraparc.present.across_tables import (
+    answer_table,
+    profile_table,
+    shares_table,
+    worst_first,
+)
 from wraparc.present.checks_table import check_table
 from wraparc.present.words import verdict
 from wraparc.train import Train, solve_train
@@ -135,6 +140,9 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
     result = _whole(thing)
     drive = result.drive
     pulley, case = asked_for(drive, asked.pulley, asked.load_case)
+    if asked.load_case is None:
+        worst = [r.wide.arc for r in worst_first(result) if r.wide.arc.pulley == pulley.name]
+        case = drive.load_case(worst[0].load_case) if worst else case
     if pulley.across is None:
         found = solve_across(drive, pulley.name, case.name, strips=8, raise_on_failure=False)
     else:

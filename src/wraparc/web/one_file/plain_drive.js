@@ -1,7 +1,7 @@
 // A drive told by its conveyor or by where its pulleys stand, as one that gives tensions and wrap.
 import { get } from "../static/base/design.js";
 import { si } from "../static/base/units.js";
-import { assemble, beyond } from "../static/pages/drive/assemble.js";
+import { assemble, beyond, NOT_HERE } from "../static/pages/drive/assemble.js";
 import { Reader } from "../static/pages/drive/reading.js";
 import { section } from "../static/parts/field.js";
 import { TENSIONS } from "../static/parts/problems.js";
@@ -150,6 +150,12 @@ function statesOf(r, table) {
   const made = new /** @type {any} */ (K.Conveyor)();
   const of = Object.assign(made, known, drive && { drive_at: drive });
   if (tell(K.in_page_conveyor__misfits(of))) return none;
+  const odd = K.in_page_conveyor__unusual(of, r.number("belt", ["belt", "width"]));
+  if (odd) {
+    r.wrong(["conveyor", odd], NOT_HERE[3]);
+    r.problems[r.problems.length - 1].beyond = true;
+    return none;
+  }
   const found = K.in_page_conveyor__states(of);
   tell(K.in_page_conveyor__unfit(of, found));
   return { found, held: of.take_up };

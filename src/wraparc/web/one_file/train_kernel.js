@@ -741,6 +741,30 @@ export class Conveyor {
       yield* resistance__no_coefficient(this.length);
     }
   }
+  get material() {
+    if (this.material_mass !== null) {
+      return this.material_mass;
+    }
+    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
+  }
+  sizes() {
+    return [
+      this.length,
+      this.lift,
+      this.belt_mass,
+      this.carry_idler_mass,
+      this.return_idler_mass,
+      conveyor___known(this.material_mass, NaN),
+      conveyor___known(this.capacity, NaN),
+      this.friction_factor,
+      conveyor___known(this.secondary_resistance, NaN),
+      this.special_resistance === 0.0 ? NaN : this.special_resistance,
+      conveyor___known(this.start_time, NaN),
+      conveyor___known(this.stop_time, NaN),
+      conveyor___known(this.take_up_tension, NaN),
+      conveyor___known(this.counterweight, NaN),
+    ];
+  }
   reckoned() {
     let acceleration, kind, name;
     let full = this._state("full", "running", this.material, 0.0);
@@ -834,12 +858,6 @@ export class Conveyor {
     let carrying = resistance__inertia(acceleration, this.length, this._moving(material));
     let returning = resistance__inertia(acceleration, this.length, this._moving(null));
     yield new Resistance("inertia", carrying, returning, INERTIA);
-  }
-  get material() {
-    if (this.material_mass !== null) {
-      return this.material_mass;
-    }
-    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
   }
   get take_up() {
     if (this.take_up_tension !== null) {
@@ -1359,7 +1377,7 @@ const BEYOND_MOTOR =
 const USUAL_MOTORS = [
   [250.0, 20000000.0],
   [10.0, 400.0],
-  [0.2, 5.0],
+  [0.6, 1.7],
 ];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
@@ -1368,6 +1386,24 @@ const _EITHER = [
   ["start_factor", "start_time", ""],
 ];
 const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
+const USUAL_CONVEYOR = [
+  ["length", 3.0, 30000.0],
+  ["lift", -1500.0, 1500.0],
+  ["belt_mass", 1.0, 200.0],
+  ["carry_idler_mass", 0.5, 200.0],
+  ["return_idler_mass", 0.2, 100.0],
+  ["material_mass", 0.5, 4000.0],
+  ["capacity", 0.1, 15000.0],
+  ["friction_factor", 0.01, 0.04],
+  ["secondary_resistance", 10.0, 500000.0],
+  ["special_resistance", 10.0, 200000.0],
+  ["start_time", 1.0, 600.0],
+  ["stop_time", 1.0, 600.0],
+  ["take_up_tension", 300.0, 2000000.0],
+  ["counterweight", 30.0, 200000.0],
+];
+const FULLEST = 700.0;
+const STEEPEST = 0.5;
 const NONE = "-";
 const _AS_FAST = 5e-6;
 const _TOLERATED = 0.05;
@@ -2418,6 +2454,21 @@ export function conveyor__choices(given) {
 /** What of a conveyor does not fit together. */
 export function in_page_conveyor__misfits(of) {
   return [...of.misfits()];
+}
+
+/** Key of a size that conveyors of a belt width [m] do not have; empty where all are usual. */
+export function in_page_conveyor__unusual(of, width) {
+  let key, least, most, value;
+  for (const each1 of $zip(of.sizes(), USUAL_CONVEYOR)) {
+    [value, [key, least, most]] = each1;
+    if (!numbers__usual(value, least, most)) {
+      return key;
+    }
+  }
+  if (of.material > FULLEST * width ** 2) {
+    return of.capacity === null ? "material_mass" : "capacity";
+  }
+  return Math.abs(of.lift) > STEEPEST * of.length ? "lift" : "";
 }
 
 /** Load cases of a conveyor, whatever tensions they leave. */
@@ -4296,6 +4347,10 @@ export function resistance__no_coefficient(length) {
   ];
 }
 
+export function conveyor___known(value, other) {
+  return value === null ? other : value;
+}
+
 /** Return the problem of a load case in which the belt is pushed. */
 export function conveyor___slack(state, least) {
   let where =
@@ -4317,10 +4372,6 @@ export function conveyor___slack(state, least) {
 export function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
   let cosine = Math.sqrt(1.0 - (lift / length) ** 2);
   return friction_factor * length * GRAVITY * (rotating + carried * cosine);
-}
-
-export function conveyor___known(value, other) {
-  return value === null ? other : value;
 }
 
 /** Return the gradient resistance of a strand that carries a mass per length up by H [N]. */

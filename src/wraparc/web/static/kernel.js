@@ -536,6 +536,7 @@ export class Sizes {
     modulus,
     speed,
     diameter,
+    idle_wrap,
     wrap_angle,
     creep_limit,
     overrun,
@@ -557,6 +558,7 @@ export class Sizes {
     this.modulus = modulus;
     this.speed = speed;
     this.diameter = diameter;
+    this.idle_wrap = idle_wrap;
     this.wrap_angle = wrap_angle;
     this.creep_limit = creep_limit;
     this.overrun = overrun;
@@ -579,6 +581,7 @@ export class Sizes {
     yield this.modulus;
     yield this.speed;
     yield this.diameter;
+    yield this.idle_wrap;
     yield this.wrap_angle;
     yield this.creep_limit;
     yield this.overrun;
@@ -1049,8 +1052,9 @@ const USUAL_SIZES = [
   [0.05, 15.0],
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
+  [2.0943951023931953, 4.71238898038469],
   [5e-5, 0.0635],
-  [-0.005, 0.005],
+  [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
   [100000.0, 5000000000.0],
@@ -3838,6 +3842,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     given.modulus,
     given.speed,
     given.diameter,
+    NaN,
     given.wrap_angle,
     given.creep_limit,
     given.overrun,
@@ -3864,6 +3869,7 @@ export function numbers__compared_sizes(of) {
     of.modulus,
     of.speed,
     of.diameter,
+    of.idle_wrap,
     of.wrap_angle,
     of.creep_limit,
     of.overrun,

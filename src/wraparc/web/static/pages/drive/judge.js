@@ -24,7 +24,7 @@ import { headline, listed } from "./words.js";
  * @typedef {{load_case: string, pulley?: string, solved: boolean,
  *   numbers: Record<string, number>, asks: Ask[], asked: Record<string, number>}} JudgedArc
  * @typedef {{doc: Design, checks: Check[], arcs: JudgedArc[], of: Judging,
- *   wet: number}} Judged
+ *   wet: number, over: boolean}} Judged
  */
 
 /** Checks that more tension on the slack side helps against, and those that less does. */
@@ -81,10 +81,12 @@ export function judge(judging, doc, all) {
     const { load_case, pulley, asks } = of;
     return { load_case, pulley, solved: n.solved, numbers, asks, asked: n.asked };
   });
-  const judged = { doc, checks, arcs, of: judging, wet: -1 };
-  const wet = all.map((n) => n.wet);
-  const told = { ...judged, checks: sound(checks, leastOf(judged)) };
-  return { ...told, wet: wet.some((v) => v < 0) ? -1 : Math.max(...wet) };
+  const wets = all.map((n) => n.wet);
+  const dry = !wets.some((v) => v < 0);
+  const wet = dry ? Math.max(...wets) : -1;
+  const over = dry && all.some((n) => n.wet >= 0 && !kept(n.wet, n.limits.creep, true));
+  const judged = { doc, checks, arcs, of: judging, wet, over };
+  return { ...judged, checks: sound(checks, leastOf(judged)) };
 }
 /** Checks that advise no tension which does not help, or works against another check.
  * @param {Check[]} checks @param {ReturnType<typeof leastOf>} least */
@@ -161,7 +163,7 @@ export function check(w, { values, limits }, load_case, levels) {
 /** In what a judgement of the page and the server's are not one.
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
-  const said = headline(own.checks, own.wet) === words(verdict.headline);
+  const said = headline(own.checks, own.wet, own.over) === words(verdict.headline);
   const ours = listed(own.checks).filter((c) => c.rank > 0 && !["data", "sense"].includes(c.name));
   const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
   const far = own.arcs.flatMap((a) => differing(a, arcs));

@@ -15,7 +15,8 @@ function figuresOf({ arcs }) {
   const worst = new Map();
   for (const { asks, asked } of arcs)
     for (const ask of asks) {
-      const tension = asked[ask.name];
+      const none = ask.name === "design_standard" && ask.binding; // a rule that cannot be applied
+      const tension = none && Number.isNaN(asked[ask.name]) ? Infinity : asked[ask.name];
       const held = worst.get(ask.name);
       if (Number.isNaN(tension)) continue;
       const [high, low] = ask.at_least ? [tension, held?.tension] : [held?.tension, tension];
@@ -65,6 +66,8 @@ function sentence(l, { of }) {
     if (!rule || l.tension >= rule.tension * (1 - 1e-9)) return `${text}.`;
     return `${text}; that is below the ${atLeast(rule.tension)} that ${rule.title} asks for.`;
   }
+  if (g.tension === Infinity && g.name === "design_standard")
+    return `No ${name} keeps every binding check: ${g.title} cannot be applied (${g.place}).`;
   if (!Number.isFinite(g.tension) || !highest) {
     const range = "with wrap pressures in the tested range keeps";
     return `No ${name} ${range} ${g.what} (${g.place}).`;

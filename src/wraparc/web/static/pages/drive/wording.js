@@ -114,7 +114,7 @@ function standardKey({ standard }, asked, c, criteria) {
  * @param {Book} book @param {BookLaw} law @returns {Ask[]} */
 function asksOf(standard, { belt, standard: chosen }, criteria, names, book, law) {
   const has = {
-    design_standard: Boolean(standard.rule) && !standard.why,
+    design_standard: standard.rule && (!standard.why || (chosen.binding && chosen.name)),
     tested_pressure_min: law.tested !== null,
     tested_pressure_max: law.tested !== null,
     face_pressure: !Number.isNaN(belt.pressure),

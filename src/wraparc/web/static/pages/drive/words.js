@@ -111,20 +111,21 @@ export function listed(checks) {
   }
   return [...worst.values()];
 }
-/** That a drive was computed dry only, and its creep when wet. @param {number} wet */
-function dryOnly(wet) {
-  if (wet < 0) return "";
-  if (Number.isNaN(wet)) return ", dry only";
-  const told = Number.isFinite(wet) ? `it creeps ${quantity(wet, "length")}` : "it slips through";
-  return `, dry only (wet ${told})`;
+/** That checks are kept; of a drive computed dry only, what wet would give.
+ * @param {number} count @param {number} wet @param {boolean} over */
+function keeping(count, wet, over) {
+  if (!(wet >= 0)) return `All ${count} checks are kept${wet < 0 ? "" : ", dry only"}`;
+  const finite = Number.isFinite(wet);
+  const told = `et ${finite ? `it creeps ${quantity(wet, "length")}` : "it slips through"}`;
+  if (!over) return `All ${count} checks are kept, dry only (w${told})`;
+  return `W${told}${finite ? ", beyond its limit" : ""}: all ${count} checks are kept dry only`;
 }
-/** @param {Check[]} checks @param {number} wet */
-export function headline(checks, wet) {
+/** @param {Check[]} checks @param {number} wet @param {boolean} over */
+export function headline(checks, wet, over) {
   const worst = worstOf(checks);
   if (!worst) return "Nothing could be checked.";
   if (worst.missed) return placed(worst) + sense(checks);
-  const count = listed(checks).filter(compares).length;
-  const text = `All ${count} checks are kept${dryOnly(wet)}`;
+  const text = keeping(listed(checks).filter(compares).length, wet, over);
   if (!Number.isFinite(worst.margin)) return `${text}.${sense(checks)}`;
   const where = worst.place ? ` (${worst.place})` : "";
   const near = `${small(worst.title)}, ${texts(worst)[0]}, ${bound(worst)}${where}`;
@@ -147,7 +148,7 @@ function sense(checks) {
 /** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
-export function verdictOf({ checks: all, of, wet }, load_case, pulley) {
+export function verdictOf({ checks: all, of, wet, over }, load_case, pulley) {
   const here = (/** @type {Check} */ c) =>
     (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
   const checks = load_case === undefined ? all : all.filter(here);
@@ -156,7 +157,9 @@ export function verdictOf({ checks: all, of, wet }, load_case, pulley) {
   const others = listed(checks).filter((c) => c.missed && c.name !== worst?.name);
   const sentences = others.sort(byBadness).map((c) => `${c.level}: ${placed(c)}`);
   if (worst?.missed && of.qualifier) sentences.push(`All of this stands ${of.qualifier}.`);
-  const told = level === "OK" && of.qualifier ? `OK, ${of.qualifier}` : level;
+  const whole = checks.length === all.length;
+  const ok = whole && !(wet < 0) ? "OK dry only" : "OK";
+  const told = level !== "OK" ? level : of.qualifier ? `${ok}, ${of.qualifier}` : ok;
   const levels = listed(checks)
     .filter((c) => c.level !== NOT_CHECKED)
     .map((c) => [c.name, c.level]);
@@ -165,7 +168,7 @@ export function verdictOf({ checks: all, of, wet }, load_case, pulley) {
   const words = {
     level,
     told,
-    headline: headline(checks, checks.length === all.length ? wet : -1),
+    headline: headline(checks, whole ? wet : -1, over),
     sentences,
     short,
   };
