@@ -34,7 +34,7 @@ def demo(into: Path, units: System) -> int:
 
     Files that are already there are kept and used as they are: change one and run it again.
     """
-    from wraparc.cli.show import show
+    from wraparc.cli.show import Wanted, show
     from wraparc.cli.solve import exit_code
 
     kept = lay_out(into)
@@ -46,7 +46,7 @@ def demo(into: Path, units: System) -> int:
         picture = f"The picture is {into / _PICTURE}"
     except MissingExtraError as error:
         picture = f"There is no picture: it {error}"
-    show(drive_sheet([result], units))
+    show(drive_sheet([result], units), Wanted())
     say("\n".join(["", *(f"Kept your own {into / name}." for name in kept), picture]))
     say(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
     say(_next_steps(into))

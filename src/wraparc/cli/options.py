@@ -33,6 +33,26 @@ def units_option(command: _F) -> _F:
     )(command)
 
 
+def set_option(command: _F) -> _F:
+    """Add ``--set``."""
+    return click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="KEY=VALUE",
+        help='Put a value over that of the file: --set pulley.head.exit_tension="55 kN".',
+    )(command)
+
+
+def place_options(command: _F) -> _F:
+    """Add ``--pulley`` and ``--load-case``."""
+    case = click.option(
+        "--load-case", metavar="NAME", help="Which load case; the first if left out."
+    )
+    pulley = click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
+    return pulley(case(command))
+
+
 @contextlib.contextmanager
 def options() -> Iterator[None]:
     """Say of the problems raised within which option they are of, by the name of the field."""

@@ -62,7 +62,7 @@ def drive_sheet(
     least = least_table(whole, system)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
-    tables += [summary_table(results, system)] if len(first) > 1 else []
+    tables.append(summary_table(results, system))
     tables.append(loads_table(first, system))
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
@@ -186,7 +186,7 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
             rows.append(
                 Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
             )
-    return Table("All load cases and pulleys", tuple(rows), heads)
+    return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
 def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
@@ -218,7 +218,8 @@ def loads_table(result: DriveResult, system: System) -> Table:
             note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
             note += f"{momentary:.3g} starting and stopping"
         note += "."
-    return Table("Loads of pulleys and belt", tuple(rows), ("resultant", "direction", "belt"), note)
+    heads = ("resultant", "direction", "belt")
+    return Table("Loads of pulleys and belt", tuple(rows), heads, note, "loads")
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
