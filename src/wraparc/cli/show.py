@@ -56,7 +56,7 @@ def _lines(sheet: Sheet, wanted: Wanted, width: int) -> list[str]:
         return list(table_lines(tables, width))
     if wanted.full:
         return lines_of(sheet, width)
-    rest = ": --full, or --table NAME for one table."
+    rest = ": see --full, --table NAME."
     return lines_of(short_sheet(sheet, "--table", rest), width)
 
 

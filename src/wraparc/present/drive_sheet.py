@@ -103,7 +103,8 @@ def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -
             f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
             f"left, the solver adds it up along the arc.{whose}"
         )
-    return replace(told, sentences=(*said, *told.sentences))
+    kept = told.sentences if told.kept is None else told.kept
+    return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
 
 
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:

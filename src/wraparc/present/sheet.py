@@ -135,6 +135,8 @@ class Sheet:
         Where numbers came from; a note ``[2]`` in a row refers to the second.
     foot
         Lines at its foot, without a heading.
+    kept
+        Those of the remarks that a short answer keeps; all of them unless given.
     """
 
     title: str
@@ -144,6 +146,7 @@ class Sheet:
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
     foot: tuple[str, ...] = ()
+    kept: tuple[str, ...] | None = None
 
 
 def quantity(

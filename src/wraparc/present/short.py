@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from wraparc.checks import Level
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict
 
-#: Sentences and remarks of a short answer, longest text under a title.
-_SENTENCES, _REMARKS, _SUBTITLE = 8, 2, 100
+#: Sentences of a short answer that names none to be kept, its remarks, longest text under a title.
+_SENTENCES, _REMARKS, _SUBTITLE = 8, 12, 100
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,11 @@ class _Pick:
     alone
         Whether it is shown only where it is the only one of its name.
     noted
-        Whether what there is to know of it and its rows is said.
+        Whether what there is to know of its rows is said.
     judged
         Whether its rows that ask for attention are among the checks, and are no news here.
+    explained
+        Whether its own note is said.
     """
 
     rows: tuple[str, ...] = ()
@@ -43,14 +45,15 @@ class _Pick:
     alone: bool = False
     noted: bool = True
     judged: bool = False
+    explained: bool = False
 
 
 #: By name, the tables that a short answer shows, in the order of their sheet.
 _PICKED: dict[str, _Pick] = {
     # a drive
     "checks": _Pick(),
-    "conditions": _Pick(rows=("Verdict", "Creep", "Safety", "Least")),
-    "cases": _Pick(most=12),
+    "conditions": _Pick(rows=("Verdict", "Least"), judged=True),
+    "cases": _Pick(most=9),
     "drives": _Pick(
         rows=("share", "effective", "motor_load", "speed_trim", "exit_c"), alone=True, noted=False
     ),
@@ -66,12 +69,12 @@ _PICKED: dict[str, _Pick] = {
             "Result", "Verdict", "exit_creep", "peak_shear_stress", "power_loss",
             "Least", "The same", "Belt across",
         ),
-        most=12,
+        most=12, noted=False,
     ),
     "levels": _Pick(),
     "wear": _Pick(rows=("Wear in", "Life")),
     "values": _Pick(),
-    "ranking": _Pick(most=6),
+    "ranking": _Pick(most=6, explained=True),
     "rejected": _Pick(most=4),
     "event": _Pick(),
     "drums": _Pick(rows=("Largest pull", "Largest torque", "Largest creep", "Time", "Friction w")),
@@ -81,19 +84,19 @@ _PICKED: dict[str, _Pick] = {
     "misfit": _Pick(most=6),
     "predicted": _Pick(most=12),
     # many designs
-    "groups": _Pick(most=10, tables=2),
+    "groups": _Pick(tables=1000, explained=True),
     "together": _Pick(),
     "indices": _Pick(),
     "alone": _Pick(),
     "designs": _Pick(most=12),
     # laggings and their tests
     "left-out": _Pick(most=4),
-    "slips": _Pick(most=9, tables=2),
+    "slips": _Pick(tables=3),
     "lagging": _Pick(most=10),
     "friction": _Pick(most=12),
 }  # fmt: skip
 #: A table without a name is all that there is.
-_WHOLE = _Pick(most=100, tables=100)
+_WHOLE = _Pick(most=100, tables=100, explained=True)
 #: Tables that go on with the one before, where both have the same columns.
 _GO_ON = ("energy", "life")
 
@@ -110,8 +113,10 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     rest
         How the rest is asked for; nothing is said of it if empty.
     """
-    names, shown, hidden = Counter(t.name for t in sheet.tables), [], []
-    seen: Counter[str] = Counter()
+    names, seen = Counter(table.name for table in sheet.tables), Counter[str]()
+    shown: list[Table] = []
+    hidden: list[tuple[Table, Sequence[Row]]] = []
+    cut = 0
     for table in sheet.tables:
         pick = _PICKED.get(table.name) if table.name else _WHOLE
         seen[table.name] += 1
@@ -119,7 +124,8 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
         if pick is None or not fits or seen[table.name] > pick.tables:
             hidden.append((table, table.rows))
             continue
-        part = table.short or _part(table, pick)
+        part, more = (table.short, 0) if table.short else _part(table, pick)
+        cut += more
         if part is not table.short and not pick.judged:
             hidden.append((table, [row for row in table.rows if row not in part.rows]))
         if not part.rows:
@@ -130,11 +136,14 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
         else:
             shown.append(part)
     words = _words(sheet.verdict)
+    remarks = (sheet.remarks if sheet.kept is None else sheet.kept)[:_REMARKS]
+    ground = sheet.sources if len(sheet.sources) == 1 else ()  # what all of it is based on
     left_out = {
         "sentence": len(sheet.verdict.sentences) - len(words) if sheet.verdict else 0,
-        "remark": len(sheet.remarks[_REMARKS:]),
+        "remark": len(sheet.remarks) - len(remarks),
+        "row": cut,
         "table": len(sheet.tables) - len(shown),
-        "source": len(sheet.sources),
+        "source": len(sheet.sources) - len(ground),
     }
     bare = Sheet(
         title=sheet.title,
@@ -143,7 +152,8 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
         tables=tuple(shown),
         foot=(
             *(table.brief for table in sheet.tables if table.brief),
-            *sheet.remarks[:_REMARKS],
+            *remarks,
+            *ground,
             *_attention(hidden, table_hint),
             *_rest(left_out, rest),
         ),
@@ -151,8 +161,8 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     return _unnumbered(bare, len(sheet.sources))
 
 
-def _part(table: Table, pick: _Pick) -> Table:
-    """Return what a pick names of a table: rows that ask for attention before others."""
+def _part(table: Table, pick: _Pick) -> tuple[Table, int]:
+    """Return what a pick names of a table, rows that ask for attention first; how many are cut."""
     wanted = [
         row
         for row in table.rows
@@ -167,7 +177,8 @@ def _part(table: Table, pick: _Pick) -> Table:
     heads = tuple(table.heads[k] for k in told)
     if not pick.noted:
         rows = [replace(row, note="", level=None) for row in rows]
-    return replace(table, rows=tuple(rows), heads=heads, note="")
+    note = table.note if pick.explained else ""
+    return replace(table, rows=tuple(rows), heads=heads, note=note), len(wanted) - len(rows)
 
 
 def _bad(row: Row) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from wraparc.alike import ALIKE
 from wraparc.checks import RULES, Level
@@ -84,19 +85,26 @@ def _group_tables(
     by_case: dict[tuple[str, str], list[Group]] = {}
     for group in summary.groups:
         by_case.setdefault((group.load_case, group.condition), []).append(group)
+    worst = max(by_case, key=lambda case: _badness(by_case[case]), default=None)
     for (load, condition), groups in by_case.items():
+        short = None if (load, condition) == worst else Table("", ())
         where = ", ".join(part for part in (load, condition) if part)
         if summary.drawn:
-            yield _chances(
-                f"{where}: probability by {fields or 'all draws'}", groups, units, system
-            )
+            title = f"{where}: probability by {fields or 'all draws'}"
+            table = _chances(title, groups, units, system)
         else:
-            yield _values(f"{where}: by {fields}", groups, units, system)
+            table = _values(f"{where}: by {fields}", groups, units, system)
+        yield replace(table, short=short)
     together = over_conditions(summary) if summary.drawn else ()
     if together:
         yield _together(together, units, system)
     if summary.drawn:
         yield _convergence(summary, units, system)
+
+
+def _badness(groups: Sequence[Group]) -> tuple[float, ...]:
+    """Return how large a share of groups fails, then how large a share asks for attention."""
+    return tuple(sum(group.judged.share(level).value for group in groups) for level in BAD)
 
 
 def _chances(

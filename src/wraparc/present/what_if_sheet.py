@@ -85,6 +85,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
             *([across] if across else []),
         ),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
+        kept=(),
     )
 
 

@@ -54,7 +54,10 @@ def _law_table(condition: ConditionResult, system: System, name: str) -> Table:
         "the budget included. In brackets: beyond the slip of the tests."
     )
     heads = tuple(f"{slip / size:.3g} {unit}" for slip in STANDARD_SLIPS)
-    return Table(f"Law at standard slips{name}", tuple(rows), heads, note, "slips")
+    title, some = f"Law at standard slips{name}", {0, len(rows) // 2, len(rows) - 1}
+    picked = [Row(rows[k].title, rows[k].values[1::2]) for k in sorted(some)]
+    brief = Table(title, tuple(picked), heads[1::2], note)
+    return Table(title, tuple(rows), heads, note, "slips", brief)
 
 
 def _static_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:

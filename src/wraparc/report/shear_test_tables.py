@@ -25,6 +25,7 @@ from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
+from wraparc.shear_test.sentences import form_sentences
 from wraparc.units import System, display_unit
 
 Array = NDArray[np.float64]
@@ -49,6 +50,8 @@ def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False)
         tables += condition_tables(condition, system, name)
         tables += [laws_table(condition, name)] if laws else []
     remarks = _remarks(result)
+    plan = result.plan
+    forms = {s for c in result.conditions for s in form_sentences(plan, c.found)}
     return Sheet(
         title=f"Shear tests of {result.plan.title or result.plan.name}",
         subtitle=_subtitle(result),
@@ -56,6 +59,7 @@ def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False)
         tables=tuple(tables),
         remarks=tuple(_started(sentence) for sentence in remarks),
         sources=(str(result.plan.provenance),),
+        kept=tuple(_started(s) for s in remarks if s not in forms and _bare(s) not in forms),
     )
 
 
@@ -76,6 +80,11 @@ def _remarks(result: PlanResult) -> list[str]:
         everywhere = len(said) == len(result.conditions)
         found.append(f"{', '.join(said)}: {sentence}" if several and not everywhere else sentence)
     return found
+
+
+def _bare(remark: str) -> str:
+    """A remark without its condition."""
+    return remark.partition(": ")[2]
 
 
 def _subtitle(result: PlanResult) -> str:
