@@ -276,7 +276,7 @@ def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
     ran = wraparc_process("solve", drive_file(tmp_path), env=os.environ | {"COLUMNS": "80"})
     text = ran.stdout.decode("ascii")
     assert max(map(len, text.splitlines())) <= 80
-    for words in ("Slip at exit", "2.5", "150", "carries"):
+    for words in ("Largest slip, tested", "2.5", "150", "carries"):
         assert words in " ".join(text.split())
 
 
@@ -293,7 +293,9 @@ def test_a_terminal_gets_colour_unless_it_wants_none(
     if no_color:
         environment["NO_COLOR"] = no_color
     ours, theirs = pty.openpty()
-    script = f"from wraparc.cli import main; main(['solve', {str(drive_file(tmp_path))!r}])"
+    script = (
+        f"from wraparc.cli import main; main(['solve', {str(drive_file(tmp_path))!r}, '--full'])"
+    )
     with subprocess.Popen([sys.executable, "-c", script], stdout=theirs, env=environment) as run:
         os.close(theirs)
         parts = []

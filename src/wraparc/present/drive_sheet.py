@@ -30,7 +30,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone_of, level_of, short, verdict
 from wraparc.train import Train, TrainResult
-from wraparc.units import System, display, display_unit
+from wraparc.units import System, display, display_unit, on_safe_side
 
 
 def drive_sheet(
@@ -243,7 +243,9 @@ def _least(of: DriveResult, result: ArcResult, system: System) -> str:
     found = least_tension(alone_of(of, result))
     if found is None:
         return NONE
-    return "none" if math.isinf(found.tension) else number("tension", found.tension, system)
+    if math.isinf(found.tension):
+        return "none"
+    return number("tension", on_safe_side(found.tension, "force", system), system)
 
 
 def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:

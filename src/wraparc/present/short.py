@@ -66,7 +66,7 @@ _PICKED: dict[str, _Pick] = {
     "changed": _Pick(),
     "changes": _Pick(
         rows=(
-            "Result", "Verdict", "exit_creep", "peak_shear_stress", "power_loss",
+            "Result", "Verdict", "entry_t", "exit_t", "effective", "exit_creep", "peak_shear_stress", "power_loss",
             "Least", "The same", "Belt across",
         ),
         most=12, noted=False,
@@ -83,6 +83,7 @@ _PICKED: dict[str, _Pick] = {
     "estimates": _Pick(),
     "misfit": _Pick(most=6),
     "predicted": _Pick(most=12),
+    "records": _Pick(),
     # many designs
     "groups": _Pick(tables=1000, explained=True),
     "together": _Pick(),

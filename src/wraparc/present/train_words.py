@@ -37,7 +37,7 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     others = [s for case in result if case is not worst for s in short_sentences(case, system)]
     sentences = [*first, *governing, *others]
     kept = [s for s in first if s not in told_twice(told)]
-    return in_words(told, system, sentences, [*kept, governing[0], *others])
+    return in_words(told, system, sentences, [*kept, *governing[: 1 + bool(worst.other_splits)], *others])
 
 
 def _fights(case: CaseResult) -> bool:
