@@ -30,8 +30,7 @@ def calibrate(
 ) -> int:
     """Calibrate friction and elasticities of a drive to what a calibrate FILE says was measured.
 
-    Exit code 1 if the measurements leave some parameter open: it gets no number then, and no
-    lagging file is written.
+    Exit code 1 if the data do not identify every parameter: no lagging file is written.
     """
     from wraparc.calibrate.calibration import calibrate as fit
     from wraparc.calibrate.file import calibrated_lagging, load_measured
@@ -59,7 +58,7 @@ def calibrate(
     answer.give(lambda: calibrate_sheet(found, measured.problem, *about, answer.units))
     output = answer.paths["output"]
     if output and not found.told:
-        click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
+        click.echo(f"{output} not written: the data do not identify every parameter.", err=True)
     return _TOLD if found.told else _NOT_TOLD
 
 

@@ -108,7 +108,7 @@ def _next_steps(into: Path) -> str:
             "A pulley that brakes, in US units:",
             f"solve {into / 'downhill-braking.toml'} --units us",
         ),
-        ("The calculation note, to be signed:", f"report {file} -o {into / 'note.pdf'}"),
+        ("The calculation report:", f"report {file} -o {into / 'report.pdf'}"),
         ("What is known of a lagging:", "lagging diamond-rubber"),
         ("Everything else:", "--help"),
     )

@@ -38,7 +38,7 @@ def field(
     wear_hours: tuple[str, ...],
     **said: str | None,
 ) -> int:
-    """Show what to expect of a drive FILE on site: speeds to measure, alarm levels, wear.
+    """Show what to expect of a drive FILE on site: normal slip, alarm levels, wear.
 
     The numbers are those of one pulley; the verdict, and the exit code, are those of the whole
     drive, as wraparc solve gives them.

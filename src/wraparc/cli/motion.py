@@ -31,11 +31,11 @@ from wraparc.units import System, parse_quantity
     csv="Stream every row as CSV.",
     parquet="Write every row as Parquet.",
     plot="Draw the run: .svg, .png or .pdf.",
-    checkpoint="Save the state here now and then: the same command goes on from it.",
+    checkpoint="Write checkpoints here; rerun to resume.",
 )
-@click.option("--event", metavar="NAME", default="", help="Event; the first if not given.")
-@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if not given.')
-@click.option("--every", metavar="TIME", help="Time between the rows of files; every step if not.")
+@click.option("--event", metavar="NAME", default="", help="Event; the first if left out.")
+@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if left out.')
+@click.option("--every", metavar="TIME", help="Time between rows of files; every step if left out.")
 @click.option(
     "--points", type=click.IntRange(10, 2000), default=100, show_default=True,
     help="Pieces of lagging on the shortest wrap.",
@@ -51,10 +51,10 @@ def run(
     settings: tuple[str, ...],
     quiet: bool,
 ) -> int:
-    """Follow the drives of FILE through an event: start, stop, load step, splice ...
+    """Simulate the drives of FILE through an event: start, stop, load step, splice ...
 
-    The file needs a [motion] table with the inertias and the events. Interrupt it (Ctrl-C), and
-    what was computed so far is shown.
+    The file needs a [motion] table with inertias and events. Ctrl-C ends the run and shows what was
+    computed so far.
     """
     csv_file, parquet_file, plot_file, state_file = map(
         answer.paths.get, ("csv", "parquet", "plot", "checkpoint")
@@ -101,14 +101,14 @@ def run(
     metavar="LENGTH",
     default="0.5 mm",
     show_default=True,
-    help="Amplitude to report on.",
+    help="Amplitude of the run-out.",
 )
 @click.option(
     "--over", type=click.Choice(["droop", "coupling slip"]), default="droop", show_default=True,
     help="What is varied beside inertia.",
 )  # fmt: skip
 def stability(answer: Answer, file: str, run_out: str, over: str, settings: tuple[str, ...]) -> int:
-    """Show whether the drives of FILE pulsate, why, how much, and which control cures it."""
+    """Check the drives of FILE for self-excited oscillation: cause, size, and what cures it."""
     from wraparc.motion.vibration import stability as found_by
     from wraparc.motion.vibration import stability_map
     from wraparc.present.motion_sheet import stability_sheet

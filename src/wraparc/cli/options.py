@@ -29,7 +29,7 @@ def units_option(command: _F) -> _F:
         show_default=True,
         envvar="WRAPARC_UNITS",
         show_envvar=True,
-        help="Units to show results in.",
+        help="Units of the output.",
     )(command)
 
 
@@ -40,7 +40,7 @@ def set_option(command: _F) -> _F:
         "settings",
         multiple=True,
         metavar="KEY=VALUE",
-        help='Put a value over that of the file: --set pulley.head.exit_tension="55 kN".',
+        help='Override a value of the file: --set pulley.head.exit_tension="55 kN".',
     )(command)
 
 

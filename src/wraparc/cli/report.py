@@ -93,7 +93,7 @@ def report(
     page_file: str | None,
     paper: Paper | None,
 ) -> int:
-    """Write the calculation note of a drive FILE: PDF to sign, Excel workbook or Markdown.
+    """Write the calculation report of a drive FILE: PDF, Excel or Markdown.
 
     Inputs and where they came from, assumptions, equations, results by both methods, pictures,
     checks against limits, a box to sign.

@@ -180,9 +180,8 @@ def fit(
     if not (output or own) or result.may_be_written:
         return _DONE
     click.echo(
-        f"{output or own} was not written: the law does not describe its tests "
-        f"({counted(result.misfit)} above). Mend, repeat or leave out those tests, or write it "
-        'with --accept-misfit "the reason".',
+        f"{output or own} not written: fit rejected ({counted(result.misfit)}). Fix, repeat or "
+        'leave out those tests, or use --accept-misfit "reason".',
         err=True,
     )
     return _MISFIT

@@ -70,10 +70,10 @@ def solve(
     everything: bool,
     decimal_comma: bool,
 ) -> int:
-    """Solve every pulley of a drive FILE in every load case and print the answer.
+    """Check every pulley of a drive FILE in every load case and print the answer.
 
-    One screen of it: the verdict and what to do, the checks that are missed or nearest to their
-    limits, the load cases. Several pulleys on one belt are a train, which shares its load.
+    One screen: verdict and action, checks that fail or are nearest to their limits, load cases,
+    missing data. Several pulleys on one belt share its load.
     """
     drive = load_whole(file, overrides=settings, conditions=named_conditions(conditions))
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
@@ -135,7 +135,7 @@ def code_of(level: Level) -> int:
 @click.command()
 @answers("checks", "conveyor", "inputs")
 def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
-    """Read a drive FILE, say everything that is wrong with it, and solve nothing."""
+    """Validate a drive FILE: report all its errors; solve nothing."""
     read = load_whole(file, overrides=settings)
     if isinstance(read, Drive):
         answer.give(lambda: input_sheet(read, answer.units))

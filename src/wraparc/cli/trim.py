@@ -27,14 +27,14 @@ from wraparc.units import System, display, parse_quantity
     csv="Write the trim curve as CSV; - prints it.",
     plot="Draw the curves: .svg, .png or .pdf.",
 )
-@click.option("--drive", "pulley", metavar="PULLEY", help="Drive to vary; the second if not given.")
-@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if not given.")
+@click.option("--drive", "pulley", metavar="PULLEY", help="Drive to trim; the second if left out.")
+@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if left out.")
 @click.option(
     "--span",
     nargs=2,
     metavar="LOW HIGH",
-    help='Ends of the trims: --span "99 %" "101 %". Left out, wide enough for the load to change '
-    "over.",
+    help='Range of trims: --span "99 %" "101 %"; wide enough for the load to change over if left '
+    "out.",
 )
 @click.option(
     "--points",
@@ -43,7 +43,9 @@ from wraparc.units import System, display, parse_quantity
     show_default=True,
     help="Points of every curve.",
 )
-@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a drum.")
+@click.option(
+    "--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a pulley."
+)
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
 def trim(
     answer: Answer,
@@ -58,10 +60,9 @@ def trim(
 ) -> int:
     """Show how the drives of a train FILE share the load as one speed is trimmed.
 
-    Shares are computed against speed trim, diameter and load with all other speeds held, with the
-    places where a drive begins to brake or reaches its creep limit, and with one drum worn or wet.
-    Verdict and exit code are those of wraparc solve; a train that does not carry its load has no
-    speeds to trim.
+    Load shares over speed trim, diameter and load, all other speeds held; where a drive begins to
+    brake or reaches its creep limit; shares with one pulley worn or wet. Verdict and exit code are
+    those of wraparc solve. In gross slip there is nothing to trim.
     """
     from wraparc.cli.solve import exit_code
 
@@ -137,7 +138,7 @@ def _csv(matching: Matching) -> str:
 def _drive(train: Train, pulley: str | None, file: str) -> int:
     names = [p.name for p in train.pulleys]
     if len(names) < 2:
-        message = "the file has one pulley, which shares its load with nobody"
+        message = "trim needs two or more drive pulleys; this file has one"
         raise InputError(Problem(message=message, file=file, key="pulley"))
     if pulley is None:
         return 1

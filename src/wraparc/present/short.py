@@ -66,8 +66,8 @@ _PICKED: dict[str, _Pick] = {
     "changed": _Pick(),
     "changes": _Pick(
         rows=(
-            "Result", "Verdict", "entry_t", "exit_t", "effective", "exit_creep", "peak_shear_stress", "power_loss",
-            "Least", "The same", "Belt across",
+            "Result", "Verdict", "entry_t", "exit_t", "effective", "exit_creep", "peak_shear_stress",
+            "power_loss", "Least", "The same", "Belt across",
         ),
         most=12, noted=False,
     ),

@@ -37,7 +37,8 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     others = [s for case in result if case is not worst for s in short_sentences(case, system)]
     sentences = [*first, *governing, *others]
     kept = [s for s in first if s not in told_twice(told)]
-    return in_words(told, system, sentences, [*kept, *governing[: 1 + bool(worst.other_splits)], *others])
+    kept += governing[: 1 + bool(worst.other_splits)]  # who carries what, and whether for sure
+    return in_words(told, system, sentences, [*kept, *others])
 
 
 def _fights(case: CaseResult) -> bool:
