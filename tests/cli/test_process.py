@@ -148,8 +148,8 @@ def test_a_fault_is_one_line_and_a_traceback_only_on_request(
     ran = wraparc("solve", drive_file(tmp_path))
     assert (ran.code, ran.out) == (3, "")
     assert ran.err == (
-        f"Error: a fault in wraparc {__version__} (ZeroDivisionError: by\\nzero). Please report it "
-        "with the input and with what the same command prints after `wraparc --debug`.\n"
+        f"Internal error in wraparc {__version__} (ZeroDivisionError: by\\nzero). Please report it "
+        "with the input and the output of the same command after `wraparc --debug`.\n"
     )
     with pytest.raises(ZeroDivisionError):
         wraparc("--debug", "solve", drive_file(tmp_path))
@@ -276,7 +276,7 @@ def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
     ran = wraparc_process("solve", drive_file(tmp_path), env=os.environ | {"COLUMNS": "80"})
     text = ran.stdout.decode("ascii")
     assert max(map(len, text.splitlines())) <= 80
-    for words in ("Largest slip, tested", "2.5", "150", "carries"):
+    for words in ("Peak shear stress", "2.5", "150", "carries"):
         assert words in " ".join(text.split())
 
 

@@ -292,6 +292,6 @@ def test_one_pulley_and_no_train(tmp_path: Path) -> None:
     path = tmp_path / "one.toml"
     path.write_text(text.replace(second, "").replace(SHARE, 'share = ["100 %"]'), "utf-8")
     ran = wraparc("trim", path)
-    sentence = "pulley: the file has one pulley, which shares its load with nobody."
+    sentence = "pulley: trim needs two or more drive pulleys; this file has one."
     assert ran == (2, "", f"Error: {path}: {sentence}\n")
     assert wraparc("solve", path).code == 0

@@ -112,7 +112,7 @@ def _unchecked(verdict: Verdict) -> str:
     told = (
         head if heads.count(head) > 1 else title for head, title in zip(heads, left, strict=True)
     )
-    return f"Not checked for want of data: {'; '.join(dict.fromkeys(told))}." if left else ""
+    return f"Not checked: {'; '.join(dict.fromkeys(told))}." if left else ""
 
 
 def check_data(check: Check) -> dict[str, Any]:

@@ -176,7 +176,7 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
         "T1/T2",
         f"creep [{length}]",
         "of limit",
-        f"least slack side [{force}]",
+        f"least T2 [{force}]",
         "",
     )
     rows = []

@@ -37,13 +37,18 @@ def plain_text(sheet: Sheet, width: int) -> str:
     return "\n".join(click.unstyle(line).rstrip() for line in lines_of(sheet, width))
 
 
-def table_lines(tables: Sequence[Table], width: int) -> Iterator[str]:
-    """Yield tables in lines, blank ones between them."""
+def table_lines(tables: Sequence[Table], width: int, *, close: bool = False) -> Iterator[str]:
+    """Yield tables in lines, blank ones between them; `close` puts a title beside its heads."""
     for number, table in enumerate(tables):
         if number:
             yield ""
-        yield click.style(table.title, bold=True)
-        yield from _table(table, width)
+        title, (first, *others) = table.title, [*_table(table, width), ""]
+        if close and first.startswith(" " * (_cells(title) + _GAP)):
+            yield click.style(title, bold=True) + first[_cells(title) :]
+        else:
+            yield click.style(title, bold=True)
+            yield first
+        yield from others[:-1]
         if table.note:
             yield from _item("", table.note, width)
 
@@ -58,7 +63,7 @@ def _page(sheet: Sheet, width: int) -> Iterator[str]:
             yield from _item("-", sentence, width)
     if sheet.tables:
         yield ""
-        yield from table_lines(sheet.tables, width)
+        yield from table_lines(sheet.tables, width, close=bool(sheet.foot))
     numbers = [f"[{number}]" for number in range(1, len(sheet.sources) + 1)]
     for title, marks, texts in (
         ("Remarks", ["-"] * len(sheet.remarks), sheet.remarks),

@@ -116,7 +116,7 @@ function summaryOf(judged, of) {
   const [[force], [length]] = [unit("force"), unit("length")];
   const heads = [
     ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
-    ...["of limit", `least slack side [${force}]`, ""],
+    ...["of limit", `least T2 [${force}]`, ""],
   ];
   return {
     key: "summary",
