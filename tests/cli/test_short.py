@@ -10,7 +10,7 @@ import pytest
 
 from cli.running import DRIVE, Ran, drive_file, wraparc
 from wraparc import load_drive, solve
-from wraparc.checks import Level, judge
+from wraparc.checks import Level, judge, least_tension
 from wraparc.cli.solve import TABLES
 from wraparc.present.sheet import Row, Sheet, Table, Verdict
 from wraparc.present.short import short_sheet
@@ -131,6 +131,24 @@ def test_every_command_answers_in_one_screen(
 
 def _help(command: str) -> str:
     return wraparc(command, "--help").words
+
+
+def test_the_least_tension_of_a_load_case_holds_as_it_is_shown() -> None:
+    """Rounded upwards in the table as in the sentence; expected: what the check itself found."""
+    file = EXAMPLES / "wet-season" / "wet-season-drive.toml"
+    found = least_tension(solve(load_drive(file)))
+    assert found is not None
+    ran = wraparc("solve", file)
+    (shown,) = re.findall(r"start: head .* (\S+) +over creep limit", ran.out)
+    assert found.tension <= 1e3 * float(shown) < 1.002 * found.tension
+    assert f"is kept is {shown} kN" in ran.words
+
+
+def test_every_missed_check_is_told_however_many() -> None:
+    told = Verdict(Level.FAILS, "Bad.", kept=tuple(f"ATTENTION: {n}" for n in range(20)))
+    verdict = short_sheet(Sheet("T", verdict=told)).verdict
+    assert verdict is not None
+    assert len(verdict.sentences) == 20
 
 
 # ---- what is chosen ----

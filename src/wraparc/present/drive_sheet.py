@@ -124,7 +124,8 @@ def read_sheet(
     counted += f"load cases: {', '.join(case.name for case in cases)}."
     judged = before(of)
     headline = f"{what} is in order: {counted}"
-    told = Verdict(judged.level, headline, judged.sentences(system), judged.word)
+    said = judged.sentences(system)
+    told = Verdict(judged.level, headline, said, judged.word, kept=said)
     if judged.missed:
         told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
     found = check_table(judged, system, sources, "Checks before anything is solved")

@@ -96,8 +96,8 @@ _PICKED: dict[str, _Pick] = {
     "lagging": _Pick(most=10),
     "friction": _Pick(most=12),
 }  # fmt: skip
-#: A table without a name is all that there is.
-_WHOLE = _Pick(most=100, tables=100, explained=True)
+#: What is shown of tables that are not picked, and of one without a name: it is all that there is.
+_NOTHING, _WHOLE = _Pick(tables=0), _Pick(most=100, tables=100, explained=True)
 #: Tables that go on with the one before, where both have the same columns.
 _GO_ON = ("energy", "life")
 
@@ -119,16 +119,19 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     hidden: list[tuple[Table, Sequence[Row]]] = []
     cut = 0
     for table in sheet.tables:
-        pick = _PICKED.get(table.name) if table.name else _WHOLE
+        pick = _PICKED.get(table.name, _NOTHING) if table.name else _WHOLE
         seen[table.name] += 1
-        fits = pick is not None and (names[table.name] == 1 if pick.alone else True)
-        if pick is None or not fits or seen[table.name] > pick.tables:
+        if seen[table.name] > pick.tables or (pick.alone and names[table.name] > 1):
             hidden.append((table, table.rows))
             continue
-        part, more = (table.short, 0) if table.short else _part(table, pick)
-        cut += more
-        if part is not table.short and not pick.judged:
-            hidden.append((table, [row for row in table.rows if row not in part.rows]))
+        part = table.short
+        if part is None:
+            wanted = _wanted(table, pick)
+            rows = _first(wanted, pick.most)
+            cut += len(wanted) - len(rows)
+            left = [row for row in table.rows if row not in rows]
+            hidden += [] if pick.judged else [(table, left)]
+            part = _part(table, rows, pick)
         if not part.rows:
             continue
         before = shown[-1] if shown else None
@@ -162,24 +165,32 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
     return _unnumbered(bare, len(sheet.sources))
 
 
-def _part(table: Table, pick: _Pick) -> tuple[Table, int]:
-    """Return what a pick names of a table, rows that ask for attention first; how many are cut."""
-    wanted = [
+def _wanted(table: Table, pick: _Pick) -> list[Row]:
+    """Return the rows that a pick names, and those that ask for attention."""
+    return [
         row
         for row in table.rows
         if not pick.rows or (_bad(row) and not pick.judged) or row.name.startswith(pick.rows)
         or row.title.startswith(pick.rows)
     ]  # fmt: skip
-    first = sorted(range(len(wanted)), key=lambda i: (not _bad(wanted[i]), i))[: pick.most]
-    rows = [wanted[i] for i in sorted(first)]
+
+
+def _first(rows: Sequence[Row], most: int) -> list[Row]:
+    """Return so many rows at most, those that ask for attention before the first ones."""
+    first = sorted(range(len(rows)), key=lambda i: (not _bad(rows[i]), i))[:most]
+    return [rows[i] for i in sorted(first)]
+
+
+def _part(table: Table, rows: list[Row], pick: _Pick) -> Table:
+    """Return a table of some rows, without columns that are empty in them."""
     told = [k for k in range(len(table.heads)) if any(row.values[k] != NONE for row in rows)]
     if len(told) < len(table.heads):
         rows = [replace(row, values=tuple(row.values[k] for k in told)) for row in rows]
     heads = tuple(table.heads[k] for k in told)
     if not pick.noted:
-        rows = [replace(row, note="", level=None) for row in rows]
+        rows = [replace(row, note=str(row.level) if _bad(row) else "") for row in rows]
     note = table.note if pick.explained else ""
-    return replace(table, rows=tuple(rows), heads=heads, note=note), len(wanted) - len(rows)
+    return replace(table, rows=tuple(rows), heads=heads, note=note)
 
 
 def _bad(row: Row) -> bool:
@@ -190,12 +201,14 @@ def _words(verdict: Verdict | None) -> tuple[str, ...]:
     """Return the sentences that a short answer keeps."""
     if verdict is None:
         return ()
-    return (verdict.sentences if verdict.kept is None else verdict.kept)[:_SENTENCES]
+    return verdict.sentences[:_SENTENCES] if verdict.kept is None else verdict.kept
 
 
 def _said(verdict: Verdict, sentences: tuple[str, ...]) -> Verdict:
     """Return a verdict whose headline leaves the action to a line of its own."""
-    headline = " ".join(verdict.headline.replace(verdict.action, "", 1).split())
+    headline = verdict.headline
+    if verdict.action:
+        headline = headline.replace(f" {verdict.action}", "", 1)
     return replace(verdict, headline=headline, sentences=sentences)
 
 
