@@ -16,6 +16,8 @@ _PULLEY = click.option(
 
 
 @click.command()
+@_PULLEY
+@click.option("--name", metavar="NAME", help="Name of that lagging.")
 @answers(
     "estimates",
     "correlations",
@@ -23,8 +25,6 @@ _PULLEY = click.option(
     output="Write the calibrated lagging as a file.",
     json="",
 )
-@_PULLEY
-@click.option("--name", metavar="NAME", help="Name of that lagging.")
 def calibrate(
     answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None, name: str | None
 ) -> int:
@@ -68,8 +68,8 @@ def _pulley(name: str | None) -> list[str]:
 
 
 @click.command()
-@answers("predicted", "records", plot="Draw the measurements over the prediction.")
 @_PULLEY
+@answers("predicted", "records", plot="Draw the measurements over the prediction.")
 def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None) -> int:
     """Compare the measurements that a calibrate FILE lists with the prediction of both methods."""
     from wraparc.calibrate.file import load_measured, overlays

@@ -12,13 +12,6 @@ _FOUND, _NONE_FEASIBLE = 0, 1
 
 
 @click.command()
-@answers(
-    "ranking",
-    "rejected",
-    json="",
-    csv="Write every design as CSV; - prints it.",
-    plot="Draw cost against creep and T2.",
-)
 @click.option(
     "--rows",
     type=click.IntRange(1, 1000),
@@ -27,13 +20,20 @@ _FOUND, _NONE_FEASIBLE = 0, 1
     help="Designs to print at most, with --full.",
 )
 @click.option("--lightest-belt", is_flag=True, help="Also find the lightest belt of the catalogue.")
+@answers(
+    "ranking",
+    "rejected",
+    json="",
+    csv="Write every design as CSV; - prints it.",
+    plot="Draw cost against creep and T2.",
+)
 def choose(
     answer: Answer, file: str, settings: tuple[str, ...], rows: int, lightest_belt: bool
 ) -> int:
-    """Choose lagging, belt, pulley and take-up: solve every candidate of a choose FILE.
+    """Rank the candidates of a choose FILE: lagging, belt, pulley and take-up.
 
-    Prints the designs that keep every limit, cheapest over the years first, and why each other
-    one was rejected. Exit code 1 if no candidate keeps every limit.
+    Prints the feasible designs by cost over the years, and why each other one was rejected. Exit
+    code 1 if none is feasible.
     """
     from wraparc.choose.file import load_search
     from wraparc.choose.selection import choose as choose_design

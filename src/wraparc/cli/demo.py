@@ -30,7 +30,7 @@ _PICTURE = "head-drive-fabric.svg"
 )
 @units_option
 def demo(into: Path, units: System) -> int:
-    """Solve an example drive, draw it, and lay out all examples in a folder.
+    """Copy all examples to a folder, solve one and draw it.
 
     Files that are already there are kept and used as they are: change one and run it again.
     """

@@ -36,7 +36,9 @@ def event_study(
     """Follow an event for every design: rows to a file, a table on standard output."""
     for option in (option for option, given in spare.items() if given):
         message = "is not for a study over an event"
-        remedy = "It knows -o, --set, --units, --json, --plot, --resume and --dry-run."
+        remedy = (
+            "It knows -o, --set, --units, --full, --table, --json, --plot, --resume and --dry-run."
+        )
         raise InputError(Problem(key=option, message=message, remedy=remedy))
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.csv"
     answer.check([file], {"--output": (path, SUFFIXES)})

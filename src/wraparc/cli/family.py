@@ -10,11 +10,6 @@ from wraparc.units import parse_number
 
 
 @click.command()
-@answers(
-    settings=False,
-    json="Write the curves as JSON; - prints them.",
-    plot="Draw the curves: .svg, .png or .pdf.",
-)
 @click.option(
     "--ratios",
     required=True,
@@ -22,6 +17,11 @@ from wraparc.units import parse_number
     help="Tight-side over slack-side tensions: 1.5,2,3. The tight side stays as it is.",
 )
 @place_options
+@answers(
+    settings=False,
+    json="Write the curves as JSON; - prints them.",
+    plot="Draw the curves: .svg, .png or .pdf.",
+)
 def family(
     answer: Answer, file: str, ratios: str, pulley: str | None, load_case: str | None
 ) -> int:

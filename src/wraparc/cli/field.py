@@ -13,7 +13,6 @@ from wraparc.units import parse_number
 
 
 @click.command()
-@answers("speeds", "levels", "wear", json="")
 @click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
 @click.option("--hours", multiple=True, metavar="CASE=HOURS", help="Hours of running in a year.")
 @click.option("--wear-coefficient", metavar="VALUE", help='Energetic wear: "0.001 mm3/J".')
@@ -29,6 +28,7 @@ from wraparc.units import parse_number
     metavar="LENGTH",
     help="Depth of lagging that may be worn off; half its thickness if left out.",
 )
+@answers("speeds", "levels", "wear", json="")
 def field(
     answer: Answer,
     file: str,
@@ -40,8 +40,7 @@ def field(
 ) -> int:
     """Show what to expect of a drive FILE on site: normal slip, alarm levels, wear.
 
-    The numbers are those of one pulley; the verdict, and the exit code, are those of the whole
-    drive, as wraparc solve gives them.
+    The numbers are for one pulley; verdict and exit code for the whole drive, as in wraparc solve.
     """
     from wraparc.checks import judge
     from wraparc.cli.solve import exit_code

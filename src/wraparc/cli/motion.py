@@ -24,6 +24,14 @@ from wraparc.units import System, parse_quantity
 
 
 @click.command()
+@click.option("--event", metavar="NAME", default="", help="Event; the first if left out.")
+@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if left out.')
+@click.option("--every", metavar="TIME", help="Time between rows of files; every step if left out.")
+@click.option(
+    "--points", type=click.IntRange(10, 2000), default=100, show_default=True,
+    help="Pieces of lagging on the shortest wrap.",
+)  # fmt: skip
+@click.option("--quiet", is_flag=True, help="Show no progress.")
 @answers(
     "event",
     "drums",
@@ -33,14 +41,6 @@ from wraparc.units import System, parse_quantity
     plot="Draw the run: .svg, .png or .pdf.",
     checkpoint="Write checkpoints here; rerun to resume.",
 )
-@click.option("--event", metavar="NAME", default="", help="Event; the first if left out.")
-@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if left out.')
-@click.option("--every", metavar="TIME", help="Time between rows of files; every step if left out.")
-@click.option(
-    "--points", type=click.IntRange(10, 2000), default=100, show_default=True,
-    help="Pieces of lagging on the shortest wrap.",
-)  # fmt: skip
-@click.option("--quiet", is_flag=True, help="Show no progress.")
 def run(
     answer: Answer,
     file: str,
@@ -90,12 +90,6 @@ def run(
 
 
 @click.command()
-@answers(
-    "vibrations",
-    "controls",
-    map="Draw a map over droop and inertia.",
-    plot="Draw responses and controls.",
-)
 @click.option(
     "--run-out",
     metavar="LENGTH",
@@ -107,6 +101,12 @@ def run(
     "--over", type=click.Choice(["droop", "coupling slip"]), default="droop", show_default=True,
     help="What is varied beside inertia.",
 )  # fmt: skip
+@answers(
+    "vibrations",
+    "controls",
+    map="Draw a map over droop and inertia.",
+    plot="Draw responses and controls.",
+)
 def stability(answer: Answer, file: str, run_out: str, over: str, settings: tuple[str, ...]) -> int:
     """Check the drives of FILE for self-excited oscillation: cause, size, and what cures it."""
     from wraparc.motion.vibration import stability as found_by

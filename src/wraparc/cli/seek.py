@@ -9,7 +9,6 @@ from wraparc.cli.options import place_options
 
 
 @click.command()
-@answers("values", json="")
 @click.option(
     "--vary", "field", required=True, metavar="KEY", help="The input: pulley.head.wrap_angle."
 )
@@ -18,6 +17,7 @@ from wraparc.cli.options import place_options
 @place_options
 @click.option("--from", "least", metavar="VALUE", help="Least input; a third if left out.")
 @click.option("--to", "most", metavar="VALUE", help="Most; three times if left out.")
+@answers("values", json="")
 def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | None) -> int:
     """Find every value of an input of a drive FILE that gives a wanted result.
 

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='Token that requests must carry, needed beyond this machine; "new" makes one. Other users '
-    "see what stands here: one of your own is safer in WRAPARC_TOKEN.",
+    help='Access token, required beyond this machine; "new" makes one. Other users see what is '
+    "given here: WRAPARC_TOKEN is safer.",
     envvar="WRAPARC_TOKEN",
 )
 @click.option("--new-token", is_flag=True, help="Replace your token; the old one stops working.")

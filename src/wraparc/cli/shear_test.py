@@ -100,12 +100,6 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
 
 
 @click.command()
-@answers(
-    "law", "slips", "static", "measured", "tests", "coefficients", "budget", "equations", "forms",
-    "prediction", "shear", "files", "remarks", "left-out", "unused", "rig", "laws",
-    settings=False, argument="plan", checked=False, output="Write the lagging file, .toml.",
-    json="",
-)  # fmt: skip
 @click.option(
     "--name",
     metavar="NAME",
@@ -129,6 +123,12 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     help="Fit other laws to the same tests and show them side by side, with AICc.",
 )
 @click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
+@answers(
+    "law", "slips", "static", "measured", "tests", "coefficients", "budget", "equations", "forms",
+    "prediction", "shear", "files", "remarks", "left-out", "unused", "rig", "laws",
+    settings=False, argument="plan", checked=False, output="Write the lagging file, .toml.",
+    json="",
+)  # fmt: skip
 def fit(
     answer: Answer,
     plan: str,

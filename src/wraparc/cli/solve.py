@@ -40,13 +40,6 @@ TABLES = (
 
 
 @click.command()
-@answers(
-    *TABLES,
-    json="",
-    csv="Write the profiles as CSV; - prints them.",
-    plot="",
-    map="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
-)
 @click.option(
     "--method",
     type=click.Choice(list(METHODS)),
@@ -59,6 +52,13 @@ TABLES = (
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
 @click.option("--all", "everything", is_flag=True, help="Show every arc in full; as --full.")
 @click.option("--decimal-comma", is_flag=True, help="CSV with decimal commas and semicolons.")
+@answers(
+    *TABLES,
+    json="",
+    csv="Write the profiles as CSV; - prints them.",
+    plot="",
+    map="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
+)
 def solve(
     answer: Answer,
     file: str,

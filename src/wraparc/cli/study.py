@@ -25,11 +25,6 @@ _DONE = 0
 
 
 @click.command()
-@answers(
-    "groups", "together", "convergence", "indices", "alone", "varied", "designs", checked=False,
-    json="Write the summary as JSON; - prints it.", plot="Draw the summary.",
-    report="Write summary and pictures as HTML.",
-)  # fmt: skip
 @click.option(
     "-o",
     "--output",
@@ -59,6 +54,11 @@ _DONE = 0
     "--confirm", type=int, metavar="ROWS", help="Run a large study; its number of rows confirms it."
 )
 @click.option("--dry-run", is_flag=True, help="Check everything and show the size; solve nothing.")
+@answers(
+    "groups", "together", "convergence", "indices", "alone", "varied", "designs", checked=False,
+    json="Write the summary as JSON; - prints it.", plot="Draw the summary.",
+    report="Write summary and pictures as HTML.",
+)  # fmt: skip
 def study(
     answer: Answer,
     file: str,
@@ -72,10 +72,9 @@ def study(
     confirm: int | None,
     dry_run: bool,
 ) -> int:
-    """Solve a study FILE: grid, random draws, load cases, Monte Carlo or sensitivity.
+    """Solve a study FILE: grid, random samples, load cases, Monte Carlo or sensitivity.
 
-    Results go to a Parquet file as they are solved. Ctrl-C keeps what is done; --resume goes on
-    from there.
+    Results are written to a Parquet file as they are solved. Ctrl-C keeps them; --resume continues.
     """
     from wraparc.cli.event_study import event_study, over_an_event
 

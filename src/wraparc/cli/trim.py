@@ -17,16 +17,6 @@ from wraparc.units import System, display, parse_quantity
 
 
 @click.command()
-@answers(
-    "drives",
-    "trim",
-    "diameter",
-    "load",
-    "changed",
-    json="Write the curves as JSON; - prints them.",
-    csv="Write the trim curve as CSV; - prints it.",
-    plot="Draw the curves: .svg, .png or .pdf.",
-)
 @click.option("--drive", "pulley", metavar="PULLEY", help="Drive to trim; the second if left out.")
 @click.option("--load-case", metavar="NAME", default="", help="Load case; the first if left out.")
 @click.option(
@@ -47,6 +37,16 @@ from wraparc.units import System, display, parse_quantity
     "--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a pulley."
 )
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
+@answers(
+    "drives",
+    "trim",
+    "diameter",
+    "load",
+    "changed",
+    json="Write the curves as JSON; - prints them.",
+    csv="Write the trim curve as CSV; - prints it.",
+    plot="Draw the curves: .svg, .png or .pdf.",
+)
 def trim(
     answer: Answer,
     file: str,

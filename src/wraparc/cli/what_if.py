@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
 
 @click.command("what-if")
-@answers("changes", "width", settings=False, json="")
 @place_options
 @click.option("--belt", "belts", multiple=True, metavar="NAME", help="A belt of the catalogue.")
 @click.option(
@@ -40,14 +39,14 @@ if TYPE_CHECKING:
     metavar="KEY=VALUE",
     help="Any other value: belt.width=1400 mm.",
 )
+@answers("changes", "width", settings=False, json="")
 def what_if(
     answer: Answer, file: str, pulley: str | None, load_case: str | None, **said: object
 ) -> int:
-    """Show a pulley of a drive FILE before and after changes, with the reason for each.
+    """Compare a pulley of a drive FILE before and after changes, with the reason for each.
 
-    Every change is one column of the table, each made to the drive as it is in the file. Verdicts
-    are those of the whole drive, all pulleys in all load cases, as wraparc solve gives them; the
-    exit code is that of the drive as it is.
+    Every change is one column, made to the drive as it is in the file. Verdicts are for the whole
+    drive, as in wraparc solve; the exit code is that of the drive as it is.
     """
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
