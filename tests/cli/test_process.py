@@ -73,7 +73,7 @@ def test_help_lists_every_command_and_the_exit_codes() -> None:
     for name, command in COMMANDS.items():
         assert f"{name} {command.help}" in ran.words
     assert (
-        "1 solved, and the verdict is FAILS: gross slip, or a limit that must be kept" in ran.words
+        "1 FAILS: gross slip, or a mandatory limit exceeded" in ran.words
     )
 
 
