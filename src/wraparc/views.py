@@ -27,8 +27,12 @@ class Viewable:
     """Something that can be shown: as text, as HTML, as a picture, as a data frame."""
 
     def __str__(self) -> str:
-        """Return the answer and its first table, as ``print`` shows it; `repr` holds it all."""
+        """Return the short answer, as ``print`` shows it; `repr` holds all numbers."""
         return str(view("text", self))
+
+    def full(self) -> str:
+        """Return all that there is to show of it, as text."""
+        return str(view("text", self, full=True))
 
     def _repr_html_(self) -> str:
         return str(view("html", self))

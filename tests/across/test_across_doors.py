@@ -254,7 +254,7 @@ def test_missing_stiffness_is_estimated_and_said() -> None:
     assert (found.low, found.value, found.high) == (10e3, 40e3, 160e3)
     verdict = judge(solve(_with(drive), raise_on_failure=False))
     assert any("in-plane shear stiffness" in words for words in verdict.data)
-    told = wraparc("solve", CORD).words
+    told = wraparc("solve", CORD, "--full").words
     low, high = screen(drive, drive.pulleys[0], drive.load_cases[0]).band
     assert "estimated for steel cord, between 10 and 160 kN/m" in told
     assert f"then {low:.3f} to {high:.3f} times its mean at most" in told
@@ -273,7 +273,7 @@ def test_an_even_drive_is_not_asked_about_its_width() -> None:
 def test_the_command_line_tells_and_draws(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("COLUMNS", "140")  # names of rows on one line
     told, data, picture = tmp_path / "told", tmp_path / "out.json", tmp_path / "map.svg"
-    ran = wraparc("solve", FABRIC, "--set", *FEW, "--json", data, "--map", picture)
+    ran = wraparc("solve", FABRIC, "--set", *FEW, "--json", data, "--map", picture, "--full")
     assert ran.code == 0
     for words in (
         "Across the width: pulley head, load case design",

@@ -81,7 +81,7 @@ def test_the_command(tmp_path: Path) -> None:
     file = drive_file(tmp_path)
     ran = wraparc(
         "field", file, "--hours", "design=6000", "--measured-wear", "4 mm",
-        "--wear-hours", "design=12000", "--depth", "6 mm",
+        "--wear-hours", "design=12000", "--depth", "6 mm", "--full",
     )  # fmt: skip
     assert ran.code == 0, ran.err
     # half the hours of the measured wear: half of it, and three years for 6 mm

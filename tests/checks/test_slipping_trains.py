@@ -114,14 +114,14 @@ def test_every_door_gives_the_verdict_of_the_whole_file(
     ):
         assert ran.code == 1, ran.err
         assert "FAILS" in ran.out.splitlines()[3]
-        assert headline in ran.words
+        assert headline in ran.words.replace("Action: ", "")
         assert "OK, on" not in ran.out
 
 
 def test_trim_says_why_there_is_nothing_to_trim(slipping: Path) -> None:
     ran = wraparc("trim", slipping)
     assert ran.code == 1
-    assert judge(solved(slipping)).headline() in ran.words
+    assert judge(solved(slipping)).headline() in ran.words.replace("Action: ", "")
     assert "every speed must be positive" not in ran.words + ran.err
 
 

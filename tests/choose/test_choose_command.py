@@ -26,7 +26,7 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_the_example_chooses_and_says_why_not() -> None:
-    ran = wraparc("choose", EXAMPLES / "choose.toml")
+    ran = wraparc("choose", EXAMPLES / "choose.toml", "--full")
     assert ran.code == 0, ran.err
     assert "Choose full-ceramic" in ran.words
     assert "diamond-rubber creep 10.6 mm, at most 6.35 mm (68 % over) [start, wet]" in ran.words

@@ -82,7 +82,7 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
     file = drive_file(tmp_path)
     ran = wraparc(
         "what-if", file, "--other-carcass", "--thickness", "20 mm", "--wet", "0.8",
-        "--lagging", "full-ceramic", "--change", "pulley.head.wrap_angle=210 deg",
+        "--lagging", "full-ceramic", "--change", "pulley.head.wrap_angle=210 deg", "--full",
     )  # fmt: skip
     assert ran.code == 0, ran.err
     assert "Flexsteel ST1250: belt shrinkage goes from 2.72 mm to" in ran.words
@@ -141,7 +141,7 @@ def test_wear_and_wet_keep_the_direction_of_the_model(tmp_path: Path) -> None:
 def test_a_new_take_up_tension_says_what_pull_it_implies(tmp_path: Path) -> None:
     """The file holds T1 = 150 kN and T2 = 60 kN: T2 = 30 kN alone means a pull of 120 kN."""
     change = "pulley.head.exit_tension=30 kN"
-    ran = wraparc("what-if", drive_file(tmp_path), "--change", change)
+    ran = wraparc("what-if", drive_file(tmp_path), "--change", change, "--full")
     assert (
         f"{change}: with T2 from 60 kN to 30 kN, T1 held, the pull T1 - T2 goes from "
         "90 kN to 120 kN; a take-up alone leaves the pull as it is" in ran.words

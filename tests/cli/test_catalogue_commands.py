@@ -20,7 +20,7 @@ def test_laggings_lists_all_with_their_origin() -> None:
 
 def test_lagging_shows_law_coefficients_and_design_values() -> None:
     """Expected A and b: A = -mu_pk/x_pk, b = A (1 + ln x_pk) of the knot 1.24, 16.5 mm."""
-    ran = wraparc("lagging", "full-ceramic")
+    ran = wraparc("lagging", "full-ceramic", "--full")
     assert ran.code == 0
     assert "A [1/mm] b [1/mm] x_pk [mm] mu_pk m [1/mm] mu_res" in ran.words
     assert "207 kPa -0.07515 -0.28583 16.5 1.240 0 1.240" in ran.words
@@ -30,7 +30,7 @@ def test_lagging_shows_law_coefficients_and_design_values() -> None:
 
 def test_lagging_in_us_units() -> None:
     """A_in = 25.4 A_mm; 16.5 mm = 0.6496 in."""
-    ran = wraparc("lagging", "full-ceramic", "--units", "us")
+    ran = wraparc("lagging", "full-ceramic", "--units", "us", "--full")
     assert f"30.0 psi {-1.24 / 16.5 * 25.4:.5f}" in ran.words
     assert "A [1/in] b [1/in] x_pk [in]" in ran.words
     assert "0.650" in ran.words
@@ -43,7 +43,7 @@ def test_lagging_of_a_file(tmp_path: Path) -> None:
         'friction = 0.4\n[[law]]\ncondition = "wet"\nkind = "constant"\nfriction = 0.25\n',
         "utf-8",
     )
-    ran = wraparc("lagging", path)
+    ran = wraparc("lagging", path, "--full")
     assert ran.code == 0
     assert "Lagging (dry)" in ran.out
     assert "Friction mu(x, p) (wet)" in ran.out

@@ -73,7 +73,7 @@ def test_help_lists_every_command_and_the_exit_codes() -> None:
     for name, command in COMMANDS.items():
         assert f"{name} {command.help}" in ran.words
     assert (
-        "1 solved, and the verdict is FAILS: gross slip, or a limit that must be kept" in ran.words
+        "1 FAILS: gross slip, or a mandatory limit exceeded" in ran.words
     )
 
 
@@ -148,8 +148,8 @@ def test_a_fault_is_one_line_and_a_traceback_only_on_request(
     ran = wraparc("solve", drive_file(tmp_path))
     assert (ran.code, ran.out) == (3, "")
     assert ran.err == (
-        f"Error: a fault in wraparc {__version__} (ZeroDivisionError: by\\nzero). Please report it "
-        "with the input and with what the same command prints after `wraparc --debug`.\n"
+        f"Internal error in wraparc {__version__} (ZeroDivisionError: by\\nzero). Please report it "
+        "with the input and the output of the same command after `wraparc --debug`.\n"
     )
     with pytest.raises(ZeroDivisionError):
         wraparc("--debug", "solve", drive_file(tmp_path))
@@ -276,7 +276,7 @@ def test_the_width_of_a_pipe_can_be_given(tmp_path: Path) -> None:
     ran = wraparc_process("solve", drive_file(tmp_path), env=os.environ | {"COLUMNS": "80"})
     text = ran.stdout.decode("ascii")
     assert max(map(len, text.splitlines())) <= 80
-    for words in ("Slip at exit", "2.5", "150", "carries"):
+    for words in ("Peak shear stress", "2.5", "150", "carries"):
         assert words in " ".join(text.split())
 
 
@@ -293,7 +293,9 @@ def test_a_terminal_gets_colour_unless_it_wants_none(
     if no_color:
         environment["NO_COLOR"] = no_color
     ours, theirs = pty.openpty()
-    script = f"from wraparc.cli import main; main(['solve', {str(drive_file(tmp_path))!r}])"
+    script = (
+        f"from wraparc.cli import main; main(['solve', {str(drive_file(tmp_path))!r}, '--full'])"
+    )
     with subprocess.Popen([sys.executable, "-c", script], stdout=theirs, env=environment) as run:
         os.close(theirs)
         parts = []

@@ -72,7 +72,7 @@ def test_json_has_the_curves_and_their_marks() -> None:
 def test_the_words_answer_who_why_and_what_equalises(tmp_path: Path) -> None:
     """At one speed the second drum of the fabric tandem takes most; the slower trim equalises."""
     path = changed(tmp_path, (SHARE, 'speeds = "equal"'))
-    ran = wraparc("trim", path, "--points", 5)
+    ran = wraparc("trim", path, "--points", 5, "--full")
     assert (ran.code, ran.err) == (0, "")
     even = expected().equal["second"]
     trim = 100 * even.speed_trim
@@ -99,7 +99,7 @@ def test_the_words_answer_who_why_and_what_equalises(tmp_path: Path) -> None:
 
 
 def test_the_rule_holds_on_the_steel_cord_belt() -> None:
-    ran = wraparc("solve", STEEL)
+    ran = wraparc("solve", STEEL, "--full")
     assert ran.code == 0
     assert re.search(
         r"The drum of second must turn 0\.\d{3} % faster than that of first, .*: its extra creep "
@@ -117,7 +117,7 @@ def test_drives_that_fight_are_told(tmp_path: Path) -> None:
         "Tandem head drive, fabric belt ATTENTION Load case empty: The drives work against each "
         "other with 8.77 kN of pull."
     )
-    ran = wraparc("solve", path, "--load-case", "empty")
+    ran = wraparc("solve", path, "--load-case", "empty", "--full")
     pull = solve_train(load_train(path)).cases[1]["second"].arc.effective_tension
     assert (
         f"The drives fight: first drives while second brakes, {-pull / 1e3:#.3g} kN of pull "
@@ -128,7 +128,7 @@ def test_drives_that_fight_are_told(tmp_path: Path) -> None:
 def test_motors_are_told_by_their_setting() -> None:
     """Motors have their own way with speeds: what would equalise is a change of their setting."""
     path = EXAMPLES / "triple-steel-cord.toml"
-    ran = wraparc("trim", path, "--points", 5)
+    ran = wraparc("trim", path, "--points", 5, "--full")
     assert (ran.code, ran.err) == (0, "")
     found = re.search(
         r"head 2 carries more than its equal part: a motor set (0\.\d\d) % slower would", ran.words
@@ -162,6 +162,7 @@ def test_a_drive_a_span_and_files(tmp_path: Path) -> None:
     ran = wraparc(
         "trim", STEEL, "--points", 3, "--drive", "second", "--load-case", "empty", "--wear", "0 mm",
         "--span", "99.9 %", "1.001", "--units", "us", "--plot", picture, "--json", data,
+        "--full",
     )  # fmt: skip
     assert (ran.code, ran.err) == (0, f"Wrote {data}\nWrote {picture}\n")
     assert "Speed trim of second from 99.900 % to 100.100 %." in ran.words
@@ -291,6 +292,6 @@ def test_one_pulley_and_no_train(tmp_path: Path) -> None:
     path = tmp_path / "one.toml"
     path.write_text(text.replace(second, "").replace(SHARE, 'share = ["100 %"]'), "utf-8")
     ran = wraparc("trim", path)
-    sentence = "pulley: the file has one pulley, which shares its load with nobody."
+    sentence = "pulley: trim needs two or more drive pulleys; this file has one."
     assert ran == (2, "", f"Error: {path}: {sentence}\n")
     assert wraparc("solve", path).code == 0

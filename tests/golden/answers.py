@@ -101,7 +101,8 @@ def cli_trim() -> Answers:
 
 def cli_fit() -> Answers:
     """``wraparc fit``: JSON, lagging file and the report printed."""
-    told = wraparc("fit", "shear_tests/plan.toml", "-o", "lagging.toml", "--json", "out.json")
+    more = ["-o", "lagging.toml", "--json", "out.json", "--full"]
+    told = wraparc("fit", "shear_tests/plan.toml", *more)
     return {
         "shear_tests": json.loads(Path("out.json").read_text("utf-8")),
         "shear_tests lagging": tomllib.loads(Path("lagging.toml").read_text("utf-8")),
@@ -132,7 +133,8 @@ def _coded(values: list[Any]) -> list[Any]:
 def cli_choose() -> Answers:
     """``wraparc choose``: JSON, CSV, text."""
     file = "wet-season/choose.toml"
-    told = wraparc("choose", file, "--lightest-belt", "--json", "out.json", "--csv", "out.csv")
+    more = ["--lightest-belt", "--json", "out.json", "--csv", "out.csv", "--full"]
+    told = wraparc("choose", file, *more)
     return {
         "wet-season": json.loads(Path("out.json").read_text("utf-8")),
         "wet-season csv": _csv(Path("out.csv").read_text("utf-8")),
@@ -144,11 +146,11 @@ def cli_calibrate() -> Answers:
     """``wraparc calibrate``: JSON, lagging file, text; ``overlay``; ``virtual-record``."""
     found: Answers = {}
     for name in MEASURED:
-        told = wraparc("calibrate", _file(name), "-o", "out.toml", "--json", "out.json")
+        told = wraparc("calibrate", _file(name), "-o", "out.toml", "--json", "out.json", "--full")
         found[name] = json.loads(Path("out.json").read_text("utf-8"))
         found[f"{name} text"] = told
         found[f"{name} lagging"] = tomllib.loads(Path("out.toml").read_text("utf-8"))
-        found[f"{name} overlay"] = wraparc("overlay", _file(name))
+        found[f"{name} overlay"] = wraparc("overlay", _file(name), "--full")
     drive = "wet-season/wet-season-drive.toml"
     wraparc("virtual-record", drive, "record.csv", "--samples", 600, "--revolutions", 2)
     found["virtual record"] = _csv(Path("record.csv").read_text("utf-8"))
@@ -165,7 +167,7 @@ def cli_what_if() -> Answers:
             "diamond-rubber" if ceramic else "full-ceramic", "--thickness", "10 mm", "--worn",
             "6 mm", "--bare", "CEMA", "--wet", "DIN 22101",
         ]  # fmt: skip
-        told = wraparc("what-if", _file(name), *changes, "--json", "out.json")
+        told = wraparc("what-if", _file(name), *changes, "--json", "out.json", "--full")
         found[name] = json.loads(Path("out.json").read_text("utf-8"))
         found[f"{name} text"] = told
     return found
@@ -177,7 +179,7 @@ def cli_field() -> Answers:
     for name in DRIVES:
         wear = ["--wear-coefficient", "0.001 mm3/J", "--hours", "design=6000"]
         speed = ["--set", 'belt.speed="3 m/s"'] if name == "test-pulley-calibrated" else []
-        told = wraparc("field", _file(name), *wear, *speed, "--json", "out.json")
+        told = wraparc("field", _file(name), *wear, *speed, "--json", "out.json", "--full")
         found[name] = json.loads(Path("out.json").read_text("utf-8"))
         found[f"{name} text"] = told
     return found
@@ -198,15 +200,39 @@ def cli_text() -> Answers:
     found: Answers = {}
     for units in ("si", "us"):
         for name in TEXTS if units == "us" else (*DRIVES[:4], *TRAINS[:2]):
-            found[f"solve {name} {units}"] = wraparc("solve", _file(name), "--units", units)
+            found[f"solve {name} {units}"] = wraparc(
+                "solve", _file(name), "--units", units, "--full"
+            )
         for name in LAGGINGS:
-            found[f"lagging {name} {units}"] = wraparc("lagging", name, "--units", units)
+            found[f"lagging {name} {units}"] = wraparc("lagging", name, "--units", units, "--full")
         found[f"belts {units}"] = wraparc("belts", "--units", units)
         found[f"laggings {units}"] = wraparc("laggings", "--units", units)
     for name in (*DRIVES, *TRAINS):
-        found[f"check {name}"] = wraparc("check", _file(name))
+        found[f"check {name}"] = wraparc("check", _file(name), "--full")
     for file in sorted(Path("shear_tests").glob("dry-00*")):
         found[f"read {file.name}"] = wraparc("read", file)
+    return found
+
+
+def cli_short() -> Answers:
+    """The short answer of every command."""
+    found: Answers = {}
+    asked: list[tuple[str, ...]] = [
+        *(("solve", _file(name)) for name in (*DRIVES, *TRAINS)),
+        *(("solve", _file(name), "--units", "us") for name in TEXTS),
+        ("trim", _file(TRAINS[0]), "--points", "9"),
+        ("run", _file(TRAINS[0])),
+        ("stability", _file(TRAINS[0])),
+        ("choose", "wet-season/choose.toml"),
+        ("what-if", _file(DRIVES[-1]), "--other-carcass", "--wet", "DIN 22101"),
+        ("field", _file(DRIVES[-1])),
+        ("fit", "shear_tests/plan.toml"),
+        ("study", "studies/load-cases.toml", "-o", "out.parquet"),
+        *(("calibrate", _file(name)) for name in MEASURED),
+    ]
+    for arguments in asked:
+        found[" ".join(arguments)] = wraparc(*arguments)
+    Path("out.parquet").unlink()
     return found
 
 
@@ -289,7 +315,7 @@ DOORS: dict[str, Callable[[], Answers]] = {
     found.__name__.replace("_", "-"): found
     for found in (
         library, batch, cli_solve, cli_trim, cli_fit, cli_study, cli_choose, cli_calibrate,
-        cli_what_if, cli_field, cli_report, cli_text, web_drives, web_compare, web_trains,
-        web_catalogue, web_study, web_shear_tests,
+        cli_what_if, cli_field, cli_report, cli_text, cli_short, web_drives, web_compare,
+        web_trains, web_catalogue, web_study, web_shear_tests,
     )
 }  # fmt: skip

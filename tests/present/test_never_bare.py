@@ -34,5 +34,5 @@ def test_a_thinner_lagging_is_compressed_less_on_a_brake_too() -> None:
 
     S = 1 and 2.5, k = 0.54; the creep that compression makes is negative there.
     """
-    ran = wraparc("what-if", example("downhill-braking"), "--worn", "6 mm")
+    ran = wraparc("what-if", example("downhill-braking"), "--worn", "6 mm", "--full")
     assert "the lagging is compressed less (h/E_c times 0.141)" in ran.words

@@ -140,8 +140,8 @@ def test_a_breakaway_shows_no_state_that_was_not_asked_for() -> None:
     sheet = drive_sheet([solved(150e3, 2e3)])
     titles = [t.title.partition(":")[0] for t in sheet.tables]
     assert titles == [
-        "Checks", "Least slack-side tension", "Loads of pulleys and belt", "Capacity",
-        "Compared with constant friction",
+        "Checks", "Least slack-side tension", "All load cases and pulleys",
+        "Loads of pulleys and belt", "Capacity", "Compared with constant friction",
         "Inputs",
     ]  # fmt: skip
 

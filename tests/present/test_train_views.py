@@ -27,10 +27,10 @@ def tandem() -> TrainResult:
 def test_it_shows_its_drives() -> None:
     text = " ".join(checked(tandem()._repr_html_()).text)
     assert "OK, on illustrative data. All 11 checks are kept" in text
-    assert "Drives: load case design" in text
-    assert "Drives: load case empty" in text
-    assert "Speed by belt contraction" in text
-    assert "Speed by extra creep" in text
+    assert "Load case design: first carries 50 %, second carries 50 %." in text
+    full = tandem().full()
+    for words in ("Drives: load case design", "Drives: load case empty", "Speed by extra"):
+        assert words in full
 
 
 def test_its_frame_has_a_row_for_each_drive_of_each_case() -> None:

@@ -69,8 +69,8 @@ def test_they_are_asked_for_by_name(tmp_path: Path) -> None:
     assert wraparc("rig", tmp_path / "lab", "--pressures", "69", "--repeats", 1, "--points", 60,
                    "--dialect", "bluehill").code == 0  # fmt: skip
     plan = tmp_path / "lab" / "plan.toml"
-    assert "Laws side by side" not in wraparc("fit", plan).words
-    assert "Laws side by side" in wraparc("fit", plan, "--compare-laws").words
+    assert "Laws side by side" not in wraparc("fit", plan, "--full").words
+    assert "Laws side by side" in wraparc("fit", plan, "--compare-laws", "--full").words
     document = wraparc("fit", plan, "--compare-laws", "--json", "-").json
     laws = document["conditions"][0]["laws"]
     assert len(laws) == 5

@@ -47,7 +47,9 @@ def test_a_run_has_the_words_and_numbers_of_the_command_line(api: TestClient) ->
     assert answer["state"] == "done"
     # expected: what `wraparc run` and `wraparc stability` print
     settings = ("--set", "motion.event.start.duration=3 s", "--points", "20", "--quiet")
-    told = wraparc("run", FABRIC, *settings).out + wraparc("stability", FABRIC).out
+    told = (
+        wraparc("run", FABRIC, *settings, "--full").out + wraparc("stability", FABRIC, "--full").out
+    )
     told = " ".join(told.split())
     for part in ("run", "stability"):
         verdict = answer[part]["verdict"]

@@ -33,7 +33,7 @@ def printed(*command: str) -> str:
     """Return what a command prints, on lines that hold everything."""
     with pytest.MonkeyPatch.context() as wide:
         wide.setenv("COLUMNS", "4000")
-        return words(wraparc(*command)[1])
+        return words(wraparc(*command, "--full")[1])
 
 
 def told(sheet: Any, system: str = "si") -> list[str]:

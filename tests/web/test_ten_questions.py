@@ -58,7 +58,7 @@ def words(text: str) -> str:
 def printed(*command: str) -> str:
     with pytest.MonkeyPatch.context() as wide:
         wide.setenv("COLUMNS", "4000")
-        return words(wraparc(*command)[1])
+        return words(wraparc(*command, "--full")[1])
 
 
 def cells(table: Locator) -> list[str]:

@@ -310,6 +310,10 @@ class Verdict:
         """The checks of `listed` that are not kept, the worst first."""
         return tuple(sorted((c for c in self.listed if c.missed), key=_badness))
 
+    def nearness(self, check: Check) -> tuple[float, float]:
+        """Return the key that sorts checks: the worst, then the nearest to its limit, first."""
+        return _badness(check)
+
     @property
     def data(self) -> tuple[str, ...]:
         """On what data the answer stands: what is illustrative, estimated, without tests."""

@@ -1,6 +1,6 @@
 """The command line: reads arguments, calls the library, shows what comes back.
 
-Exit codes: 0 solved, 1 the verdict is FAILS, 2 bad input, 3 a fault of the program,
+Exit codes: 0 OK or ATTENTION, 1 FAILS, 2 bad input, 3 internal error,
 130 interrupted. A reader of the output who goes away is no error.
 """
 
@@ -20,10 +20,10 @@ BAD_INPUT, FAULT, INTERRUPTED = 2, 3, 130
 
 _EXIT_CODES = """\b
 Exit codes:
-  0  solved; what asks for attention stands in the verdict
-  1  solved, and the verdict is FAILS: gross slip, or a limit that must be kept
-  2  bad input: nothing was solved
-  3  a fault of the program"""
+  0  OK or ATTENTION
+  1  FAILS: gross slip, or a mandatory limit exceeded
+  2  bad input: nothing solved
+  3  internal error"""
 
 
 @click.group(
@@ -32,7 +32,7 @@ Exit codes:
     epilog=_EXIT_CODES,
 )
 @click.version_option(__version__, prog_name="wraparc", message="%(prog)s %(version)s")
-@click.option("--debug", is_flag=True, help="Show where in the program a fault happened.")
+@click.option("--debug", is_flag=True, help="Show the traceback of an internal error.")
 def wraparc(debug: bool) -> None:
     """Belt-conveyor drive pulleys: creep, slip, lagging shear and traction capacity."""
 
@@ -90,7 +90,7 @@ def _tell_fault(error: Exception) -> None:
 
     what = f"{type(error).__name__}: {shown(str(error))[1:-1]}"
     click.echo(
-        f"Error: a fault in wraparc {__version__} ({what}). Please report it with the input and "
-        "with what the same command prints after `wraparc --debug`.",
+        f"Internal error in wraparc {__version__} ({what}). Please report it with the input and "
+        "the output of the same command after `wraparc --debug`.",
         err=True,
     )

@@ -4,36 +4,33 @@ import json
 
 import click
 
-from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import check_outputs
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.saving import save_file
-from wraparc.units import System
 
 _TOLD, _NOT_TOLD = 0, 1
+_PULLEY = click.option(
+    "--pulley", metavar="NAME", help="Which pulley, where the drive has several."
+)
 
 
 @click.command()
-@click.argument("file", type=click.Path())
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
-@click.option("-o", "--output", metavar="FILE", help="Write the calibrated lagging as a file.")
+@_PULLEY
 @click.option("--name", metavar="NAME", help="Name of that lagging.")
-@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@answers(
+    "estimates",
+    "correlations",
+    "misfit",
+    output="Write the calibrated lagging as a file.",
+    json="",
+)
 def calibrate(
-    file: str,
-    units: System,
-    settings: tuple[str, ...],
-    pulley: str | None,
-    output: str | None,
-    name: str | None,
-    json_file: str | None,
+    answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None, name: str | None
 ) -> int:
     """Calibrate friction and elasticities of a drive to what a calibrate FILE says was measured.
 
-    Exit code 1 if the measurements leave some parameter open: it gets no number then, and no
-    lagging file is written.
+    Exit code 1 if the data do not identify every parameter: no lagging file is written.
     """
     from wraparc.calibrate.calibration import calibrate as fit
     from wraparc.calibrate.file import calibrated_lagging, load_measured
@@ -41,9 +38,6 @@ def calibrate(
     from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
     from wraparc.present.document import json_text
 
-    outputs: dict[str, tuple[str | None, tuple[str, ...]]]
-    outputs = {"--json": (json_file, (".json",)), "--output": (output, (".toml",))}
-    check_outputs(outputs, [file])
     measured = load_measured(file, overrides=[*settings, *_pulley(pulley)])
     if not measured.problem.parameters:
         raise InputError(
@@ -55,20 +49,16 @@ def calibrate(
             )
         )
     found = fit(measured.problem)
-    files: dict[str, Content] = {}
-    if json_file:
-        files[json_file] = json_text(calibrate_document(found))
-    if output and found.told:
-        files[output] = lagging_text(calibrated_lagging(found, measured, name or ""))
-    sources = tuple(str(s) for s in measured.sources)
-    deliver(
-        files,
-        lambda: calibrate_sheet(
-            found, measured.problem, measured.title, measured.description, sources, units
-        ),
-    )
+    answer.write("json", lambda: json_text(calibrate_document(found)))
+    if found.told:
+        answer.write(
+            "output", lambda: lagging_text(calibrated_lagging(found, measured, name or ""))
+        )
+    about = measured.title, measured.description, tuple(map(str, measured.sources))
+    answer.give(lambda: calibrate_sheet(found, measured.problem, *about, answer.units))
+    output = answer.paths["output"]
     if output and not found.told:
-        click.echo(f"{output} was not written: the data do not tell every parameter.", err=True)
+        click.echo(f"{output} not written: the data do not identify every parameter.", err=True)
     return _TOLD if found.told else _NOT_TOLD
 
 
@@ -78,37 +68,23 @@ def _pulley(name: str | None) -> list[str]:
 
 
 @click.command()
-@click.argument("file", type=click.Path())
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
-@click.option(
-    "--plot", "plot_file", metavar="FILE", help="Draw the measurements over the prediction."
-)
-def overlay(
-    file: str, units: System, settings: tuple[str, ...], pulley: str | None, plot_file: str | None
-) -> int:
+@_PULLEY
+@answers("predicted", "records", plot="Draw the measurements over the prediction.")
+def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None) -> int:
     """Compare the measurements that a calibrate FILE lists with the prediction of both methods."""
     from wraparc.calibrate.file import load_measured, overlays
     from wraparc.present.calibrate_sheet import overlay_sheet
 
-    check_outputs({"--plot": (plot_file, (".svg", ".png", ".pdf"))}, [file])
-    if plot_file:
-        from wraparc.plot import require_matplotlib
-
-        require_matplotlib()
     measured = load_measured(
         file, overrides=[*settings, *_pulley(pulley), "parameters=[]", "prior={}"]
     )
-    predicted = overlays(measured)
-    files: dict[str, Content] = {}
-    if plot_file:
+    problem, predicted = measured.problem, overlays(measured)
+    if answer.paths["plot"]:
         from wraparc.plot.overlay import plot_overlay
 
-        files[plot_file] = plot_overlay(measured.problem.traces, predicted, units).save
-    problem = measured.problem
-    deliver(
-        files, lambda: overlay_sheet(problem, measured.folded, predicted, measured.title, units)
+        answer.write("plot", lambda: plot_overlay(problem.traces, predicted, answer.units).save)
+    answer.give(
+        lambda: overlay_sheet(problem, measured.folded, predicted, measured.title, answer.units)
     )
     return _TOLD
 
@@ -116,7 +92,7 @@ def overlay(
 @click.command("virtual-record")
 @click.argument("file", type=click.Path())
 @click.argument("output", type=click.Path())
-@click.option("--pulley", metavar="NAME", help="Which pulley, where the drive has several.")
+@_PULLEY
 @click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
 @click.option(
     "--samples",

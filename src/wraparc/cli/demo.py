@@ -30,11 +30,11 @@ _PICTURE = "head-drive-fabric.svg"
 )
 @units_option
 def demo(into: Path, units: System) -> int:
-    """Solve an example drive, draw it, and lay out all examples in a folder.
+    """Copy all examples to a folder, solve one and draw it.
 
     Files that are already there are kept and used as they are: change one and run it again.
     """
-    from wraparc.cli.show import show
+    from wraparc.cli.show import Wanted, show
     from wraparc.cli.solve import exit_code
 
     kept = lay_out(into)
@@ -46,7 +46,7 @@ def demo(into: Path, units: System) -> int:
         picture = f"The picture is {into / _PICTURE}"
     except MissingExtraError as error:
         picture = f"There is no picture: it {error}"
-    show(drive_sheet([result], units))
+    show(drive_sheet([result], units), Wanted())
     say("\n".join(["", *(f"Kept your own {into / name}." for name in kept), picture]))
     say(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
     say(_next_steps(into))
@@ -108,7 +108,7 @@ def _next_steps(into: Path) -> str:
             "A pulley that brakes, in US units:",
             f"solve {into / 'downhill-braking.toml'} --units us",
         ),
-        ("The calculation note, to be signed:", f"report {file} -o {into / 'note.pdf'}"),
+        ("The calculation report:", f"report {file} -o {into / 'report.pdf'}"),
         ("What is known of a lagging:", "lagging diamond-rubber"),
         ("Everything else:", "--help"),
     )

@@ -2,33 +2,28 @@
 
 import click
 
-from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import place_options
+from wraparc.cli.output import Content
 from wraparc.errors import placed
-from wraparc.units import System, parse_number
+from wraparc.units import parse_number
 
 
 @click.command()
-@click.argument("file", type=click.Path())
 @click.option(
     "--ratios",
     required=True,
     metavar="R1,R2,...",
     help="Tight-side over slack-side tensions: 1.5,2,3. The tight side stays as it is.",
 )
-@units_option
-@click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
-@click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
-@click.option("--json", "json_file", metavar="FILE", help="Write the curves as JSON; - prints it.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw the curves: .svg, .png or .pdf.")
+@place_options
+@answers(
+    settings=False,
+    json="Write the curves as JSON; - prints them.",
+    plot="Draw the curves: .svg, .png or .pdf.",
+)
 def family(
-    file: str,
-    ratios: str,
-    units: System,
-    pulley: str | None,
-    load_case: str | None,
-    json_file: str | None,
-    plot_file: str | None,
+    answer: Answer, file: str, ratios: str, pulley: str | None, load_case: str | None
 ) -> int:
     """Show how creep grows along the wrap as the tension ratio of a drive FILE is raised.
 
@@ -40,8 +35,6 @@ def family(
     from wraparc.present.family_sheet import family_document, family_sheet
     from wraparc.train.file import load_drive
 
-    suffixes = (".svg", ".png", ".pdf")
-    check_outputs({"--json": (json_file, (".json",)), "--plot": (plot_file, suffixes)}, [file])
     drive = load_drive(file)
     with placed("--pulley", file):
         place = drive.pulley(pulley)
@@ -51,13 +44,14 @@ def family(
         wanted = [parse_number(text.strip()) for text in ratios.split(",") if text.strip()]
     results = tension_ratio_family(WrapArc.of(drive, place, case), wanted)
     title = drive.title or "Family of tension ratios"
-    files: dict[str, Content] = {}
-    if json_file:
-        files[json_file] = json_text(family_document(results))
-    if plot_file:
+
+    def picture() -> Content:
         from wraparc.plot.family import plot_family
 
         where = f"pulley {place.name}, load case {case.name}"
-        files[plot_file] = plot_family(results, units, title=f"{title} - {where}").save
-    deliver(files, lambda: family_sheet(drive, results, title, units))
+        return plot_family(results, answer.units, title=f"{title} - {where}").save
+
+    answer.write("json", lambda: json_text(family_document(results)))
+    answer.write("plot", picture)
+    answer.give(lambda: family_sheet(drive, results, title, answer.units))
     return 0 if all(r.status.solved for r in results) else 1

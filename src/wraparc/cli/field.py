@@ -6,16 +6,13 @@ from dataclasses import replace
 import click
 
 from wraparc.calibrate.on_site import OnSite, on_site
-from wraparc.cli.options import check_outputs, load_whole, options, units_option
-from wraparc.cli.output import deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import load_whole, options
 from wraparc.errors import InputError, Problem, placed, shown
-from wraparc.units import System, parse_number
+from wraparc.units import parse_number
 
 
 @click.command()
-@click.argument("file", type=click.Path())
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
 @click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
 @click.option("--hours", multiple=True, metavar="CASE=HOURS", help="Hours of running in a year.")
 @click.option("--wear-coefficient", metavar="VALUE", help='Energetic wear: "0.001 mm3/J".')
@@ -31,26 +28,26 @@ from wraparc.units import System, parse_number
     metavar="LENGTH",
     help="Depth of lagging that may be worn off; half its thickness if left out.",
 )
-@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@answers("speeds", "levels", "wear", json="")
 def field(
+    answer: Answer,
     file: str,
-    units: System,
     settings: tuple[str, ...],
     pulley: str | None,
     hours: tuple[str, ...],
     wear_hours: tuple[str, ...],
-    json_file: str | None,
     **said: str | None,
 ) -> int:
-    """Show what to expect of a drive FILE on site: speeds to measure, alarm levels, wear.
+    """Show what to expect of a drive FILE on site: normal slip, alarm levels, wear.
 
-    The numbers are those of one pulley; the verdict, and the exit code, are those of the whole
-    drive, as wraparc solve gives them.
+    The numbers are for one pulley; verdict and exit code for the whole drive, as in wraparc solve.
     """
+    from wraparc.checks import judge
     from wraparc.cli.solve import exit_code
+    from wraparc.present.document import json_text
+    from wraparc.present.field_sheet import field_document, field_sheet
     from wraparc.train.whole import by_pulley, solved
 
-    check_outputs({"--json": (json_file, (".json",))}, [file])
     whole = solved(load_whole(file, overrides=settings))
     drive = by_pulley(whole).drive
     with placed("--pulley", file):
@@ -62,14 +59,9 @@ def field(
     )
     with options():
         found, source = on_site(whole, name, asked)
-    from wraparc.checks import judge
-    from wraparc.present.document import json_text
-    from wraparc.present.field_sheet import field_document, field_sheet
-
-    deliver(
-        {json_file: json_text(field_document(found, judge(whole)))} if json_file else {},
-        lambda: field_sheet(found, judge(whole), drive.title or "Drive", name, source, units),
-    )
+    judged, title = judge(whole), drive.title or "Drive"
+    answer.write("json", lambda: json_text(field_document(found, judged)))
+    answer.give(lambda: field_sheet(found, judged, title, name, source, answer.units))
     return exit_code(whole)
 
 

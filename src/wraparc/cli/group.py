@@ -18,63 +18,51 @@ class Command(NamedTuple):
 
 #: Every command, in the order of the help: name -> (module:function, one line of help).
 COMMANDS: dict[str, Command] = {
-    "solve": Command("wraparc.cli.solve:solve", "Solve a drive file and print the answer."),
-    "trim": Command(
-        "wraparc.cli.trim:trim", "Show how closely the drives on one belt must be matched."
-    ),
-    "run": Command(
-        "wraparc.cli.motion:run", "Follow drives through an event: start, stop, load step, splice."
-    ),
+    "solve": Command("wraparc.cli.solve:solve", "Check a drive: the answer on one screen."),
+    "trim": Command("wraparc.cli.trim:trim", "Find the speed trim of drives on one belt."),
+    "run": Command("wraparc.cli.motion:run", "Simulate an event: start, stop, load step, splice."),
     "stability": Command(
-        "wraparc.cli.motion:stability", "Show whether drives pulsate, why, and what cures it."
+        "wraparc.cli.motion:stability", "Check drives for self-excited oscillation."
     ),
     "report": Command(
-        "wraparc.cli.report:report", "Write the calculation note of a drive: PDF, Excel, Markdown."
+        "wraparc.cli.report:report", "Write the calculation report: PDF, Excel, Markdown."
     ),
-    "check": Command("wraparc.cli.solve:check", "Read a drive file and say what is wrong with it."),
+    "check": Command("wraparc.cli.solve:check", "Validate a drive file."),
     "laggings": Command("wraparc.cli.catalogue:laggings", "List the laggings of the catalogue."),
-    "lagging": Command("wraparc.cli.catalogue:lagging", "Show one lagging and its friction law."),
+    "lagging": Command("wraparc.cli.catalogue:lagging", "Show a lagging and its friction law."),
     "belts": Command("wraparc.cli.catalogue:belts", "List the belts of the catalogue."),
     "read": Command(
         "wraparc.cli.shear_test:read", "Show columns and units of a test machine's file."
     ),
-    "fit": Command("wraparc.cli.shear_test:fit", "Fit a lagging's friction law to shear tests."),
+    "fit": Command("wraparc.cli.shear_test:fit", "Fit a friction law to shear tests."),
     "rig": Command("wraparc.cli.shear_test:rig", "Simulate shear tests of a known friction law."),
-    "choose": Command(
-        "wraparc.cli.choose:choose", "Choose lagging, belt and take-up: rank candidates by cost."
-    ),
+    "choose": Command("wraparc.cli.choose:choose", "Rank laggings, belts and take-ups by cost."),
     "study": Command(
-        "wraparc.cli.study:study", "Solve many variants of a drive: grid, Monte Carlo, sensitivity."
+        "wraparc.cli.study:study", "Solve many variants: grid, Monte Carlo, sensitivity."
     ),
-    "what-if": Command(
-        "wraparc.cli.what_if:what_if", "Show a drive before and after changes, with reasons."
-    ),
-    "seek": Command(
-        "wraparc.cli.seek:seek", "Find the value of an input that gives a wanted result."
-    ),
+    "what-if": Command("wraparc.cli.what_if:what_if", "Compare a drive before and after changes."),
+    "seek": Command("wraparc.cli.seek:seek", "Find the input that gives a wanted result."),
     "profile": Command(
-        "wraparc.cli.profile:profile", "Read a profile measured over the face of a pulley."
+        "wraparc.cli.profile:profile", "Read a profile measured across a pulley face."
     ),
     "family": Command(
-        "wraparc.cli.family:family", "Show creep along the wrap for a family of tension ratios."
+        "wraparc.cli.family:family", "Compare creep along the wrap over tension ratios."
     ),
     "overlay": Command(
-        "wraparc.cli.calibrate:overlay", "Compare measurements of a drive with the prediction."
+        "wraparc.cli.calibrate:overlay", "Compare measurements of a drive with predictions."
     ),
     "calibrate": Command(
-        "wraparc.cli.calibrate:calibrate", "Calibrate a lagging to what was measured on a drive."
+        "wraparc.cli.calibrate:calibrate", "Calibrate a lagging to a measured drive."
     ),
     "virtual-record": Command(
         "wraparc.cli.calibrate:virtual_record", "Simulate the record of an instrumented pulley."
     ),
     "field": Command(
-        "wraparc.cli.field:field", "Show speeds to measure, alarm levels and wear of a drive."
+        "wraparc.cli.field:field", "Show normal slip, alarm levels and wear of a drive."
     ),
     "serve": Command("wraparc.cli.serve:serve", "Open the calculator in the browser."),
-    "page": Command(
-        "wraparc.cli.page:page", "Write the calculator as one HTML file: no server, no network."
-    ),
-    "demo": Command("wraparc.cli.demo:demo", "Solve an example drive, and lay out all examples."),
+    "page": Command("wraparc.cli.page:page", "Write the calculator as one HTML file."),
+    "demo": Command("wraparc.cli.demo:demo", "Copy all examples to a folder and solve one."),
 }
 
 

@@ -10,8 +10,8 @@ from typing import Any
 import click
 
 from wraparc.checks import judge_run
-from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import STANDARD_OUTPUT, Content, deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
 from wraparc.cli.solve import FAILS, SOLVED, code_of
 from wraparc.errors import InputError, Problem
@@ -22,67 +22,46 @@ from wraparc.motion.result import Outcome, RunResult
 from wraparc.saving import interrupted
 from wraparc.units import System, parse_quantity
 
-_PICTURES = (".svg", ".png", ".pdf")
-#: Rows that are written at once.
-_BLOCK = 1000
-
 
 @click.command()
-@click.argument("file", type=click.Path())
-@click.option("--event", metavar="NAME", default="", help="Event; the first if not given.")
-@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if not given.')
-@click.option("--every", metavar="TIME", help="Time between the rows of files; every step if not.")
+@click.option("--event", metavar="NAME", default="", help="Event; the first if left out.")
+@click.option("--step", metavar="TIME", help='Time step, --step "5 ms"; chosen if left out.')
+@click.option("--every", metavar="TIME", help="Time between rows of files; every step if left out.")
 @click.option(
     "--points", type=click.IntRange(10, 2000), default=100, show_default=True,
     help="Pieces of lagging on the shortest wrap.",
 )  # fmt: skip
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-@click.option("--csv", "csv_file", metavar="FILE", help="Stream every row as CSV.")
-@click.option("--parquet", "parquet_file", metavar="FILE", help="Write every row as Parquet.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw the run: .svg, .png or .pdf.")
-@click.option(
-    "--checkpoint",
-    "state_file",
-    metavar="FILE",
-    help="Save the state here now and then: the same command goes on from it.",
-)
 @click.option("--quiet", is_flag=True, help="Show no progress.")
+@answers(
+    "event",
+    "drums",
+    "checks",
+    csv="Stream every row as CSV.",
+    parquet="Write every row as Parquet.",
+    plot="Draw the run: .svg, .png or .pdf.",
+    checkpoint="Write checkpoints here; rerun to resume.",
+)
 def run(
+    answer: Answer,
     file: str,
     event: str,
     step: str | None,
     every: str | None,
     points: int,
-    units: System,
     settings: tuple[str, ...],
-    csv_file: str | None,
-    parquet_file: str | None,
-    plot_file: str | None,
-    state_file: str | None,
     quiet: bool,
 ) -> int:
-    """Follow the drives of FILE through an event: start, stop, load step, splice ...
+    """Simulate the drives of FILE through an event: start, stop, load step, splice ...
 
-    The file needs a [motion] table with the inertias and the events. Interrupt it (Ctrl-C), and
-    what was computed so far is shown.
+    The file needs a [motion] table with inertias and events. Ctrl-C ends the run and shows what was
+    computed so far.
     """
-    check_outputs(
-        {
-            "--csv": (csv_file, (".csv",)),
-            "--parquet": (parquet_file, (".parquet",)),
-            "--plot": (plot_file, _PICTURES),
-            "--checkpoint": (state_file, (".npz",)),
-        },
-        [file],
+    csv_file, parquet_file, plot_file, state_file = map(
+        answer.paths.get, ("csv", "parquet", "plot", "checkpoint")
     )
-    if state_file and (parquet_file or csv_file == "-"):
+    if state_file and (parquet_file or csv_file == STANDARD_OUTPUT):
         message = "rows of a run that goes on later can only be written to a file of --csv"
         raise InputError(Problem(key="--checkpoint", value=state_file, message=message))
-    if plot_file:
-        from wraparc.plot import require_matplotlib
-
-        require_matplotlib()
     motion = load_motion(file, overrides=settings)
     chosen = motion.event(event)
     rows_to = streamed(motion.station, csv_file, parquet_file, state_file)
@@ -98,12 +77,10 @@ def run(
             checkpoint=Checkpoint(state_file, rows.resumed, rows.flush) if state_file else None,
         )
         rows.cancelled = result.outcome is Outcome.CANCELLED
-    files: dict[str, Content] = {}
-    if plot_file and not rows.cancelled:
-        from wraparc.plot.motion import plot_run
-
-        files[plot_file] = plot_run(result, units).save
-    deliver(files, None if csv_file == STANDARD_OUTPUT else lambda: _run_sheet(result, units))
+    if not rows.cancelled:
+        answer.write("plot", lambda: _picture(result, answer.units))
+    printed = csv_file == STANDARD_OUTPUT
+    answer.give(None if printed else lambda: _run_sheet(result, answer.units))
     if rows.cancelled:
         with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
             raise KeyboardInterrupt
@@ -113,59 +90,46 @@ def run(
 
 
 @click.command()
-@click.argument("file", type=click.Path())
 @click.option(
     "--run-out",
     metavar="LENGTH",
     default="0.5 mm",
     show_default=True,
-    help="Amplitude to report on.",
+    help="Amplitude of the run-out.",
 )
-@click.option("--map", "map_file", metavar="FILE", help="Draw a map over droop and inertia.")
 @click.option(
     "--over", type=click.Choice(["droop", "coupling slip"]), default="droop", show_default=True,
     help="What is varied beside inertia.",
 )  # fmt: skip
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw responses and controls.")
-def stability(
-    file: str,
-    run_out: str,
-    map_file: str | None,
-    over: str,
-    units: System,
-    settings: tuple[str, ...],
-    plot_file: str | None,
-) -> int:
-    """Show whether the drives of FILE pulsate, why, how much, and which control cures it."""
+@answers(
+    "vibrations",
+    "controls",
+    map="Draw a map over droop and inertia.",
+    plot="Draw responses and controls.",
+)
+def stability(answer: Answer, file: str, run_out: str, over: str, settings: tuple[str, ...]) -> int:
+    """Check the drives of FILE for self-excited oscillation: cause, size, and what cures it."""
     from wraparc.motion.vibration import stability as found_by
     from wraparc.motion.vibration import stability_map
+    from wraparc.present.motion_sheet import stability_sheet
 
-    check_outputs({"--map": (map_file, _PICTURES), "--plot": (plot_file, _PICTURES)}, [file])
-    if plot_file or map_file:
-        from wraparc.plot import require_matplotlib
-
-        require_matplotlib()
     motion = load_motion(file, overrides=settings)
     result = found_by(motion.station, run_out=_length("--run-out", run_out))
-    files: dict[str, Content] = {}
-    if plot_file:
-        from wraparc.plot.motion import plot_stability
+    if answer.paths["plot"] or answer.paths["map"]:
+        from wraparc.plot.motion import plot_stability, plot_stability_map
 
-        files[plot_file] = plot_stability(result, units).save
-    if map_file:
-        from wraparc.plot.motion import plot_stability_map
-
-        files[map_file] = plot_stability_map(stability_map(motion.station, what=over)).save
-
-    def sheet() -> Any:
-        from wraparc.present.motion_sheet import stability_sheet
-
-        return stability_sheet(result, units)
-
-    deliver(files, sheet)
+        answer.write("plot", lambda: plot_stability(result, answer.units).save)
+        answer.write(
+            "map", lambda: plot_stability_map(stability_map(motion.station, what=over)).save
+        )
+    answer.give(lambda: stability_sheet(result, answer.units))
     return SOLVED if result.stable else FAILS
+
+
+def _picture(result: RunResult, units: System) -> Content:
+    from wraparc.plot.motion import plot_run
+
+    return plot_run(result, units).save
 
 
 def _run_sheet(result: RunResult, units: System) -> Any:

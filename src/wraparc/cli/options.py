@@ -29,8 +29,28 @@ def units_option(command: _F) -> _F:
         show_default=True,
         envvar="WRAPARC_UNITS",
         show_envvar=True,
-        help="Units to show results in.",
+        help="Units of the output.",
     )(command)
+
+
+def set_option(command: _F) -> _F:
+    """Add ``--set``."""
+    return click.option(
+        "--set",
+        "settings",
+        multiple=True,
+        metavar="KEY=VALUE",
+        help='Override a value of the file: --set pulley.head.exit_tension="55 kN".',
+    )(command)
+
+
+def place_options(command: _F) -> _F:
+    """Add ``--pulley`` and ``--load-case``."""
+    case = click.option(
+        "--load-case", metavar="NAME", help="Which load case; the first if left out."
+    )
+    pulley = click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
+    return pulley(case(command))
 
 
 @contextlib.contextmanager

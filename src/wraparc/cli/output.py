@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 import click
 
 from wraparc.cli.pipe import reader_may_leave, say
-from wraparc.cli.show import show
+from wraparc.cli.show import Wanted, show
 from wraparc.present.sheet import Sheet
 from wraparc.saving import as_bytes, interrupted, save_file
 
@@ -16,7 +16,9 @@ STANDARD_OUTPUT = "-"
 Content = str | bytes | Callable[[str], object]
 
 
-def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet] | None) -> None:
+def deliver(
+    files: Mapping[str, Content], sheet: Callable[[], Sheet] | None, wanted: Wanted
+) -> None:
     """Write files and only then print: a reader who goes away takes no file with him.
 
     Parameters
@@ -25,6 +27,8 @@ def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet] | None) -> 
         By path. What is meant for standard output is text, and printed in place of the sheet.
     sheet
         Makes the sheet that is printed, if any.
+    wanted
+        How much of it.
     """
     paths = [path for path in files if path != STANDARD_OUTPUT]
     written: list[str] = []
@@ -40,7 +44,7 @@ def deliver(files: Mapping[str, Content], sheet: Callable[[], Sheet] | None) -> 
             if STANDARD_OUTPUT in files:
                 _print(str(files[STANDARD_OUTPUT]))
             elif sheet is not None:
-                show(sheet())
+                show(sheet(), wanted)
         finally:
             for path in written:
                 click.echo(f"Wrote {path}", err=True)

@@ -15,6 +15,7 @@ from wraparc.cli.options import (
     conditions_option,
     load_whole,
     named_conditions,
+    set_option,
     units_option,
 )
 from wraparc.cli.output import STANDARD_OUTPUT
@@ -56,7 +57,7 @@ SUFFIXES = (".pdf", ".xlsx", ".md")
 @units_option
 @click.option("--case", "--load-case", "case", metavar="NAME", help="Report this load case only.")
 @conditions_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
+@set_option
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
 @click.option("--title", default="", metavar="TEXT", help="Title; that of the drive unless given.")
 @click.option("--project", default="", metavar="TEXT", help="Project or customer.")
@@ -92,7 +93,7 @@ def report(
     page_file: str | None,
     paper: Paper | None,
 ) -> int:
-    """Write the calculation note of a drive FILE: PDF to sign, Excel workbook or Markdown.
+    """Write the calculation report of a drive FILE: PDF, Excel or Markdown.
 
     Inputs and where they came from, assumptions, equations, results by both methods, pictures,
     checks against limits, a box to sign.

@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 @click.option(
     "--token",
     metavar="TEXT",
-    help='Token that requests must carry, needed beyond this machine; "new" makes one. Other users '
-    "see what stands here: one of your own is safer in WRAPARC_TOKEN.",
+    help='Access token, required beyond this machine; "new" makes one. Other users see what is '
+    "given here: WRAPARC_TOKEN is safer.",
     envvar="WRAPARC_TOKEN",
 )
-@click.option("--new-token", is_flag=True, help="Replace your token: the old one lets nobody in.")
+@click.option("--new-token", is_flag=True, help="Replace your token; the old one stops working.")
 @click.option("--name", "names", multiple=True, help="Host name that this server is reached by.")
 @click.option("--workers", type=click.IntRange(0, 64), help="Processes that solve.")
 @click.option("--open/--no-open", "browser", default=False, help="Open the page in the browser.")
@@ -117,8 +117,8 @@ def _checked_token(host: str, token: str | None) -> str:
             Problem(
                 key="--host",
                 value=shown(host),
-                message="others could reach this server, and it would let everybody in",
-                remedy="Add --token new, which makes a token and prints it, or leave --host out.",
+                message="the server would be open to the network",
+                remedy="Add --token new, which makes and prints a token, or leave out --host.",
             )
         )
     if not TOKEN.fullmatch(token):

@@ -7,13 +7,11 @@ from typing import Any
 
 import click
 
-from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.answer import Answer, answers
 from wraparc.cli.pipe import say
-from wraparc.cli.show import show
+from wraparc.cli.show import FULL, show
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import interrupted
-from wraparc.units import System
 
 _DONE, _MISFIT = 0, 1
 
@@ -64,7 +62,7 @@ def read(
         for record in records:
             if shown_before:
                 say("")
-            show(record_sheet(record))
+            show(record_sheet(record), FULL)
             shown_before = True
     if problems:
         raise InputError(problems)
@@ -102,8 +100,6 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
 
 
 @click.command()
-@click.argument("plan", type=click.Path())
-@click.option("-o", "--output", metavar="FILE", help="Write the lagging file, .toml.")
 @click.option(
     "--name",
     metavar="NAME",
@@ -116,7 +112,6 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     metavar="FILE",
     help="Write the report: .pdf, .png or .html; may be given more than once.",
 )
-@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
 @click.option(
     "--accept-misfit",
     metavar="REASON",
@@ -128,17 +123,20 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     help="Fit other laws to the same tests and show them side by side, with AICc.",
 )
 @click.option("--bayes", is_flag=True, help="Sample the law's parameters with emcee.")
-@units_option
+@answers(
+    "law", "slips", "static", "measured", "tests", "coefficients", "budget", "equations", "forms",
+    "prediction", "shear", "files", "remarks", "left-out", "unused", "rig", "laws",
+    settings=False, argument="plan", checked=False, output="Write the lagging file, .toml.",
+    json="",
+)  # fmt: skip
 def fit(
+    answer: Answer,
     plan: str,
-    output: str | None,
     name: str | None,
     reports: tuple[str, ...],
-    json_file: str | None,
     accept_misfit: str | None,
     compare_laws: bool,
     bayes: bool,
-    units: System,
 ) -> int:
     """Fit the friction law of a lagging to the tests of a PLAN.
 
@@ -156,11 +154,7 @@ def fit(
     from wraparc.shear_test.analysis import checked_reason
     from wraparc.shear_test.plan_file import load_plan
 
-    outputs: dict[str, tuple[str | None, tuple[str, ...]]] = {
-        f"--report {name}": (name, SUFFIXES) for name in reports
-    }
-    outputs |= {"--output": (output, (".toml",)), "--json": (json_file, (".json",))}
-    check_outputs(outputs, [plan])
+    answer.check([plan], {f"--report {path}": (path, SUFFIXES) for path in reports})
     own = place_of_own(name) if name else None
     if accept_misfit is not None:
         accept_misfit = checked_reason(accept_misfit, "--accept-misfit")
@@ -171,23 +165,23 @@ def fit(
         result = sampled(result)
     if accept_misfit is not None:
         result = result.accepting(accept_misfit)
-    files: dict[str, Content] = {}
-    if output and result.may_be_written:
-        files[output] = lagging_text(result.laggings)
+    if result.may_be_written:
+        answer.write("output", lambda: lagging_text(result.laggings))
     if own and result.may_be_written:
         own.parent.mkdir(exist_ok=True)
-        files[str(own)] = lagging_text([replace(one, name=own.stem) for one in result.laggings])
+        named = [replace(one, name=own.stem) for one in result.laggings]
+        answer.files[str(own)] = lagging_text(named)
     if reports:
-        files |= dict.fromkeys(reports, make_report(result, units, laws=compare_laws).save)
-    if json_file:
-        files[json_file] = json_text(plan_document(result, laws=compare_laws))
-    deliver(files, lambda: plan_sheet(result, units, laws=compare_laws))
+        save = make_report(result, answer.units, laws=compare_laws).save
+        answer.files |= dict.fromkeys(reports, save)
+    answer.write("json", lambda: json_text(plan_document(result, laws=compare_laws)))
+    answer.give(lambda: plan_sheet(result, answer.units, laws=compare_laws))
+    output = answer.paths["output"]
     if not (output or own) or result.may_be_written:
         return _DONE
     click.echo(
-        f"{output or own} was not written: the law does not describe its tests "
-        f"({counted(result.misfit)} above). Mend, repeat or leave out those tests, or write it "
-        'with --accept-misfit "the reason".',
+        f"{output or own} not written: fit rejected ({counted(result.misfit)}). Fix, repeat or "
+        'leave out those tests, or use --accept-misfit "reason".',
         err=True,
     )
     return _MISFIT

@@ -10,14 +10,9 @@ from wraparc.alike import largest
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
-from wraparc.cli.options import (
-    check_outputs,
-    conditions_option,
-    load_whole,
-    named_conditions,
-    units_option,
-)
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import conditions_option, load_whole, named_conditions
+from wraparc.cli.show import Wanted
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
@@ -36,8 +31,15 @@ METHODS: dict[str, tuple[type[Method], ...]] = {
 SOLVED, FAILS, FAULT = 0, 1, 3
 
 
+#: Tables of a solved drive, and those that only a train has.
+TABLES = (
+    "checks", "least", "cases", "drives", "conditions", "conveyor", "loads", "width", "strips",
+    "defects", "result", "creep", "capacity", "margins", "constant", "energy", "wear", "life",
+    "inputs",
+)  # fmt: skip
+
+
 @click.command()
-@click.argument("file", type=click.Path())
 @click.option(
     "--method",
     type=click.Choice(list(METHODS)),
@@ -45,56 +47,34 @@ SOLVED, FAILS, FAULT = 0, 1, 3
     show_default=True,
     help="The main solver, the paper's march, or both side by side.",
 )
-@units_option
-@click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="KEY=VALUE",
-    help='Put a value over that of the file: --set pulley.head.exit_tension="55 kN".',
-)
 @click.option("--load-case", metavar="NAME", help="Solve this load case only.")
 @conditions_option
 @click.option("--creep-limit", metavar="LENGTH", help='Creep accepted on every pulley: "10 mm".')
-@click.option("--all", "everything", is_flag=True, help="Show every arc in full.")
-@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
-@click.option("--csv", "csv_file", metavar="FILE", help="Write the profiles as CSV; - prints them.")
+@click.option("--all", "everything", is_flag=True, help="Show every arc in full; as --full.")
 @click.option("--decimal-comma", is_flag=True, help="CSV with decimal commas and semicolons.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw the result: .svg, .png or .pdf.")
-@click.option(
-    "--map",
-    "map_file",
-    metavar="FILE",
-    help="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
+@answers(
+    *TABLES,
+    json="",
+    csv="Write the profiles as CSV; - prints them.",
+    plot="",
+    map="Draw an uneven pulley over wrap and width: .svg, .png or .pdf.",
 )
 def solve(
+    answer: Answer,
     file: str,
     method: str,
-    units: System,
     settings: tuple[str, ...],
     load_case: str | None,
     conditions: str | None,
     creep_limit: str | None,
     everything: bool,
-    json_file: str | None,
-    csv_file: str | None,
     decimal_comma: bool,
-    plot_file: str | None,
-    map_file: str | None,
 ) -> int:
-    """Solve every pulley of a drive FILE in every load case and print the answer.
+    """Check every pulley of a drive FILE in every load case and print the answer.
 
-    The arc that governs is shown in full, all others in one line each. Several pulleys on one belt
-    are a train: how they share the load and at which speeds is shown first.
+    One screen: verdict and action, checks that fail or are nearest to their limits, load cases,
+    missing data. Several pulleys on one belt share its load.
     """
-    outputs = {
-        "--json": (json_file, (".json",)),
-        "--csv": (csv_file, (".csv",)),
-        "--plot": (plot_file, (".svg", ".png", ".pdf")),
-        "--map": (map_file, (".svg", ".png", ".pdf")),
-    }
-    check_outputs(outputs, [file])
-    draw = _drawing() if plot_file or map_file else None
     drive = load_whole(file, overrides=settings, conditions=named_conditions(conditions))
     if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
         train, results = solve_as_train(drive, method, load_case, creep_limit, file)
@@ -102,18 +82,15 @@ def solve(
         train = None
         drive = with_limit(with_case(drive, load_case, file), creep_limit)
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
-    files: dict[str, Content] = {}
-    if json_file:
-        from wraparc.present.document import solved_json
-
-        files[json_file] = solved_json(results, train, file=file)
-    if csv_file:
-        files[csv_file] = _csv(results, units, decimal_comma)
-    if plot_file and draw:
-        files[plot_file] = _picture(draw, results, units, train).save
-    if map_file:
-        files[map_file] = _map(results[0], units).save
-    deliver(files, lambda: _sheet(results, units, everything or load_case is not None, train))
+    units = answer.units
+    answer.write("json", lambda: _json(results, train, file))
+    answer.write("csv", lambda: _csv(results, units, decimal_comma))
+    answer.write("plot", lambda: _picture(results, units, train).save)
+    answer.write("map", lambda: _map(results[0], units).save)
+    if everything and not answer.wanted.table:
+        answer.wanted = Wanted(full=True)
+    detailed = answer.whole and (everything or load_case is not None)
+    answer.give(lambda: _sheet(results, units, detailed, train))
     return exit_code(results[0] if train is None else train)
 
 
@@ -128,6 +105,12 @@ def solve_as_train(
     train = train_answer.with_case(train, load_case, file)
     limit = None if creep_limit is None else _limit(creep_limit)
     return train_answer.solve_all(train_answer.with_limit(train, limit), METHODS[method])
+
+
+def _json(results: Sequence[DriveResult], train: "TrainResult | None", file: str) -> str:
+    from wraparc.present.document import solved_json
+
+    return solved_json(results, train, file=file)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
@@ -150,20 +133,16 @@ def code_of(level: Level) -> int:
 
 
 @click.command()
-@click.argument("file", type=click.Path())
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-def check(file: str, units: System, settings: tuple[str, ...]) -> int:
-    """Read a drive FILE, say everything that is wrong with it, and solve nothing."""
-    from wraparc.cli.show import show
-
+@answers("checks", "conveyor", "inputs")
+def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
+    """Validate a drive FILE: report all its errors; solve nothing."""
     read = load_whole(file, overrides=settings)
-    if not isinstance(read, Drive):
-        from wraparc.present.train_sheet import train_input_sheet
-
-        show(train_input_sheet(read, units))
+    if isinstance(read, Drive):
+        answer.give(lambda: input_sheet(read, answer.units))
         return SOLVED
-    show(input_sheet(read, units))
+    from wraparc.present.train_sheet import train_input_sheet
+
+    answer.give(lambda: train_input_sheet(read, answer.units))
     return SOLVED
 
 
@@ -178,19 +157,11 @@ def _sheet(
     return drive_sheet(results, units, detail)
 
 
-def _drawing() -> Any:
-    """Return what draws results; it asks for matplotlib at once, before anything is solved."""
-    from wraparc.plot import plot_drive, require_matplotlib
-
-    require_matplotlib()
-    return plot_drive
-
-
-def _picture(
-    draw: Any, results: Sequence[DriveResult], units: System, train: "TrainResult | None"
-) -> Any:
+def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult | None") -> Any:
     if train is None:
-        return draw(results, units)
+        from wraparc.plot import plot_drive
+
+        return plot_drive(results, units)
     from wraparc.plot.train import plot_train
 
     return plot_train(train, units=units)

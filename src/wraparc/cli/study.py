@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from wraparc.cli.answer import Answer, answers
 from wraparc.cli.bar import bar
-from wraparc.cli.options import check_outputs, units_option
-from wraparc.cli.output import Content, deliver
 from wraparc.cli.pipe import say
 from wraparc.saving import interrupted
 from wraparc.units import Dimension, System
@@ -26,21 +25,12 @@ _DONE = 0
 
 
 @click.command()
-@click.argument("file", type=click.Path())
 @click.option(
     "-o",
     "--output",
     metavar="FILE",
     help="Results, Parquet, of a study over an event CSV or Parquet; by default the name of the "
     "study file with .parquet or .csv.",
-)
-@units_option
-@click.option(
-    "--set",
-    "settings",
-    multiple=True,
-    metavar="KEY=VALUE",
-    help="As for solve.",
 )
 @click.option(
     "--setting",
@@ -64,13 +54,15 @@ _DONE = 0
     "--confirm", type=int, metavar="ROWS", help="Run a large study; its number of rows confirms it."
 )
 @click.option("--dry-run", is_flag=True, help="Check everything and show the size; solve nothing.")
-@click.option("--json", "json_file", metavar="FILE", help="Write the summary as JSON; - prints it.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw the summary.")
-@click.option("--report", "report_file", metavar="FILE", help="Write summary and pictures as HTML.")
+@answers(
+    "groups", "together", "convergence", "indices", "alone", "varied", "designs", checked=False,
+    json="Write the summary as JSON; - prints it.", plot="Draw the summary.",
+    report="Write summary and pictures as HTML.",
+)  # fmt: skip
 def study(
+    answer: Answer,
     file: str,
     output: str | None,
-    units: System,
     settings: tuple[str, ...],
     setting: str | None,
     threads: int | None,
@@ -79,40 +71,24 @@ def study(
     resume: bool,
     confirm: int | None,
     dry_run: bool,
-    json_file: str | None,
-    plot_file: str | None,
-    report_file: str | None,
 ) -> int:
-    """Solve a study FILE: grid, random draws, load cases, Monte Carlo or sensitivity.
+    """Solve a study FILE: grid, random samples, load cases, Monte Carlo or sensitivity.
 
-    Results go to a Parquet file as they are solved. Ctrl-C keeps what is done; --resume goes on
-    from there.
+    Results are written to a Parquet file as they are solved. Ctrl-C keeps them; --resume continues.
     """
-    from wraparc.cli.event_study import Wanted, event_study, over_an_event
+    from wraparc.cli.event_study import event_study, over_an_event
 
     if over_an_event(file):
         spare = {
             "--setting": setting, "--threads": threads, "--scheduler": scheduler, "--part": part,
-            "--confirm": confirm, "--report": report_file,
+            "--confirm": confirm, "--report": answer.paths["report"],
         }  # fmt: skip
-        wanted = Wanted(output, json_file, plot_file, units, resume, dry_run)
-        return event_study(file, settings, wanted, spare)
+        return event_study(answer, file, output, settings, spare, resume=resume, dry_run=dry_run)
     from wraparc.study.executor import Threads, executor_named
     from wraparc.study.file import load_study
     from wraparc.study.run import Run, run_study
 
-    check_outputs(
-        {
-            "--json": (json_file, (".json",)),
-            "--plot": (plot_file, (".svg", ".png", ".pdf")),
-            "--report": (report_file, (".html",)),
-        },
-        [file],
-    )
-    if plot_file or report_file:
-        from wraparc.plot import require_matplotlib
-
-        require_matplotlib()
+    answer.check([file])
     over = (*settings, *([f"setting={setting}"] if setting else []))
     asked = load_study(file, overrides=over)
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.parquet"
@@ -131,7 +107,7 @@ def study(
         run_study(asked.study, path, how)
     click.echo(f"Wrote {path}", err=True)
     with interrupted(lambda: f"{path} is whole."):
-        _tell(asked, path, units, json_file, plot_file, report_file)
+        _tell(asked, path, answer)
     return _DONE
 
 
@@ -148,17 +124,10 @@ def _size(asked: Study) -> str:
     )
 
 
-def _tell(
-    asked: StudyFile,
-    path: str,
-    units: System,
-    json_file: str | None,
-    plot_file: str | None,
-    report_file: str | None,
-) -> None:
+def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
     from wraparc.present.document import json_text
     from wraparc.present.study_document import study_document
-    from wraparc.present.study_sheet import study_sheet
+    from wraparc.present.study_sheet import study_page, study_sheet
     from wraparc.study.monte_carlo import summarise
     from wraparc.study.sensitivity import sensitivities
 
@@ -168,25 +137,19 @@ def _tell(
     sheet = study_sheet(
         summary,
         dimensions,
-        units,
+        answer.units,
         local=local,
         indices=indices,
         remarks=asked.remarks,
         sources=asked.sources,
     )
-    files: dict[str, Content] = {}
-    if json_file:
-        files[json_file] = json_text(study_document(summary, local=local, indices=indices))
-    if plot_file or report_file:
-        pictures = _pictures(asked, summary, local, indices, dimensions, units)
-    if plot_file:
-        files[plot_file] = pictures[0].save
-    if report_file:
-        from wraparc.present.study_sheet import study_page
-
+    answer.write("json", lambda: json_text(study_document(summary, local=local, indices=indices)))
+    if answer.paths["plot"] or answer.paths["report"]:
+        pictures = _pictures(asked, summary, local, indices, dimensions, answer.units)
         drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
-        files[report_file] = study_page(sheet, drawn, summary)
-    deliver(files, lambda: sheet)
+        answer.write("plot", lambda: pictures[0].save)
+        answer.write("report", lambda: study_page(sheet, drawn, summary))
+    answer.give(lambda: sheet)
 
 
 def _pictures(

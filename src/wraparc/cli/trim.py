@@ -6,8 +6,9 @@ from typing import Any
 import click
 
 from wraparc.arc import Distributed
-from wraparc.cli.options import check_outputs, load_whole, units_option
-from wraparc.cli.output import Content, deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import load_whole
+from wraparc.cli.output import Content
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
@@ -16,15 +17,14 @@ from wraparc.units import System, display, parse_quantity
 
 
 @click.command()
-@click.argument("file", type=click.Path())
-@click.option("--drive", "pulley", metavar="PULLEY", help="Drive to vary; the second if not given.")
-@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if not given.")
+@click.option("--drive", "pulley", metavar="PULLEY", help="Drive to trim; the second if left out.")
+@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if left out.")
 @click.option(
     "--span",
     nargs=2,
     metavar="LOW HIGH",
-    help='Ends of the trims: --span "99 %" "101 %". Left out, wide enough for the load to change '
-    "over.",
+    help='Range of trims: --span "99 %" "101 %"; wide enough for the load to change over if left '
+    "out.",
 )
 @click.option(
     "--points",
@@ -33,14 +33,22 @@ from wraparc.units import System, display, parse_quantity
     show_default=True,
     help="Points of every curve.",
 )
-@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a drum.")
+@click.option(
+    "--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a pulley."
+)
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
-@units_option
-@click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
-@click.option("--json", "json_file", metavar="FILE", help="Write the curves as JSON; - prints.")
-@click.option("--csv", "csv_file", metavar="FILE", help="Write the trim curve as CSV; - prints.")
-@click.option("--plot", "plot_file", metavar="FILE", help="Draw the curves: .svg, .png or .pdf.")
+@answers(
+    "drives",
+    "trim",
+    "diameter",
+    "load",
+    "changed",
+    json="Write the curves as JSON; - prints them.",
+    csv="Write the trim curve as CSV; - prints it.",
+    plot="Draw the curves: .svg, .png or .pdf.",
+)
 def trim(
+    answer: Answer,
     file: str,
     pulley: str | None,
     load_case: str,
@@ -48,43 +56,27 @@ def trim(
     points: int,
     wear: str,
     with_map: bool,
-    units: System,
     settings: tuple[str, ...],
-    json_file: str | None,
-    csv_file: str | None,
-    plot_file: str | None,
 ) -> int:
     """Show how the drives of a train FILE share the load as one speed is trimmed.
 
-    Shares are computed against speed trim, diameter and load with all other speeds held, with the
-    places where a drive begins to brake or reaches its creep limit, and with one drum worn or wet.
-    Verdict and exit code are those of wraparc solve; a train that does not carry its load has no
-    speeds to trim.
+    Load shares over speed trim, diameter and load, all other speeds held; where a drive begins to
+    brake or reaches its creep limit; shares with one pulley worn or wet. Verdict and exit code are
+    those of wraparc solve. In gross slip there is nothing to trim.
     """
     from wraparc.cli.solve import exit_code
 
-    outputs = {
-        "--json": (json_file, (".json",)),
-        "--csv": (csv_file, (".csv",)),
-        "--plot": (plot_file, (".svg", ".png", ".pdf")),
-    }
-    check_outputs(outputs, [file])
-    if plot_file:
-        from wraparc.plot import require_matplotlib
-
-        require_matplotlib()
     read = load_whole(file, overrides=settings)
     train = read if isinstance(read, Train) else Train.of(read)
     drive = _drive(train, pulley, file)
     depth = _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
-    _check_case(train, load_case, file)
-    files: dict[str, Content] = {}
+    with placed("--load-case", file):
+        train.case(load_case)
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
     if not (result[load_case] if load_case else result.cases[0]).status.solved:
-        if json_file:
-            files[json_file] = _verdict_json(result)
-        deliver(files, lambda: _verdict(result, units))
+        answer.write("json", lambda: _verdict_json(result))
+        answer.give(lambda: _verdict(result, answer.units))
         return exit_code(result)
     matching = match_drives(
         result,
@@ -96,16 +88,17 @@ def trim(
         points=points,
     )
     over_load = _map(result, load_case, drive, matching) if with_map else None
-    if json_file:
-        files[json_file] = _json(result, matching, over_load, file)
-    if csv_file:
-        files[csv_file] = _csv(matching)
-    if plot_file:
-        from wraparc.plot.train import plot_matching
-
-        files[plot_file] = plot_matching(matching, over_load, title=train.title).save
-    deliver(files, lambda: _sheet(result, matching, units))
+    answer.write("json", lambda: _json(result, matching, over_load, file))
+    answer.write("csv", lambda: _csv(matching))
+    answer.write("plot", lambda: _picture(matching, over_load, train.title))
+    answer.give(lambda: _sheet(result, matching, answer.units))
     return exit_code(result)
+
+
+def _picture(matching: Matching, over_load: ShareMap | None, title: str) -> Content:
+    from wraparc.plot.train import plot_matching
+
+    return plot_matching(matching, over_load, title=title).save
 
 
 def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
@@ -145,7 +138,7 @@ def _csv(matching: Matching) -> str:
 def _drive(train: Train, pulley: str | None, file: str) -> int:
     names = [p.name for p in train.pulleys]
     if len(names) < 2:
-        message = "the file has one pulley, which shares its load with nobody"
+        message = "trim needs two or more drive pulleys; this file has one"
         raise InputError(Problem(message=message, file=file, key="pulley"))
     if pulley is None:
         return 1
@@ -162,11 +155,6 @@ def _drive(train: Train, pulley: str | None, file: str) -> int:
             value=shown(pulley),
         )
     )
-
-
-def _check_case(train: Train, name: str, file: str) -> None:
-    with placed("--load-case", file):
-        train.case(name)
 
 
 def _quantity(option: str, text: str, dimension: Any) -> float:

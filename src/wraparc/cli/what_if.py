@@ -6,21 +6,17 @@ from typing import TYPE_CHECKING
 import click
 
 from wraparc.choose.what_if import Change
-from wraparc.cli.options import check_outputs, load_whole, options, units_option
-from wraparc.cli.output import deliver
+from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import load_whole, options, place_options
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
-from wraparc.units import System
 
 if TYPE_CHECKING:
     from wraparc.choose.named_changes import Named
 
 
 @click.command("what-if")
-@click.argument("file", type=click.Path())
-@units_option
-@click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
-@click.option("--load-case", metavar="NAME", help="Which load case; the first if left out.")
+@place_options
 @click.option("--belt", "belts", multiple=True, metavar="NAME", help="A belt of the catalogue.")
 @click.option(
     "--other-carcass",
@@ -43,27 +39,23 @@ if TYPE_CHECKING:
     metavar="KEY=VALUE",
     help="Any other value: belt.width=1400 mm.",
 )
-@click.option("--json", "json_file", metavar="FILE", help="Write the result as JSON; - prints it.")
+@answers("changes", "width", settings=False, json="")
 def what_if(
-    file: str,
-    units: System,
-    pulley: str | None,
-    load_case: str | None,
-    json_file: str | None,
-    **said: object,
+    answer: Answer, file: str, pulley: str | None, load_case: str | None, **said: object
 ) -> int:
-    """Show a pulley of a drive FILE before and after changes, with the reason for each.
+    """Compare a pulley of a drive FILE before and after changes, with the reason for each.
 
-    Every change is one column of the table, each made to the drive as it is in the file. Verdicts
-    are those of the whole drive, all pulleys in all load cases, as wraparc solve gives them; the
-    exit code is that of the drive as it is.
+    Every change is one column, made to the drive as it is in the file. Verdicts are for the whole
+    drive, as in wraparc solve; the exit code is that of the drive as it is.
     """
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
+    from wraparc.cli.solve import exit_code
     from wraparc.files.conditions import refuse_several
+    from wraparc.present.document import json_text
+    from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
     from wraparc.train.as_drive import nearest_drive
 
-    check_outputs({"--json": (json_file, (".json",))}, [file])
     read = load_whole(file)
     drive = read if isinstance(read, Drive) else nearest_drive(read)
     refuse_several(drive, "what-if changes")
@@ -84,14 +76,8 @@ def what_if(
         )
     found = solve_both(read, name, case, changes)
     title = drive.title or "What if"
-    from wraparc.cli.solve import exit_code
-    from wraparc.present.document import json_text
-    from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
-
-    deliver(
-        {json_file: json_text(what_if_document(found))} if json_file else {},
-        lambda: what_if_sheet(found, title, units),
-    )
+    answer.write("json", lambda: json_text(what_if_document(found)))
+    answer.give(lambda: what_if_sheet(found, title, answer.units))
     return exit_code(found.wholes[0])
 
 

@@ -76,7 +76,9 @@ def answer_table(result: AcrossResult, system: System) -> Table:
     title = f"Across the width: pulley {arc.pulley}, load case {arc.load_case}"
     if result.status is not AcrossStatus.SOLVED:
         words = slack_words(result, system) or str(result.status)
-        return Table(title, (Row("Not solved", (NONE,), note=words, level=Level.FAILS),))
+        return Table(
+            title, (Row("Not solved", (NONE,), note=words, level=Level.FAILS),), name="width"
+        )
     strips, y = result.fields.tension, result.position
     least = place_of_largest(-np.min(strips, axis=0))
 
@@ -109,7 +111,9 @@ def answer_table(result: AcrossResult, system: System) -> Table:
         note = "of the wrapped area" if result.outside_tested_share else ""
         value = percent(result.outside_tested_share)
         rows.insert(8, Row("Share outside tested range", (value,), "", note))
-    return Table(title, tuple(rows), note=f"{result.wide.strips} strips; values are theirs.")
+    return Table(
+        title, tuple(rows), note=f"{result.wide.strips} strips; values are theirs.", name="width"
+    )
 
 
 def _of_mean(tension: float, entry: float, width: float) -> str:
@@ -149,7 +153,7 @@ def profile_table(result: AcrossResult, system: System) -> Table:
         ]
         values.append(f"{100.0 * float(np.interp(place, y, energy)):.0f} %")
         rows.append(Row(named("across_position", place, system), tuple(values)))
-    return Table("Across the belt", tuple(rows), (*heads, "wear of mean"))
+    return Table("Across the belt", tuple(rows), (*heads, "wear of mean"), name="strips")
 
 
 def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
@@ -177,7 +181,7 @@ def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
             f"then {low:.3f} to {high:.3f} times its mean at most."
         )
     heads = ("entry tension, up to", "wear, up to")
-    return Table("Share of each defect", tuple(rows), heads, note)
+    return Table("Share of each defect", tuple(rows), heads, note, "defects")
 
 
 #: What is compared of a belt across its width.
@@ -213,7 +217,7 @@ def compared_table(
     )
     rows = [Row("Belt across its width", words)]
     rows += [row_of(name, *(value(r, name) for r in found), system=system) for name in _COMPARED]
-    return Table("Across the width", tuple(rows), heads)
+    return Table("Across the width", tuple(rows), heads, name="width")
 
 
 def across_data(result: AcrossResult) -> dict[str, Any]:

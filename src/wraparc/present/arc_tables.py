@@ -84,7 +84,7 @@ def answer_table(results: Results, system: System) -> Table:
         if first.exit_creep_ratio < 0.0:
             note = "negative: belt faster than the lagging surface, entry to exit"
         rows.append(Row("Creep ratio", (g,), "g", note))
-    return Table(f"Result: {belongs(first)}", tuple(rows), heads(results))
+    return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 
 
 def creep_interval_text(result: ArcResult, system: System) -> str:
@@ -133,7 +133,7 @@ def creep_table(results: Results, system: System) -> Table:
         row = row_of(name, 0.0)
         rows.append(Row(row.title, texts, row.symbol, note, name))
     rows.append(row_of("exit_creep", *(r.exit_creep for r in results), system=system))
-    return Table("Creep by source", tuple(rows), heads(results))
+    return Table("Creep by source", tuple(rows), heads(results), name="creep")
 
 
 def creep_part(result: ArcResult, name: str, system: System) -> str:
@@ -207,7 +207,7 @@ def capacity_rows(c: Capacities, of: Carrying, system: System) -> Table:
         f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
         f"actual ratio, {named('tension_ratio', actual, system)}."
     )
-    return Table("Capacity", tuple(rows), note=note)
+    return Table("Capacity", tuple(rows), note=note, name="capacity")
 
 
 def _gross_note(plain: bool, creep: float, system: System) -> str:
@@ -234,4 +234,4 @@ def energy_table(result: ArcResult, system: System) -> Table:
     if not math.isnan(e.wear_rate):
         rows.append(row_of("wear_rate", e.wear_rate, system=system))
     needs = "" if result.arc.belt_speed else "Give the belt speed to see powers."
-    return Table("Energy and wear", tuple(rows), note=needs)
+    return Table("Energy and wear", tuple(rows), note=needs, name="energy")

@@ -46,6 +46,7 @@ def calibrate_sheet(
             ("value", "95 % interval", "spread by the data"),
             "Spread: one standard deviation. Intervals are from the curvature at the best fit, or "
             "from the profile likelihood where the curvature at the drive file's values disagrees.",
+            "estimates",
         ),
         _correlations(found),
         _misfits(found, problem, system),
@@ -151,7 +152,7 @@ def _correlations(found: Calibration) -> Table:
         Row(name, tuple(f"{v:+.2f}" for v in row))
         for name, row in zip(names, found.correlation.tolist(), strict=True)
     ]
-    return Table("Correlations of the estimates", tuple(rows), tuple(names))
+    return Table("Correlations of the estimates", tuple(rows), tuple(names), name="correlations")
 
 
 def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
@@ -165,7 +166,7 @@ def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
         title = f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}"
         most = named(t.quantity, float(np.abs(t.value).max()), system)
         rows.append(Row(title, (f"up to {most}", named(t.quantity, miss, system))))
-    return Table("Misfit", tuple(rows), ("measured", "rms misfit"))
+    return Table("Misfit", tuple(rows), ("measured", "rms misfit"), name="misfit")
 
 
 def _remarks(found: Calibration) -> Iterator[str]:
@@ -214,7 +215,7 @@ def overlay_sheet(
         texts = ["-", *(named(t.quantity, v, system) for v in apart)]
         rows.append(Row(f"{name}: rms difference", tuple(texts)))
     heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))
-    tables = [Table("Measured and predicted", tuple(rows), heads)]
+    tables = [Table("Measured and predicted", tuple(rows), heads, name="predicted")]
     if folded:
         tables.append(_records(folded, system))
     notes = (
@@ -243,7 +244,7 @@ def _records(folded: tuple[tuple[str, Folded], ...], system: System) -> Table:
         for case, f in folded
     ]
     heads = ("contact arcs", "entry nip at", "exit nip at", "signals seen over")
-    return Table("Records", tuple(rows), heads)
+    return Table("Records", tuple(rows), heads, name="records")
 
 
 def calibrate_document(found: Calibration) -> dict[str, Any]:

@@ -60,7 +60,7 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
     for lagging in laggings:
         of_condition = f" ({lagging.condition})" if len(laggings) > 1 else ""
         rows = input_rows(lagging_inputs(lagging), system, of)
-        tables.append(Table(f"Lagging{of_condition}", rows))
+        tables.append(Table(f"Lagging{of_condition}", rows, name="lagging"))
         tables.append(_friction_table(lagging, system, of_condition))
         if isinstance(lagging.law, IntegralLog):
             tables.append(_coefficient_table(lagging.law, system, of_condition))
@@ -136,7 +136,7 @@ def _friction_table(lagging: Lagging, system: System, of_condition: str) -> Tabl
     note = f"Columns: slip [{unit}]; rows: wrap pressure."
     if lagging.law.tested is not None and lagging.law.tested.slip_max < slips[-1] * (1 - 1e-9):
         note += f" Tested up to a slip of {named('slip', lagging.law.tested.slip_max, system)}."
-    return Table(f"Friction mu(x, p){of_condition}", rows, heads, note)
+    return Table(f"Friction mu(x, p){of_condition}", rows, heads, note, "friction")
 
 
 def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> Table:
@@ -169,7 +169,8 @@ def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> T
         met = ", ".join(named("wrap_pressure", p, system) for p in ends[1:-1]) or "none"
         kind = f"pieces of A(p) and b(p), transition pressures: {met}"
     note = f"mu = A x ln(x) - b x up to its peak, x in {unit}; {kind}."
-    return Table(f"Coefficients of the integral-log law{of_condition}", tuple(rows), heads, note)
+    title = f"Coefficients of the integral-log law{of_condition}"
+    return Table(title, tuple(rows), heads, note, "coefficients")
 
 
 def _design_table(surface: str, system: System, of: Sources) -> Table:
@@ -180,7 +181,7 @@ def _design_table(surface: str, system: System, of: Sources) -> Table:
             text = f"{low:.2f}" if low == high else f"{low:.2f} to {high:.2f}"
             title = ", ".join(part for part in (design.standard, design.condition) if part)
             rows.append(Row(title, (text,), note=of.note(design.provenance)))
-    return Table(f"Design values of friction, {surface}", tuple(rows))
+    return Table(f"Design values of friction, {surface}", tuple(rows), name="constant")
 
 
 def _cost_table(lagging: Lagging) -> Table:
@@ -194,7 +195,7 @@ def _cost_table(lagging: Lagging) -> Table:
         Row("For an area of", (quantity(cost.area, "area"),)),
         Row("Life", (f"{short:g} to {long:g} years" if short != long else f"{short:g} years",)),
     )
-    return Table("Cost", rows)
+    return Table("Cost", rows, name="cost")
 
 
 def belts_sheet(system: System = "si") -> Sheet:

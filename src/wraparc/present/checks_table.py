@@ -9,6 +9,8 @@ from wraparc.present.sources import Sources
 from wraparc.units import System
 
 _SAME = 1e-9
+#: Checks that a short answer shows, if no more are missed.
+_NEAREST = 4
 _NOTE = (
     "Margin: how far the value is from its limit, over the limit; positive on the safe side. Each "
     "check is shown where it comes off worst."
@@ -33,7 +35,26 @@ def check_table(
     """
     judged = [c for c in verdict.listed if c.compares]
     rows = tuple(_row(check, system, of) for check in judged)
-    return Table(title, rows, ("found", "limit", "margin"), f"{_NOTE}{_left(verdict, system)}")
+    return Table(
+        title,
+        rows,
+        ("found", "limit", "margin"),
+        f"{_NOTE}{_left(verdict, system)}",
+        name="checks",
+        short=_nearest(verdict, system, title),
+        brief=f"{f'{_counted(verdict)}. ' if verdict.missed else ''}{_unchecked(verdict)}".strip(),
+    )
+
+
+def _nearest(verdict: Verdict, system: System, title: str) -> Table:
+    """Return the checks that are missed, and the nearest to their limits of the others."""
+    told = [c for c in verdict.listed if c.compares and (c.missed or math.isfinite(c.margin))]
+    told = sorted((c for c in told if not c.below), key=verdict.nearness)
+    rows = (
+        Row(c.title, (c.texts(system)[0] or NONE, c.bound(system) or NONE), "", str(c.level))
+        for c in told[: max(_NEAREST, len(verdict.missed))]
+    )
+    return Table(title, tuple(rows), ("found", "limit"), name="checks")
 
 
 def _row(check: Check, system: System, of: Sources | None) -> Row:
@@ -74,15 +95,24 @@ def margin_text(check: Check) -> str:
 
 def checks_summary(verdict: Verdict) -> str:
     """Return how the checks end, in one sentence."""
-    listed = verdict.listed
-    judged = [c for c in listed if c.compares]
-    kept = [c for c in judged if not c.missed]
-    text = f"{len(kept)} of {len(judged)} checks are kept"
     missed = "; ".join(f"{c.level}: {c.title}" for c in verdict.missed)
-    text += f". {missed}" if missed else ""
-    left = ", ".join(c.title for c in listed if c.level is Level.NOT_CHECKED)
-    text += f". Not checked for want of data: {left}" if left else ""
-    return f"{text}."
+    left = ", ".join(c.title for c in verdict.listed if c.level is Level.NOT_CHECKED)
+    left = f" Not checked for want of data: {left}." if left else ""
+    return f"{_counted(verdict)}.{f' {missed}.' if missed else ''}{left}"
+
+
+def _counted(verdict: Verdict) -> str:
+    judged = [c for c in verdict.listed if c.compares]
+    return f"{sum(not c.missed for c in judged)} of {len(judged)} checks are kept"
+
+
+def _unchecked(verdict: Verdict) -> str:
+    left = [c.title for c in verdict.listed if c.level is Level.NOT_CHECKED]
+    heads = [title.partition(",")[0] for title in left]
+    told = (
+        head if heads.count(head) > 1 else title for head, title in zip(heads, left, strict=True)
+    )
+    return f"Not checked: {'; '.join(dict.fromkeys(told))}." if left else ""
 
 
 def check_data(check: Check) -> dict[str, Any]:

@@ -172,6 +172,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         tuple(rows),
         _heads(selection, system),
         note,
+        "ranking",
     )
 
 
@@ -192,12 +193,13 @@ def _rejected(selection: Selection, system: System, most: int) -> Table:
             "Why designs were rejected",
             tuple(rows),
             note="each with its reasons in the CSV of wraparc choose",
+            name="rejected",
         )
     rows = [
         Row(design_name(selection, i, system), ("",), note=reasons(selection, i, system))
         for i in bad
     ]
-    return Table("Rejected, with every limit broken", tuple(rows))
+    return Table("Rejected, with every limit broken", tuple(rows), name="rejected")
 
 
 def _remarks(selection: Selection) -> Iterator[str]:

@@ -42,7 +42,7 @@ def conditions_table(result: DriveResult, system: System = "si") -> Table:
     rows.append(
         Row(f"Least {least_name(result)}", tuple(_least(p, system) for p in parts.values()))
     )
-    return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE)
+    return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
 
 def conditions_data(result: DriveResult) -> list[dict[str, Any]]:

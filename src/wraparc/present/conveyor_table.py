@@ -42,7 +42,7 @@ def conveyor_tables(drive: Drive, system: System, of: Sources) -> list[Table]:
     rows.append(row("Entry tension", "T1", [s.entry for s in states]))
     rows.append(row("Exit tension", "T2", [s.exit for s in states]))
     rows.append(row(*_far_end(drive.conveyor, states)))
-    return [Table("Conveyor: resistances and tensions", tuple(rows), heads, _NOTE)]
+    return [Table("Conveyor: resistances and tensions", tuple(rows), heads, _NOTE, "conveyor")]
 
 
 def conveyor_data(drive: Drive) -> dict[str, Any] | None:

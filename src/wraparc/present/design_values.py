@@ -37,7 +37,7 @@ def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: So
         note = "The surface of the lagging is not given, so no design values apply."
     ratio_head = "T1/T2 up to" if arc.side > 0.0 else "T2/T1 up to"
     heads = ("friction", ratio_head, "slack side", "slipping arc")
-    return Table("Compared with constant friction", tuple(rows), heads, note)
+    return Table("Compared with constant friction", tuple(rows), heads, note, "constant")
 
 
 def known(result: ArcResult, lagging: Lagging) -> tuple[ClassicalDrive, ...]:

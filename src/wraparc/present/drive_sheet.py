@@ -30,7 +30,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone_of, level_of, short, verdict
 from wraparc.train import Train, TrainResult
-from wraparc.units import System, display, display_unit
+from wraparc.units import System, display, display_unit, on_safe_side
 
 
 def drive_sheet(
@@ -62,7 +62,7 @@ def drive_sheet(
     least = least_table(whole, system)
     tables += [least] if least else []
     tables += conveyor_tables(first.drive, system, of)
-    tables += [summary_table(results, system)] if len(first) > 1 else []
+    tables.append(summary_table(results, system))
     tables.append(loads_table(first, system))
     for position in detail:
         tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
@@ -103,7 +103,8 @@ def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -
             f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
             f"left, the solver adds it up along the arc.{whose}"
         )
-    return replace(told, sentences=(*said, *told.sentences))
+    kept = told.sentences if told.kept is None else told.kept
+    return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
 
 
 def input_sheet(drive: Drive, system: System = "si") -> Sheet:
@@ -123,7 +124,8 @@ def read_sheet(
     counted += f"load cases: {', '.join(case.name for case in cases)}."
     judged = before(of)
     headline = f"{what} is in order: {counted}"
-    told = Verdict(judged.level, headline, judged.sentences(system), judged.word)
+    said = judged.sentences(system)
+    told = Verdict(judged.level, headline, said, judged.word, kept=said)
     if judged.missed:
         told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
     found = check_table(judged, system, sources, "Checks before anything is solved")
@@ -175,7 +177,7 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
         "T1/T2",
         f"creep [{length}]",
         "of limit",
-        f"least slack side [{force}]",
+        f"least T2 [{force}]",
         "",
     )
     rows = []
@@ -186,7 +188,7 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
             rows.append(
                 Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
             )
-    return Table("All load cases and pulleys", tuple(rows), heads)
+    return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
 def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
@@ -218,7 +220,8 @@ def loads_table(result: DriveResult, system: System) -> Table:
             note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
             note += f"{momentary:.3g} starting and stopping"
         note += "."
-    return Table("Loads of pulleys and belt", tuple(rows), ("resultant", "direction", "belt"), note)
+    heads = ("resultant", "direction", "belt")
+    return Table("Loads of pulleys and belt", tuple(rows), heads, note, "loads")
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
@@ -241,7 +244,9 @@ def _least(of: DriveResult, result: ArcResult, system: System) -> str:
     found = least_tension(alone_of(of, result))
     if found is None:
         return NONE
-    return "none" if math.isinf(found.tension) else number("tension", found.tension, system)
+    if math.isinf(found.tension):
+        return "none"
+    return number("tension", on_safe_side(found.tension, "force", system), system)
 
 
 def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:

@@ -35,7 +35,7 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow], system: Syste
         title=study.title or f"Event {study.event}",
         subtitle=f"event {study.event}, {len(rows)} designs: {_counted(rows)}",
         verdict=None,
-        tables=(Table("Designs", tuple(lines), heads=heads, note=note),),
+        tables=(Table("Designs", tuple(lines), heads, note, "designs"),),
         remarks=tuple(refused),
         sources=(),
     )

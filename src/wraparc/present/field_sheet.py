@@ -37,6 +37,7 @@ def field_sheet(
         ("belt at entry", "belt at exit"),
         "drum speed: of the lagging surface under the belt, which runs on the radius less its "
         "compression",
+        "speeds",
     )
     return Sheet(
         title=title,
@@ -54,13 +55,15 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
     if governing is not None and governing.missed:
         why = f"As it is: {in_short(judged)}. "
         as_is = [as_it_is(judged, system)]
+    at_once, again = [*_at_once(found, worst)], _circumference(found, system)
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
     return Verdict(
         judged.level,
         f"{why}{who} shows at most {percent(worst)} between drum and belt; alarm at "
         f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
-        (*as_is, *_rules(found, worst), _circumference(found, system)),
+        (*as_is, *at_once, *_rules(found, worst), again),
         judged.word,
+        kept=(*as_is, *at_once, again),
     )
 
 
@@ -77,12 +80,15 @@ def _circumference(found: FieldNumbers, system: System) -> str:
     )
 
 
-def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
+def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
     if found.at_limit is not None and worst > found.at_limit:
         yield (
             "As described, the drive already creeps beyond its limit, where the alarm is set: it "
             "alarms at once."
         )
+
+
+def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
     for rule in TRIP_RULES:
         slack = 1.0 - rule.speed_share
         yield (
@@ -114,7 +120,7 @@ def _levels(found: FieldNumbers, system: System) -> Table:
         "The second column is what shaft speed times the circumference before the wear shows: set "
         "a level by the first, and keep the circumference measured."
     )
-    return Table("Alarm and trip levels", tuple(rows), heads, note)
+    return Table("Alarm and trip levels", tuple(rows), heads, note, "levels")
 
 
 def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
@@ -132,7 +138,7 @@ def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
             Row("Wear in a year", (quantity(found.wear_per_year, "length", system),), note=source)
         )
         rows.append(Row("Life of the depth allowed", (f"{found.life_years:.3g} years",)))
-    yield Table("Wear of the lagging", tuple(rows))
+    yield Table("Wear of the lagging", tuple(rows), name="wear")
 
 
 def _remarks(found: FieldNumbers) -> Iterator[str]:

@@ -19,7 +19,7 @@ _ABREAST = 4
 def input_table(drive: Drive, arc: WrapArc, system: System, of: Sources) -> Table:
     """Return what was given for one arc."""
     title = f"Inputs: pulley {arc.pulley}, load case {arc.load_case}"
-    return Table(title, input_rows(arc_inputs(drive, arc), system, of))
+    return Table(title, input_rows(arc_inputs(drive, arc), system, of), name="inputs")
 
 
 def input_rows(inputs: Iterable[Input], system: System, of: Sources) -> tuple[Row, ...]:
@@ -72,7 +72,7 @@ def input_tables(
                 for name in names
             )
             heads = tuple(entry.symbol for entry in groups[names[0]])
-            tables.append(Table("Tensions", rows, heads, _TENSIONS))
+            tables.append(Table("Tensions", rows, heads, _TENSIONS, "inputs"))
             continue
         for start in range(0, len(names), _ABREAST):
             some = names[start : start + _ABREAST]
@@ -82,5 +82,6 @@ def input_tables(
             )
             heads = tuple(name.removeprefix(f"{kind} ") for name in some)
             one = len(some) == 1
-            tables.append(Table(some[0], rows) if one else Table(f"{kind}s", rows, heads))
+            title = some[0] if one else f"{kind}s"
+            tables.append(Table(title, rows, ("",) if one else heads, name="inputs"))
     return tuple(tables)

@@ -94,7 +94,7 @@ def least_table(result: DriveResult | TrainResult, system: System = "si") -> Tab
         f"at the take-up behind pulley {after}" if after else "of the slack side behind the drives"
     )
     note = f"Tension {where} with which each check is kept, every pulley pulling as it does."
-    return Table(f"Least {least_name(result)}", tuple(rows), note=note)
+    return Table(f"Least {least_name(result)}", tuple(rows), note=note, name="least")
 
 
 def _after(result: DriveResult | TrainResult) -> str:
@@ -132,7 +132,7 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
         f"Pull at which the belt slides: a creep of {slides}, the end of the tested slip or the "
         "largest friction, whichever comes first."
     )
-    return Table("Margin to gross slip", tuple(rows), note=note)
+    return Table("Margin to gross slip", tuple(rows), note=note, name="margins")
 
 
 def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:

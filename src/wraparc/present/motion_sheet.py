@@ -12,7 +12,7 @@ from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.present.checks_table import check_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
-from wraparc.present.words import in_words
+from wraparc.present.words import in_words, told_twice
 from wraparc.units import Dimension, System, display
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
@@ -22,11 +22,13 @@ _CALM = 0.02
 def run_sheet(run: RunResult, system: System = "si") -> Sheet:
     """Return the answer of a run: the worst check first, then the numbers of every drum."""
     told = judge_run(run)
+    first, (peaks, *others) = told.sentences(system), _run_sentences(run, system)
+    kept = [s for s in first if s not in told_twice(told)]
     return Sheet(
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
         subtitle=f"{run.steps} steps of {display(run.step, 'time', digits=3)}, "
         f"{display(float(run.time[-1]), 'time', digits=3)} followed",
-        verdict=in_words(told, system, [*told.sentences(system), *_run_sentences(run, system)]),
+        verdict=in_words(told, system, [*first, peaks, *others], [*kept, *others]),
         tables=(*run_tables(run, system), check_table(told, system)),
         remarks=told.data + _LEFT_OUT,
         sources=(run.station.source,) if run.station.source else (),
@@ -86,7 +88,7 @@ def _whole_table(run: RunResult, system: System) -> Table:
         Row("Least tension", (named("exit_tension", least.value, system),), note=least.place),
         Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed", system),)),
     ]
-    return Table("The event", tuple(rows))
+    return Table("The event", tuple(rows), name="event")
 
 
 def _drum_table(run: RunResult, system: System) -> Table:
@@ -125,7 +127,7 @@ def _drum_table(run: RunResult, system: System) -> Table:
             NONE if d is None else f"{display(d * 1e6, 'number', digits=3)} um" for d in depths
         ]
         rows.append(row("Wear of one such event", texts))
-    return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums))
+    return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
 
 
 def stability_sheet(result: StabilityResult, system: System = "si") -> Sheet:
@@ -229,7 +231,7 @@ def _sensitivity_table(result: StabilityResult) -> Table:
         for name, margin in zip(result.linear.station.names, result.gain_margins, strict=True)
         if not math.isnan(margin)
     ]
-    return Table("Small vibrations", tuple(rows))
+    return Table("Small vibrations", tuple(rows), name="vibrations")
 
 
 def _times(margin: float) -> str:
@@ -253,4 +255,4 @@ def _controls_table(result: StabilityResult) -> Table:
         for c in result.controls
     ]
     heads = ("pulsates", "swing of pull, 1 a turn", "3 a turn", "power lost")
-    return Table("What other controls would make of it", tuple(rows), heads=heads)
+    return Table("What other controls would make of it", tuple(rows), heads, name="controls")

@@ -1,7 +1,6 @@
 """Results in a notebook: HTML tables and data frames."""
 
 from functools import singledispatch
-from itertools import zip_longest
 from typing import Any
 
 from wraparc.across import AcrossResult
@@ -10,9 +9,14 @@ from wraparc.drive import Drive, Lagging
 from wraparc.errors import library
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
+from wraparc.present.lines import plain_text
 from wraparc.present.page import sheet_html
-from wraparc.present.sheet import Row, Sheet
+from wraparc.present.sheet import Sheet
+from wraparc.present.short import short_sheet
 from wraparc.train.result import TrainResult
+
+#: Columns of text.
+_WIDTH = 80
 
 
 @singledispatch
@@ -64,29 +68,17 @@ def _(thing: Profile) -> Sheet:
 
 
 def html(thing: Any) -> str:
-    """Return a result as a piece of HTML."""
-    return sheet_html(sheet_of(thing))
+    """Return the short answer of a result as a piece of HTML."""
+    return sheet_html(_short(thing))
 
 
-def text(thing: Any) -> str:
-    """Return a result as a few lines: its answer, and its first table in columns."""
-    sheet = sheet_of(thing)
-    lines = [sheet.title, *([sheet.subtitle] if sheet.subtitle else [])]
-    if sheet.verdict is not None:
-        lines.append(f"{sheet.verdict.told}: {sheet.verdict.headline}")
-    for table in sheet.tables[:1]:
-        rows = [("", *table.heads), *map(_cells, table.rows)]
-        widths = [max(map(len, column)) for column in zip_longest(*rows, fillvalue="")]
-        lines.append(table.title)
-        lines += [
-            "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=False)).rstrip()
-            for row in rows
-        ]
-    return "\n".join(line for line in lines if line)
+def text(thing: Any, *, full: bool = False) -> str:
+    """Return the short answer of a result as text, or all there is to show of it."""
+    return plain_text(sheet_of(thing) if full else _short(thing), _WIDTH)
 
 
-def _cells(row: Row) -> tuple[str, ...]:
-    return (row.title, *row.values, *([str(row.level)] if row.level else []))
+def _short(thing: Any) -> Sheet:
+    return short_sheet(sheet_of(thing), rest=": .full() has them all.")
 
 
 @singledispatch

@@ -61,6 +61,8 @@ def _top(sheet: Sheet, heading: str) -> Iterator[str]:
     yield f"<p>{escape(sheet.subtitle)}</p>" if sheet.subtitle else ""
     if sheet.verdict:
         yield f"<p><strong>{sheet.verdict.told}. {escape(sheet.verdict.headline)}</strong></p>"
+        if sheet.verdict.action and sheet.verdict.action not in sheet.verdict.headline:
+            yield f"<p>Action: {escape(sheet.verdict.action)}</p>"
         yield _list("ul", sheet.verdict.sentences)
 
 
@@ -68,6 +70,7 @@ def _rest(sheet: Sheet) -> Iterator[str]:
     yield from map(_table, sheet.tables)
     yield _list("ul", sheet.remarks)
     yield _list("ol", sheet.sources)
+    yield from (f"<p>{escape(line)}</p>" for line in sheet.foot)
 
 
 def _list(tag: str, sentences: Sequence[str]) -> str:

@@ -30,7 +30,9 @@ def seek_sheet(found: Sought, title: str, system: System = "si") -> Sheet:
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}.",
         verdict=None,
-        tables=(Table(label_of(found.field).capitalize(), rows, heads),) if rows else (),
+        tables=(Table(label_of(found.field).capitalize(), rows, heads, name="values"),)
+        if rows
+        else (),
         remarks=(sentence(found, system),),
     )
 

@@ -57,12 +57,21 @@ class Table:
         Headings of the value columns; a single empty one needs no line of its own.
     note
         What to know about the whole table.
+    name
+        Word that it is asked for by; several tables of a sheet may share it.
+    short
+        What a short answer shows of it, where `wraparc.present.short` does not pick the rows.
+    brief
+        What a short answer says of it at its foot.
     """
 
     title: str
     rows: tuple[Row, ...]
     heads: tuple[str, ...] = ("",)
     note: str = ""
+    name: str = ""
+    short: "Table | None" = None
+    brief: str = ""
 
     @property
     def has_symbols(self) -> bool:
@@ -89,12 +98,18 @@ class Verdict:
         What follows from it: how far from a limit, what to do, what limits the answer.
     word
         What stands for the level, ``OK, on illustrative data``; the level itself unless given.
+    action
+        What to do, as the headline says it; empty where it says nothing of the kind.
+    kept
+        Those of the sentences that a short answer keeps; all of them unless given.
     """
 
     level: Level
     headline: str
     sentences: tuple[str, ...] = ()
     word: str = ""
+    action: str = ""
+    kept: tuple[str, ...] | None = None
 
     @property
     def told(self) -> str:
@@ -118,6 +133,10 @@ class Sheet:
         Sentences a reader must not miss.
     sources
         Where numbers came from; a note ``[2]`` in a row refers to the second.
+    foot
+        Lines at its foot, without a heading.
+    kept
+        Those of the remarks that a short answer keeps; all of them unless given.
     """
 
     title: str
@@ -126,6 +145,8 @@ class Sheet:
     tables: tuple[Table, ...] = ()
     remarks: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
+    foot: tuple[str, ...] = ()
+    kept: tuple[str, ...] | None = None
 
 
 def quantity(

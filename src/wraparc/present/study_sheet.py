@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from wraparc.alike import ALIKE
 from wraparc.checks import RULES, Level
@@ -84,19 +85,26 @@ def _group_tables(
     by_case: dict[tuple[str, str], list[Group]] = {}
     for group in summary.groups:
         by_case.setdefault((group.load_case, group.condition), []).append(group)
+    worst = max(by_case, key=lambda case: _badness(by_case[case]), default=None)
     for (load, condition), groups in by_case.items():
+        short = None if (load, condition) == worst else Table("", ())
         where = ", ".join(part for part in (load, condition) if part)
         if summary.drawn:
-            yield _chances(
-                f"{where}: probability by {fields or 'all draws'}", groups, units, system
-            )
+            title = f"{where}: probability by {fields or 'all draws'}"
+            table = _chances(title, groups, units, system)
         else:
-            yield _values(f"{where}: by {fields}", groups, units, system)
+            table = _values(f"{where}: by {fields}", groups, units, system)
+        yield replace(table, short=short)
     together = over_conditions(summary) if summary.drawn else ()
     if together:
         yield _together(together, units, system)
     if summary.drawn:
         yield _convergence(summary, units, system)
+
+
+def _badness(groups: Sequence[Group]) -> tuple[float, ...]:
+    """Return how large a share of groups fails, then how large a share asks for attention."""
+    return tuple(sum(group.judged.share(level).value for group in groups) for level in BAD)
 
 
 def _chances(
@@ -121,7 +129,7 @@ def _chances(
     note = "without bound: so many draws have none within the tested pressures" if lacking else ""
     more = len(groups) - len(rows)
     note += f"; {more} more in the file" if more > 0 else ""
-    return Table(title, tuple(rows), tuple(heads), note)
+    return Table(title, tuple(rows), tuple(heads), note, "groups")
 
 
 def _with_interval(share: Share) -> str:
@@ -145,7 +153,7 @@ def _values(
         rows.append(Row(group_name(group, units, system), tuple(cells)))
     more = len(groups) - len(rows)
     note = f"{more} more designs are in the file" if more > 0 else ""
-    return Table(title, tuple(rows), tuple(heads), note)
+    return Table(title, tuple(rows), tuple(heads), note, "groups")
 
 
 def _answer(group: Group) -> str:
@@ -167,7 +175,7 @@ def _together(
         rows.append(Row(name, (percent(away), percent(over))))
     note = "each condition counted by its share of the time"
     heads = ("breakaway", "creep over limit")
-    return Table("Over all conditions", tuple(rows), heads, note)
+    return Table("Over all conditions", tuple(rows), heads, note, "together")
 
 
 def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system: System) -> Table:
@@ -180,7 +188,9 @@ def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system
     parts = (group_name(group, units, system), group.load_case, group.condition)
     where = ", ".join(part for part in parts if part)
     heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
-    return Table(f"Convergence where it is least certain ({where})", tuple(rows), heads)
+    return Table(
+        f"Convergence where it is least certain ({where})", tuple(rows), heads, name="convergence"
+    )
 
 
 def _index_tables(indices: Global, called: Called, system: System) -> Iterator[Table]:
@@ -192,7 +202,8 @@ def _index_tables(indices: Global, called: Called, system: System) -> Iterator[T
             if not found.inputs:
                 lost = f"{found.lost:,} of {found.samples:,} draws lack the result"
                 note = f"no indices: {lost}; ask for creep_limit_margin, which breakaways have too"
-                yield Table(title, (Row("none", (NONE, NONE)),), ("alone", "with others"), note)
+                rows = [Row("none", (NONE, NONE))]
+                yield Table(title, tuple(rows), ("alone", "with others"), note, "indices")
                 continue
             rows = [
                 Row(
@@ -208,7 +219,7 @@ def _index_tables(indices: Global, called: Called, system: System) -> Iterator[T
             note = f"standard deviation {spread}; {found.samples:,} draws"
             note += f", {found.lost:,} left out" if found.lost else ""
             heads = (f"alone [{CONFIDENCE:.0%}]", f"with others [{CONFIDENCE:.0%}]")
-            yield Table(title, tuple(rows), heads, note)
+            yield Table(title, tuple(rows), heads, note, "indices")
 
 
 def _index(value: float, interval: tuple[float, float]) -> str:
@@ -245,6 +256,7 @@ def _tornado_tables(
                 tuple(rows),
                 ("for 1 % more", "plausible range", "result over it"),
                 f"{base} with every input at its median; plausible range: 5 % to 95 %",
+                "alone",
             )
 
 

@@ -179,7 +179,8 @@ def varied_table(data: Mapping[str, Any]) -> Iterator[Table]:
         for axis in axes
     ]
     if rows:
-        yield Table("What is varied", tuple(rows), ("field of the drive file", "values"))
+        heads = ("field of the drive file", "values")
+        yield Table("What is varied", tuple(rows), heads, name="varied")
 
 
 def _spread(axis: Mapping[str, Any]) -> str:

@@ -117,7 +117,7 @@ def case_table(case: CaseResult, system: System) -> Table:
     rows.append(row("power_loss", lambda m: _lost(m, system), _loss_note(case, system)))
     rows.append(_sensitivity_row(case))
     note = _precision(case) if case.status is TrainStatus.SOLVED else case.reason
-    return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note)
+    return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note, "drives")
 
 
 def _share(m: MemberResult) -> str:
@@ -237,9 +237,13 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
     """Return how exactly the drives of a train must be matched."""
     tables = [
         case_table(matching.case, system),
-        _curve_table(f"Against {_noun(matching.trim)}", matching.trim, trim_text),
-        _curve_table("Against diameter, drums turning as before", matching.diameter, trim_text),
-        _curve_table("Against load, speeds and take-up as they are", matching.load, percent),
+        _curve_table("trim", f"Against {_noun(matching.trim)}", matching.trim, trim_text),
+        _curve_table(
+            "diameter", "Against diameter, drums turning as before", matching.diameter, trim_text
+        ),
+        _curve_table(
+            "load", "Against load, speeds and take-up as they are", matching.load, percent
+        ),
         _changes_table(matching, system),
     ]
     pulleys = drive_sheet([result.drive_result()], system, [])
@@ -248,7 +252,7 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
     return Sheet(title, "", verdict, tuple(tables), pulleys.remarks, pulleys.sources)
 
 
-def _curve_table(title: str, curve: ShareCurve, text: Callable[[float], str]) -> Table:
+def _curve_table(name: str, title: str, curve: ShareCurve, text: Callable[[float], str]) -> Table:
     """Where something happens along a curve."""
     names = [m.name for m in curve.case.members]
     rows = tuple(
@@ -258,7 +262,7 @@ def _curve_table(title: str, curve: ShareCurve, text: Callable[[float], str]) ->
     low, high = text(float(curve.values[0])), text(float(curve.values[-1]))
     entry = GLOSSARY[curve.quantity]
     of = "" if curve.axis.value == "load_ratio" else f" of {names[curve.drive]}"
-    return Table(title, rows, note=f"{entry.title}{of} from {low} to {high}.")
+    return Table(title, rows, note=f"{entry.title}{of} from {low} to {high}.", name=name)
 
 
 def _noun(curve: ShareCurve) -> str:
@@ -282,4 +286,9 @@ def _changes_table(matching: Matching, system: System) -> Table:
         rows.append(Row(what, shares, note=note))
     before = tuple(percent(m.share) for m in matching.case.members)
     rows.insert(0, Row("as it is", before))
-    return Table("Shares when one drum changes, speeds held", tuple(rows), _names(matching.case))
+    return Table(
+        "Shares when one drum changes, speeds held",
+        tuple(rows),
+        _names(matching.case),
+        name="changed",
+    )

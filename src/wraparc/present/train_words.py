@@ -8,7 +8,7 @@ from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
-from wraparc.present.words import as_it_is, in_short, in_words
+from wraparc.present.words import as_it_is, in_short, in_words, told_twice
 from wraparc.train import (
     CaseResult,
     MarkKind,
@@ -32,15 +32,13 @@ def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
     """Return the answer for a train in all its load cases, told by the one that governs."""
     worst, told = result.governing, judge(result)
     least = least_sentence(result, system)
-    sentences = [
-        *([least] if least else []),
-        *told.sentences(system),
-        *case_sentences(worst, result.cases, system),
-    ]
-    for case in result:
-        if case is not worst:
-            sentences += short_sentences(case, system)
-    return in_words(told, system, sentences)
+    first = [*([least] if least else []), *told.sentences(system)]
+    governing = [*case_sentences(worst, result.cases, system)]
+    others = [s for case in result if case is not worst for s in short_sentences(case, system)]
+    sentences = [*first, *governing, *others]
+    kept = [s for s in first if s not in told_twice(told)]
+    kept += governing[: 1 + bool(worst.other_splits)]  # who carries what, and whether for sure
+    return in_words(told, system, sentences, [*kept, *others])
 
 
 def _fights(case: CaseResult) -> bool:
@@ -217,15 +215,18 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
         )
     judged = judge(result)
     missed = f" As it is: {in_short(judged)}." if judged.missed else ""
+    as_is = [as_it_is(judged, system)] if judged.missed else []
+    load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
-        *([as_it_is(judged, system)] if judged.missed else []),
+        *as_is,
         *_who_and_why(matching),
         *_range(matching.trim, name, what.split()[-1]),
-        *_against_load(matching.load),
+        *load,
         *_changes(matching, system),
-        *_losses(matching),
+        *losses,
     ]
-    return Verdict(judged.level, f"{headline}.{missed}", tuple(sentences), judged.word)
+    kept = (*as_is, *load, *losses)
+    return Verdict(judged.level, f"{headline}.{missed}", tuple(sentences), judged.word, kept=kept)
 
 
 def _to_set(matching: Matching, name: str) -> str:

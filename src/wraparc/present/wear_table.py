@@ -45,7 +45,7 @@ def wear_table(result: ArcResult, lagging: Lagging, system: System = "si") -> Ta
         f"{lagging.source_of('belt_energy_share')}."
     )
     note = f"By place from the entry: shear stress times the speed of slip. {split_note}"
-    return Table("Wear along the wrap", tuple(rows), heads, note)
+    return Table("Wear along the wrap", tuple(rows), heads, note, "wear")
 
 
 def life_table(
@@ -71,7 +71,7 @@ def life_table(
             " The life follows from a wear coefficient, which nobody publishes: calibrate it to a "
             "measured wear (wraparc field --measured-wear), or give wear_coefficient."
         )
-    return Table("Life of the lagging", tuple(rows), note=note)
+    return Table("Life of the lagging", tuple(rows), note=note, name="life")
 
 
 def _vendor_row(vendor: dict[str, Any], system: System, of: Sources | None) -> Row:

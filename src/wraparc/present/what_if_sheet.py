@@ -65,9 +65,12 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     across = compared_table(_by_itself(found), heads, system)
     as_is = judge(wholes[0])
     sentences = [as_it_is(as_is, system)] if as_is.missed else []
+    kept = [*sentences]
     for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
-        told = (*_missed(found, after_it, system), *_reasons(found, after_it, after, system))
-        sentences += [f"{change.title}: {s}" for s in told]
+        missed = [*_missed(found, after_it, system)]
+        why = [*_reasons(found, after_it, after, system)]
+        sentences += [f"{change.title}: {s}" for s in (*missed, *why)]
+        kept += [f"{change.title}: {s}" for s in (*missed, *why[:1])]
     return Sheet(
         title=title,
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
@@ -76,9 +79,14 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
             _headline(found, system),
             tuple(sentences),
             re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
+            kept=tuple(kept),
         ),
-        tables=(Table("Before and after", tuple(rows), heads), *([across] if across else [])),
+        tables=(
+            Table("Before and after", tuple(rows), heads, name="changes"),
+            *([across] if across else []),
+        ),
         remarks=tuple(f"{c.title}: {c.note}" for c in found.changes if c.note),
+        kept=(),
     )
 
 

@@ -1,7 +1,7 @@
 """The answer in words: the verdict of the checks, and what to know of an arc that governs."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from weakref import WeakKeyDictionary
 
@@ -22,12 +22,43 @@ def verdict(result: DriveResult, system: System = "si") -> Verdict:
     sentences = [*([least] if least else []), *told.sentences(system)]
     if worst.status is Status.BREAKAWAY:
         sentences += _breakaway(worst)
-    return in_words(told, system, sentences)
+    said = (*told_twice(told), *([least] if _says_none(told) else []))
+    return in_words(told, system, sentences, [s for s in sentences if s not in said])
 
 
-def in_words(told: Judgement, system: System, sentences: list[str]) -> Verdict:
-    """Return a verdict with its sentences, as a sheet shows it."""
-    return Verdict(told.level, told.headline(system), tuple(sentences), told.word)
+def told_twice(told: Judgement) -> tuple[str, ...]:
+    """Return the sentence on the data, which the remarks of a short answer tell in full."""
+    weak = told.level.rank > Level.OK.rank and told.qualifier and told.data
+    return told.sentences()[-1:] if weak else ()
+
+
+def _says_none(told: Judgement) -> bool:
+    """Whether the headline says that no tension is enough."""
+    worst = told.governing
+    return worst is not None and worst.missed and worst.remedy == worst.otherwise != ""
+
+
+def in_words(
+    told: Judgement, system: System, sentences: Sequence[str], kept: Sequence[str] | None = None
+) -> Verdict:
+    """Return a verdict with its sentences, as a sheet shows it; `kept` are those of a short one."""
+    return Verdict(
+        told.level,
+        told.headline(system),
+        tuple(sentences),
+        told.word,
+        _action(told, system),
+        None if kept is None else tuple(kept),
+    )
+
+
+def _action(told: Judgement, system: System) -> str:
+    """Return what the headline says is to be done: the remedy of the check that governs."""
+    worst = told.governing
+    if worst is None or not worst.missed or not worst.says:
+        return ""
+    said = replace(worst, remedy="").sentence(system)
+    return worst.sentence(system).removeprefix(said).strip()
 
 
 def as_it_is(told: Judgement, system: System) -> str:

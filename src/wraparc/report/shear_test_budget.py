@@ -46,7 +46,7 @@ def budget_table(condition: ConditionResult, system: System, name: str) -> Table
     )
     note += f" Nothing is counted for: {', '.join(none)}." if none else ""
     heads = ("peak friction", "share", "peak slip", "share")
-    return Table(f"Budget of uncertainty{name}", tuple(rows), heads, note)
+    return Table(f"Budget of uncertainty{name}", tuple(rows), heads, note, "budget")
 
 
 def _values(part: np.ndarray, combined: np.ndarray | None) -> tuple[str, ...]:

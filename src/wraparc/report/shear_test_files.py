@@ -12,13 +12,15 @@ _FEW = 3
 
 def left_out_table(result: PlanResult) -> Table:
     """Tests that could not be used, and why."""
-    return Table("Tests left out", tuple(Row(str(p), ()) for p in result.left_out), heads=())
+    return Table(
+        "Tests left out", tuple(Row(str(p), ()) for p in result.left_out), heads=(), name="left-out"
+    )
 
 
 def unused_table(result: PlanResult) -> Table:
     """Tests that the plan says not to use, and why."""
     rows = (Row(f"{t.place} ({t.file}): {t.reason}", ()) for t in result.plan.unused_tests)
-    return Table("Tests not used, as the plan says", tuple(rows), heads=())
+    return Table("Tests not used, as the plan says", tuple(rows), heads=(), name="unused")
 
 
 def files_table(condition: ConditionResult, name: str) -> Table:
@@ -66,7 +68,7 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "Rows of numbers in the file, those kept, and those of the pull that were fitted; largest "
         "slip."
     )
-    return without_empty(Table(f"Files{name}", tuple(rows), heads, note))
+    return without_empty(Table(f"Files{name}", tuple(rows), heads, note, "files"))
 
 
 def without_empty(table: Table) -> Table:
@@ -85,7 +87,7 @@ def remarks_table(condition: ConditionResult, name: str) -> Table | None:
     if not about:
         return None
     lines = tuple(Row(f"{_listed(files)}: {text}.", ()) for text, files in about.items())
-    return Table(f"Remarks on single tests{name}", lines, heads=())
+    return Table(f"Remarks on single tests{name}", lines, heads=(), name="remarks")
 
 
 def _remarks(test: TestResult) -> Iterator[str]:

@@ -58,7 +58,7 @@ def circumstances_table(result: PlanResult, system: System) -> Table:
         "Roughness": plan.roughness and display(plan.roughness, "length", system),
     }
     rows += [Row(title, (value,)) for title, value in known.items() if value]
-    return Table("Specimen, rig and conditions", tuple(rows))
+    return Table("Specimen, rig and conditions", tuple(rows), name="rig")
 
 
 def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:

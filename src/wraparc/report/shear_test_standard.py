@@ -54,7 +54,10 @@ def _law_table(condition: ConditionResult, system: System, name: str) -> Table:
         "the budget included. In brackets: beyond the slip of the tests."
     )
     heads = tuple(f"{slip / size:.3g} {unit}" for slip in STANDARD_SLIPS)
-    return Table(f"Law at standard slips{name}", tuple(rows), heads, note)
+    title, some = f"Law at standard slips{name}", {0, len(rows) // 2, len(rows) - 1}
+    picked = [Row(rows[k].title, rows[k].values[1::2]) for k in sorted(some)]
+    brief = Table(title, tuple(picked), heads[1::2], note)
+    return Table(title, tuple(rows), heads, note, "slips", brief)
 
 
 def _static_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
@@ -85,7 +88,7 @@ def _static_table(values: tuple[StandardValues, ...], system: System, name: str)
         "and the lagging shears between belt covers instead of under a sled."
     )
     heads = ("tests", "static", "s", "kinetic", "s", f"over slip [{unit}]")
-    return Table(f"Static and kinetic friction{name}", tuple(rows), heads, note)
+    return Table(f"Static and kinetic friction{name}", tuple(rows), heads, note, "static")
 
 
 def _slips_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
@@ -108,7 +111,7 @@ def _slips_table(values: tuple[StandardValues, ...], system: System, name: str) 
         f"friction at that slip; {_DEVIATION} In brackets [ ]: no test reached that slip, and the "
         "number is the law, extrapolated. A number in ( ): how many tests reached it, if not all."
     )
-    return Table(f"Friction at standard slips{name}", tuple(rows), tuple(heads), note)
+    return Table(f"Friction at standard slips{name}", tuple(rows), tuple(heads), note, "measured")
 
 
 def _pressure(of: StandardValues, system: System) -> str:
@@ -146,7 +149,7 @@ def laws_table(condition: ConditionResult, name: str) -> Table:
         "law whatever this table says."
     )
     heads = ("parameters", "remainder", "AICc", f"best of {len(condition.tests)}")
-    return Table(f"Laws side by side{name}", rows, heads, note)
+    return Table(f"Laws side by side{name}", rows, heads, note, "laws")
 
 
 def _difference(of: float) -> str:

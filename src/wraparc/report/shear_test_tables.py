@@ -25,6 +25,7 @@ from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
+from wraparc.shear_test.sentences import form_sentences
 from wraparc.units import System, display_unit
 
 Array = NDArray[np.float64]
@@ -49,6 +50,8 @@ def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False)
         tables += condition_tables(condition, system, name)
         tables += [laws_table(condition, name)] if laws else []
     remarks = _remarks(result)
+    plan = result.plan
+    forms = {s for c in result.conditions for s in form_sentences(plan, c.found)}
     return Sheet(
         title=f"Shear tests of {result.plan.title or result.plan.name}",
         subtitle=_subtitle(result),
@@ -56,6 +59,7 @@ def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False)
         tables=tuple(tables),
         remarks=tuple(_started(sentence) for sentence in remarks),
         sources=(str(result.plan.provenance),),
+        kept=tuple(_started(s) for s in remarks if s not in forms and _bare(s) not in forms),
     )
 
 
@@ -76,6 +80,11 @@ def _remarks(result: PlanResult) -> list[str]:
         everywhere = len(said) == len(result.conditions)
         found.append(f"{', '.join(said)}: {sentence}" if several and not everywhere else sentence)
     return found
+
+
+def _bare(remark: str) -> str:
+    """A remark without its condition."""
+    return remark.partition(": ")[2]
 
 
 def _subtitle(result: PlanResult) -> str:
@@ -150,7 +159,8 @@ def condition_tables(condition: ConditionResult, system: System, name: str) -> l
         tables.append(budget)
     if condition.fit is not None and condition.found.choice is not None:
         lines = equations(condition.fit.form, condition.fit.theta, condition.fit.ends)
-        tables.append(Table(f"Equations over pressure{name}", tuple(Row(x, ()) for x in lines), ()))
+        rows = tuple(Row(x, ()) for x in lines)
+        tables.append(Table(f"Equations over pressure{name}", rows, (), name="equations"))
         tables.append(forms_table(condition, name))
     if condition.found.left_out:
         tables.append(prediction_table(condition, system, name))
@@ -187,7 +197,7 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
         "of the likelihood (? if it has no upper end). A curve that its law does not describe has "
         "no interval. Noise: standard deviation of one reading of friction."
     )
-    return Table(f"Tests{name}", rows, heads, note)
+    return Table(f"Tests{name}", rows, heads, note, "tests")
 
 
 def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
@@ -267,7 +277,8 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
         "mu = A x ln x - b x, x in mm. The last two columns are from the five-point derivative "
         "of the curve, fitted by A ln x + (A - b)."
     )
-    return without_empty(Table(f"Coefficients of the tests{name}", tuple(rows), heads, note))
+    title = f"Coefficients of the tests{name}"
+    return without_empty(Table(title, tuple(rows), heads, note, "coefficients"))
 
 
 def law_table(condition: ConditionResult, system: System, name: str) -> Table:
@@ -305,7 +316,7 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
         f"First column: {_pressure_head(system)}. \u00b1 is half the 95 % interval of the law, "
         "every part of the budget included. A and b hold for slip in mm."
     )
-    return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note))
+    return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note, "law"))
 
 
 def forms_table(condition: ConditionResult, name: str) -> Table:
@@ -329,7 +340,7 @@ def forms_table(condition: ConditionResult, name: str) -> Table:
         "left out, inside the tested range, for the forms near the best."
     )
     heads = ("parameters", "AICc", "left-out error")
-    return Table(f"Forms of the pressure dependence{name}", rows, heads, note)
+    return Table(f"Forms of the pressure dependence{name}", rows, heads, note, "forms")
 
 
 def prediction_table(condition: ConditionResult, system: System, name: str) -> Table:
@@ -348,7 +359,7 @@ def prediction_table(condition: ConditionResult, system: System, name: str) -> T
         "samples for comparison."
     )
     heads = ("error", "noise levels", "sample scatter")
-    return Table(f"Pressures left out in turn{name}", rows, heads, note)
+    return Table(f"Pressures left out in turn{name}", rows, heads, note, "prediction")
 
 
 def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
@@ -377,7 +388,7 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
         "left in",
     )
     note = "Shear of sample and rig at the largest force; peaks with it taken off and left in."
-    return Table(f"The sample's own shear{name}", tuple(rows), heads, note)
+    return Table(f"The sample's own shear{name}", tuple(rows), heads, note, "shear")
 
 
 def _top(test: TestResult) -> float:

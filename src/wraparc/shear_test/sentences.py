@@ -62,7 +62,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "laggings do; test at other pressures before relying on it elsewhere"
         )
     else:
-        remarks += _form(law, choice) + _transition(plan, found)
+        remarks += form_sentences(plan, found)
     if not all(found.tails.reached):
         remarks.append(
             "where the residual friction was not reached, the lowest friction seen is used for it"
@@ -74,6 +74,13 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
             "slip the law is an extrapolation"
         )
     return tuple(misfit), tuple(remarks)
+
+
+def form_sentences(plan: TestPlan, found: Findings) -> list[str]:
+    """Sentences on the form of a law over pressure; none of one that does not depend on it."""
+    if found.fit is None or found.choice is None:
+        return []
+    return _form(found.fit, found.choice) + _transition(plan, found)
 
 
 def _scatter(found: Findings) -> list[str]:

@@ -127,7 +127,7 @@ def _sheet(result: TrainResult, matching: Matching) -> Data:
 def _drive(thing: Train, name: str | None) -> int:
     names = [p.name for p in thing.pulleys]
     if len(names) < 2:
-        message = "the drive has one pulley, which shares its load with nobody"
+        message = "trim needs two or more drive pulleys; this drive has one"
         raise InputError(Problem(message=message, remedy="Add a pulley.", key="pulley"))
     if name is None:
         return 1

@@ -910,11 +910,14 @@ export class Row {
 }
 
 export class Table {
-  constructor(title, rows, heads = [""], note = "") {
+  constructor(title, rows, heads = [""], note = "", name = "", short = null, brief = "") {
     this.title = title;
     this.rows = rows;
     this.heads = heads;
     this.note = note;
+    this.name = name;
+    this.short = short;
+    this.brief = brief;
   }
 }
 
@@ -3036,6 +3039,7 @@ export function train_sheet__case_table(case_, system) {
     [...rows],
     train_sheet___names(case_),
     note,
+    "drives",
   );
 }
 
@@ -3101,7 +3105,7 @@ export function arc_tables__capacity_rows(c, of, system) {
     "; margin is the capacity over the actual ratio, " +
     $text(sheet__named("tension_ratio", actual, system)) +
     ".";
-  return new Table("Capacity", [...rows], undefined, note);
+  return new Table("Capacity", [...rows], undefined, note, "capacity");
 }
 
 /** Effort of an entry creep ratio, laws without a jump; the inverse of :func:`ratio_of`. */

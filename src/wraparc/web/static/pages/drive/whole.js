@@ -3,7 +3,7 @@ import { app } from "../../base/design.js";
 import { digits, percent, unit } from "../../base/units.js";
 import { leastOf, leastTold, raiseTo } from "./least.js";
 import { filled } from "./wording.js";
-import { barsOf, checkTable, quantity, verdictOf } from "./words.js";
+import { barsOf, checkTable, onSafeSide, quantity, verdictOf } from "./words.js";
 
 /** @import { Book, FullAnswer, FullArc, Judging, QuickAnswer } from "../../types.d.ts" */
 /** @import { Table, TableRow } from "../../types.d.ts" */
@@ -116,7 +116,7 @@ function summaryOf(judged, of) {
   const [[force], [length]] = [unit("force"), unit("length")];
   const heads = [
     ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
-    ...["of limit", `least slack side [${force}]`, ""],
+    ...["of limit", `least T2 [${force}]`, ""],
   ];
   return {
     key: "summary",
@@ -130,7 +130,8 @@ function summaryOf(judged, of) {
 function leastIn(judged) {
   const found = leastOf(judged);
   if (!found) return "-";
-  return Number.isFinite(found.tension) ? bare(found.tension, "force") : "none";
+  if (!Number.isFinite(found.tension)) return "none";
+  return bare(onSafeSide(found.tension, "force", true), "force");
 }
 /** A value in the unit of its table, bare. @param {number} v @param {string} [dimension] */
 const bare = (v, dimension) => {

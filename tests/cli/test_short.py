@@ -1,0 +1,198 @@
+"""The short answer: one screen, which loses nothing that matters; --full and --table give the rest.
+
+Expected: counted and looked for in the whole answer, of which the short one is a part.
+"""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from cli.running import DRIVE, Ran, drive_file, wraparc
+from wraparc import load_drive, solve
+from wraparc.checks import Level, judge, least_tension
+from wraparc.cli.solve import TABLES
+from wraparc.present.sheet import Row, Sheet, Table, Verdict
+from wraparc.present.short import short_sheet
+
+EXAMPLES = Path("examples")
+START = """
+[[load_case]]
+name = "start"
+kind = "starting"
+pulley.head.entry_tension = "186 kN"
+"""
+#: Drives of one pulley: name, and what is missed or near in them.
+ONE = (
+    "downhill-braking", "head-drive-fabric", "steel-cord-drive", "test-pulley-calibrated",
+    "uphill-conveyor", "studies/head-drive", "wet-season/wet-season-drive",
+)  # fmt: skip
+
+
+def lines(ran: Ran) -> list[str]:
+    assert ran.code in (0, 1), ran.err
+    return ran.out.splitlines()
+
+
+@pytest.fixture(autouse=True)
+def eighty_columns(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+
+
+@pytest.mark.parametrize("units", ["si", "us"])
+def test_a_drive_of_three_load_cases_is_one_screen(tmp_path: Path, units: str) -> None:
+    ran = wraparc("solve", drive_file(tmp_path, DRIVE + START), "--units", units)
+    assert 15 < len(lines(ran)) <= 40
+    assert max(map(len, lines(ran))) <= 80
+
+
+@pytest.mark.parametrize("name", ONE)
+def test_an_example_is_one_screen_with_all_that_is_missed(name: str) -> None:
+    file = EXAMPLES / f"{name}.toml"
+    ran = wraparc("solve", file)
+    assert len(lines(ran)) <= 40
+    judged = judge(solve(load_drive(file), raise_on_failure=False))
+    for check in judged.missed:
+        says = check.sentence().partition(". ")[0]
+        assert " ".join(says.split()) in ran.words, check.name
+        assert " ".join(check.title.split()[:4]) in ran.words  # the rest may be on another line
+    for sentence in judged.data:
+        assert sentence in ran.words
+    left = [c.title for c in judged.listed if c.level is Level.NOT_CHECKED]
+    assert all(title.partition(",")[0] in ran.words for title in left)
+
+
+def test_a_narrow_terminal_wraps_and_breaks_no_table(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "60")
+    ran = wraparc("solve", EXAMPLES / "head-drive-fabric.toml")
+    assert max(map(len, lines(ran))) <= 60
+    assert re.search(r"Creep at exit +11\.3 mm +at most 6\.35 mm +ATTENTION", ran.out)
+
+
+def test_full_is_all_of_it_and_the_short_answer_says_so() -> None:
+    file = EXAMPLES / "head-drive-fabric.toml"
+    short, full = wraparc("solve", file), wraparc("solve", file, "--full")
+    assert "see --full, --table NAME." in short.words
+    assert len(lines(full)) > 5 * len(lines(short))
+    assert "Sources" in full.out.splitlines()
+    tables = [line for line in lines(full) if line in ("Checks", "Capacity", "Energy and wear")]
+    assert len(tables) == 3
+
+
+def test_one_table_is_what_the_whole_answer_shows_of_it() -> None:
+    file = EXAMPLES / "head-drive-fabric.toml"
+    full, one = wraparc("solve", file, "--full").out, wraparc("solve", file, "--table", "capacity")
+    assert one.out.startswith("Capacity\n")
+    assert one.out.rstrip() in full
+
+
+def test_an_unknown_table_is_refused_before_anything_is_solved() -> None:
+    ran = wraparc("solve", "nowhere.toml", "--table", "capasity")
+    assert (ran.code, ran.out) == (2, "")
+    assert "Did you mean capacity?" in ran.err
+    assert all(name in ran.err for name in TABLES)
+    assert all(name in wraparc("solve", "--help").words for name in TABLES)
+
+
+def test_a_table_that_this_answer_lacks_is_told_with_those_it_has() -> None:
+    ran = wraparc("solve", EXAMPLES / "head-drive-fabric.toml", "--table", "conveyor")
+    assert ran.code == 2
+    assert '--table = "conveyor": no such table in this answer. It has checks, least,' in ran.err
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("trim", "tandem-fabric.toml", "--points", "9"),
+        ("field", "head-drive-fabric.toml"),
+        ("what-if", "head-drive-fabric.toml", "--worn", "6 mm", "--lagging", "full-ceramic"),
+        ("choose", "wet-season/choose.toml"),
+        ("stability", "tandem-fabric.toml"),
+        ("calibrate", "test-pulley/published-pair.toml"),
+        ("check", "triple-steel-cord.toml"),
+        ("lagging", "full-ceramic"),
+    ],
+    ids=lambda arguments: arguments[0],
+)
+def test_every_command_answers_in_one_screen(
+    arguments: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(EXAMPLES)
+    ran, full = wraparc(*arguments), wraparc(*arguments, "--full")
+    assert len(lines(ran)) <= 48
+    assert ran.code == full.code
+    names = re.search(r"--table NAME +Print one table alone: (.*?)\.", _help(arguments[0]))
+    assert names
+    alone = wraparc(*arguments, "--table", names[1].split(", ")[0])
+    assert alone.code == full.code
+    assert alone.out.rstrip() in full.out
+
+
+def _help(command: str) -> str:
+    return wraparc(command, "--help").words
+
+
+def test_the_least_tension_of_a_load_case_holds_as_it_is_shown() -> None:
+    """Rounded upwards in the table as in the sentence; expected: what the check itself found."""
+    file = EXAMPLES / "wet-season" / "wet-season-drive.toml"
+    found = least_tension(solve(load_drive(file)))
+    assert found is not None
+    ran = wraparc("solve", file)
+    (shown,) = re.findall(r"start: head .* (\S+) +over creep limit", ran.out)
+    assert found.tension <= 1e3 * float(shown) < 1.002 * found.tension
+    assert f"is kept is {shown} kN" in ran.words
+
+
+def test_every_missed_check_is_told_however_many() -> None:
+    told = Verdict(Level.FAILS, "Bad.", kept=tuple(f"ATTENTION: {n}" for n in range(20)))
+    verdict = short_sheet(Sheet("T", verdict=told)).verdict
+    assert verdict is not None
+    assert len(verdict.sentences) == 20
+
+
+# ---- what is chosen ----
+
+
+def _sheet(**changed: object) -> Sheet:
+    bad = tuple(
+        Row(f"row {n}", ("1",), level=Level.ATTENTION if n == 8 else None) for n in range(9)
+    )
+    tables = (
+        Table("Known", bad, name="trim"),
+        Table("Unknown", bad, name="constant"),
+        Table("Nameless", (Row("all", ("1",)),)),
+    )
+    told = Verdict(Level.ATTENTION, "Too much. Take less.", ("one", "two"), action="Take less.")
+    values = {"title": "T", "verdict": told, "tables": tables, "sources": ("a", "b"), **changed}
+    return Sheet(**values)  # type: ignore[arg-type]
+
+
+def test_rows_that_ask_for_attention_stay_and_others_are_counted() -> None:
+    short = short_sheet(_sheet(), "--table", ": more.")
+    known, nameless = short.tables
+    assert [row.title for row in known.rows] == [f"row {n}" for n in (0, 1, 2, 3, 4, 5, 6, 8)]
+    assert nameless.rows[0].title == "all"
+    assert "Unknown: ATTENTION in 1 row (--table constant)." in short.foot
+    assert short.foot[-1] == "Not shown: 1 row, 1 table, 2 sources: more."
+
+
+def test_the_action_stands_by_itself_in_the_words_of_the_headline() -> None:
+    verdict = short_sheet(_sheet()).verdict
+    assert verdict is not None
+    assert (verdict.headline, verdict.action) == ("Too much.", "Take less.")
+
+
+def test_kept_sentences_and_remarks_are_kept_and_the_others_counted() -> None:
+    told = Verdict(Level.OK, "Fine.", tuple(f"s{n}" for n in range(12)), kept=("s0", "s11"))
+    short = short_sheet(_sheet(verdict=told, remarks=("r0", "r1"), kept=("r1",)), rest=".")
+    assert short.verdict is not None
+    assert short.verdict.sentences == ("s0", "s11")
+    assert "r1" in short.foot
+    assert "r0" not in short.foot
+    assert short.foot[-1].startswith("Not shown: 10 sentences, 1 remark, ")
+
+
+def test_numbers_of_sources_go_with_the_sources_and_other_brackets_stay() -> None:
+    rows = (Row("row", ("1",), note="published [2], of [pulley] [7]"),)
+    short = short_sheet(_sheet(tables=(Table("Known", rows, name="trim"),)))
+    assert short.tables[0].rows[0].note == "published, of [pulley] [7]"
