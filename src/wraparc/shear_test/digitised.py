@@ -26,7 +26,10 @@ from wraparc.units import parse_quantity
 #: Points of a curve; a plain CSV or JSON of more than this many curves is no figure.
 LEAST_POINTS, _MOST_CURVES, _DEEPEST = 10, 200, 12
 _STEPS = 60
-_PRESSURE = re.compile(r"(?<![\d.])0*(\d{1,5}(?:[.]\d{1,3})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE)
+_RENAME = "Give each its own name in the digitiser."
+_PRESSURE = re.compile(
+    r"(?<![\d.,])0*(\d{1,5}(?:[.]\d{1,6}|,\d{1,2})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE
+)
 _UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 
 
@@ -42,7 +45,7 @@ class Points:
 def guessed_pressure(name: str) -> str | None:
     """Return the pressure that a name tells, as ``207kPa-1.csv`` does, or None."""
     found = _PRESSURE.search(name)
-    return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
+    return f"{found[1].replace(',', '.')} {_UNITS[found[2].lower()]}" if found else None
 
 
 def read_points(data: bytes, file: str) -> list[Points]:
@@ -179,7 +182,9 @@ def with_curves(
             pressure = parse_quantity(said, "pressure")
         label = f"{test.file}: {curve.name}" if curve.name else test.file
         try:
-            records[label] = _record(label, curve, pressure, of, plan)
+            record = _record(label, curve, pressure, of, plan)
+            _refuse_again(record, records)
+            records[label] = record
         except InputError as error:
             problems += error.problems
             continue
@@ -226,10 +231,19 @@ def _errors(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> ReadOff:
 def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     """All curves of the file, or the one that the test names."""
     if not test.curve:
+        if len(curves) > 1 and test.pressure is not None:
+            raise _refused(
+                test.file,
+                f"one pressure is given for its {len(curves)} curves",
+                "Give each a [[test]] with its curve and pressure, or name them by their pressures.",
+                "pressure",
+            )
         return curves
     if len(curves) == 1:
         return [replace(curves[0], name=test.curve)]
     chosen = [curve for curve in curves if curve.name.strip() == test.curve.strip()]
+    if len(chosen) > 1:
+        raise _refused(test.file, f"{len(chosen)} curves are named so", _RENAME, "curve")
     if not chosen:
         listed = ", ".join(shown(curve.name) for curve in curves[:10])
         raise InputError(
@@ -244,6 +258,16 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     return chosen
 
 
+def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> None:
+    """Refuse a curve that another one is, by its name or by its points."""
+    if record.file in others:
+        raise _refused(record.file, "two curves of the file have this name", _RENAME)
+    same = next((name for name, other in others.items() if other.digest == record.digest), None)
+    if same is not None:
+        remedy = "Click its own points, or take it out."
+        raise _refused(record.file, f"it has the same points as {shown(same)}", remedy)
+
+
 def _letter(test: PlannedTest, curve: Points) -> str:
     return (test.curve or curve.name).strip().casefold()
 
@@ -252,7 +276,11 @@ def _coefficient_curves(
     of: Digitised, taken: list[tuple[PlannedTest, Points]]
 ) -> list[tuple[PlannedTest, Points]]:
     """A and b over pressure as friction over slip: a curve at each pressure of A."""
-    by = {_letter(test, curve): (test, curve) for test, curve in taken}
+    letters = [_letter(test, curve) for test, curve in taken]
+    for letter, title in (("a", "A"), ("b", "b")):
+        if letters.count(letter) > 1:
+            raise _refused(taken[0][0].file, f"two curves are named {title}", _RENAME)
+    by = dict(zip(letters, taken, strict=True))
     if not {"a", "b"} <= by.keys():
         listed = ", ".join(shown(curve.name) for _, curve in taken[:10])
         remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
