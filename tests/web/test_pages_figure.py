@@ -400,8 +400,10 @@ def test_the_next_picture_keeps_the_points_of_the_last(page: Page) -> None:
     curve(page, of, 0, 34.0, 1.5)
     picture(page, of.png, "fig3.png")
     expect(page.get_by_role("heading", name="1 file of points")).to_be_visible()
+    expect(page.get_by_role("heading", name="Curves of fig3-2")).to_be_visible()
     axes(page, of)
-    curve(page, of, 0, 690.0)
+    curve(page, of, 0, 138.0)
+    curve(page, of, 1, 690.0)
     fit(page)
     for field, text in (
         ("digitised-source", "Say who published the figure."),

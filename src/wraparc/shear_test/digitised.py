@@ -235,7 +235,7 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
             raise _refused(
                 test.file,
                 f"one pressure is given for its {len(curves)} curves",
-                "Give each a [[test]] with its curve and pressure, or name them by their pressures.",
+                "Give each a [[test]] with its curve and pressure, or name them by pressure.",
                 "pressure",
             )
         return curves

@@ -483,7 +483,7 @@ export function figureCard(take) {
   return h(
     "section",
     { class: "card", "aria-label": "Figure", key: "figure" },
-    h("h2", {}, "Read curves off a figure"),
+    h("h2", {}, state.picture ? `Curves of ${state.picture.name}` : "Curves of a figure"),
     h("input", input),
     h(
       "p",
