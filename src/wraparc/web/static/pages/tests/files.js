@@ -70,9 +70,14 @@ export async function takePicture(picture) {
   await sendFigure();
   await openPicture(picture, (name) => session.files.some((f) => f.name === name));
 }
-/** Send the points of the picture that is open, in the place of what was sent of it before.
- * @returns {Promise<boolean>} whether there is nothing left to say of them */
-export async function sendFigure() {
+let sending = /** @type {Promise<boolean>} */ (Promise.resolve(true));
+/** Send the points of the picture that is open, in the place of what was sent of it before; one
+ * after the other. @returns {Promise<boolean>} whether there is nothing left to say of them */
+export function sendFigure() {
+  sending = sending.catch(() => true).then(sendPoints);
+  return sending;
+}
+async function sendPoints() {
   const file = isFigure() ? figureFile() : null;
   if (!file) return file === null;
   const before = session.files.find((f) => f.name === file.name);
