@@ -163,6 +163,76 @@ def test_another_unit_of_x_is_taken(tmp_path: Path) -> None:
     assert slip[0] == pytest.approx(1e-3 * SLIP[2], rel=0.03)
 
 
+def named(curves: list[Any], own: list[str] | None = None) -> str:
+    return json.dumps([{"name": n, "data": c} for n, c in zip(own or names(), curves, strict=True)])
+
+
+CURVES = [curve(k) for k in range(6)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        # twice the error of a point, 1 % of 12 mm, is 0.24
+        (named([[[-0.3, 0.0], *curve(0)], *CURVES[1:]]), "f.json: 34 kPa: its slip goes down to"),
+        (named([[[0.1, -0.1], *curve(0)], *CURVES[1:]]), "its friction goes down to -0.1"),
+        (named([[[x / 25.4, y] for x, y in c] for c in CURVES]), "the slip would end at 0.472 mm"),
+        (named(CURVES, ["34 kPa", *names()[:-1]]), "two curves of the file have this name"),
+        (named([CURVES[0], *CURVES[:-1]]), 'it has the same points as "f.json: 34 kPa"'),
+        (named(CURVES, [*names()[:-1], "1,034 kPa"]), "1,034 kPa: the pressure of this curve is"),
+        (named(CURVES, [f"{p:g} N/mm2" for p in PRESSURES]), "6 problems"),
+    ],
+)
+def test_curves_that_cannot_be_are_refused(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        fitted(tmp_path, text, "f.json")
+
+
+@pytest.mark.parametrize("text", [
+    named([[[-0.02, -0.001], *c] for c in CURVES]),  # within the error of a click
+    named(CURVES, [f"{p / 100:.2f}".replace(".", ",") + " bar" for p in PRESSURES]),
+    named(CURVES, [f"{p / 6.894757:.4f} psig" for p in PRESSURES]),
+])  # fmt: skip
+def test_curves_that_can_be_are_taken(tmp_path: Path, text: str) -> None:
+    peaks = fitted(tmp_path, text).conditions[0].peaks_at(PRESSURES * 1e3)
+    np.testing.assert_allclose(peaks[1], FRICTION, rtol=0.02)
+
+
+def test_a_unit_of_slip_that_is_said_is_not_asked_for(tmp_path: Path) -> None:
+    text = named([[[x / 25.4, y] for x, y in c] for c in CURVES])
+    assert fitted(tmp_path, text, head=HEAD + 'slip_unit = "mm"\n').conditions
+
+
+def test_one_pressure_is_not_that_of_all_curves_of_a_file(tmp_path: Path) -> None:
+    (tmp_path / "f.json").write_text(project())
+    tests = '[[test]]\nfile = "f.json"\npressure = "34 kPa"\n'
+    (tmp_path / "plan.toml").write_text(HEAD + tests)
+    with pytest.raises(InputError, match="one pressure is given for its 6 curves"):
+        fit_plan(load_plan(tmp_path / "plan.toml"))
+
+
+def test_two_curves_of_a_are_told(tmp_path: Path) -> None:
+    text = json.dumps([{"name": n, "data": [[1, -1], [2, -1]]} for n in "AAb"])
+    with pytest.raises(InputError, match="two curves are named A"):
+        fitted(tmp_path, text, head=HEAD + 'quantity = "coefficients"\n')
+
+
+def test_whether_the_slip_of_a_figure_includes_shear_is_asked(tmp_path: Path) -> None:
+    """With thickness and G of the sample: taken off or left in, the law is another."""
+    sample = 'thickness = "12 mm"\nshear_modulus = "2.3 MPa"\n'
+    head = HEAD.replace("[digitised]", f"{sample}[digitised]")
+    with pytest.raises(InputError, match="Does the slip of the figure include"):
+        fitted(tmp_path, project(), head=head)
+    peaks = [
+        fitted(tmp_path, project(), head=f"{head}[fit]\nremove_shear = {said}\n")
+        .conditions[0]
+        .peaks_at(PRESSURES[-1:] * 1e3)[0][0]
+        for said in ("true", "false")
+    ]
+    assert peaks[1] == pytest.approx(1e-3 * SLIP[-1], rel=0.02)
+    assert peaks[0] < 0.95 * peaks[1]
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [

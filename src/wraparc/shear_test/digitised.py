@@ -26,6 +26,10 @@ from wraparc.units import parse_quantity
 #: Points of a curve; a plain CSV or JSON of more than this many curves is no figure.
 LEAST_POINTS, _MOST_CURVES, _DEEPEST = 10, 200, 12
 _STEPS = 60
+# Slip that shear tests of laggings reach [m]; a figure outside it has to say its unit. Ours.
+_USUAL_SLIP = (2e-3, 50e-3)
+#: Below 0 by more than this many errors of a point is no error of it.
+_ERRORS = 2.0
 _RENAME = "Give each its own name in the digitiser."
 _PRESSURE = re.compile(
     r"(?<![\d.,])0*(\d{1,5}(?:[.]\d{1,6}|,\d{1,2})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE
@@ -172,6 +176,8 @@ def with_curves(
             problems += error.problems
     if problems:
         raise InputError(problems)
+    if of.quantity == "friction":
+        _refuse_scale(of, taken)
     curves = _coefficient_curves(of, taken) if of.quantity == "coefficients" else taken
     tests: list[PlannedTest] = []
     records: dict[str, MachineRecord] = {}
@@ -223,9 +229,29 @@ def _errors(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> ReadOff:
     """Largest errors: the share of the largest slip and friction, or of the largest A and b."""
     if of.quantity == "friction":
         slip, friction = (max(float(getattr(c, axis).max()) for _, c in taken) for axis in "xy")
-        return ReadOff(slip=of.error * slip * of.slip_unit, friction=of.error * friction)
+        return ReadOff(slip=of.error * slip * of.metres, friction=of.error * friction)
     tops = {_letter(test, curve): float(np.abs(curve.y).max()) for test, curve in taken}
-    return ReadOff(a=of.error * tops["a"], b=of.error * tops["b"], unit=of.slip_unit)
+    return ReadOff(a=of.error * tops["a"], b=of.error * tops["b"], unit=of.metres)
+
+
+def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> None:
+    """Refuse slip or friction below 0, and slip that is likely in another unit than mm."""
+    problems = []
+    for axis, title in (("x", "slip"), ("y", "friction")):
+        top = max(float(getattr(curve, axis).max()) for _, curve in taken)
+        for test, curve in taken:
+            least = float(getattr(curve, axis).min())
+            if least < -_ERRORS * of.error * top:
+                remedy = "See the axes in the digitiser, and which column is x."
+                message = f"its {title} goes down to {least:.3g}"
+                problems += _refused(f"{test.file}: {curve.name}", message, remedy).problems
+    end = max(float(curve.x.max()) for _, curve in taken) * of.metres
+    if of.slip_unit is None and not _USUAL_SLIP[0] <= end <= _USUAL_SLIP[1]:
+        message = f"missing: the slip would end at {end * 1e3:.3g} mm, which tests seldom do"
+        remedy = 'Say the unit of x: slip_unit = "in", or "mm" where it is that.'
+        problems += _refused(taken[0][0].file, message, remedy, "digitised.slip_unit").problems
+    if problems:
+        raise InputError(problems)
 
 
 def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
@@ -298,7 +324,7 @@ def _coefficient_curves(
                 "A is below 0 in mu = A x ln x - b x; see the axes and the unit of x.",
             )
         _, peak = peak_from_ab(float(first), float(second))
-        end = (of.slip_max or peak * of.slip_unit) / of.slip_unit
+        end = (of.slip_max or peak * of.metres) / of.metres
         x = np.linspace(0.0, end, _STEPS)
         with np.errstate(divide="ignore", invalid="ignore"):
             y = np.where(x > 0.0, first * x * np.log(x) - second * x, 0.0)
@@ -323,7 +349,7 @@ def _record(
     force = curve.y * pressure * plan.rig.area * plan.rig.faces
     return MachineRecord(
         file=label, place=f"{count} points", encoding="", delimiter="", decimal=".", columns=(),
-        travel=curve.x * of.slip_unit, force=force, normal_force=None, time=None,
+        travel=curve.x * of.metres, force=force, normal_force=None, time=None,
         lines=np.arange(1, count + 1), rows=count, dropped=(),
         notes=(of.provenance(None).source,), header=(),
         digest=sha256(curve.x.tobytes() + curve.y.tobytes()).hexdigest(),
