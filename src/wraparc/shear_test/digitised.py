@@ -28,12 +28,17 @@ LEAST_POINTS, _MOST_CURVES, _DEEPEST = 10, 200, 12
 _STEPS = 60
 # Slip that shear tests of laggings reach [m]; a figure outside it has to say its unit. Ours.
 _USUAL_SLIP = (2e-3, 50e-3)
-#: Below 0 by more than this many errors of a point is no error of it.
+# As far as this beyond the last b, a pressure of A is that of its last.
+_EDGE = 1.05
+# Below 0 by more than this many errors of a point is no error of it.
 _ERRORS = 2.0
 _RENAME = "Give each its own name in the digitiser."
 _PRESSURE = re.compile(
     r"(?<![\d.,])0*(\d{1,5}(?:[.]\d{1,6}|,\d{1,2})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE
 )
+# "34 to 69 kPa" is no pressure.
+_RANGE = re.compile(r"\d\s*(?:\s-\s|[\u2013\u2026]|\.\.+|\bto\b|\bbis\b)\s*$|^\s*[\d.]+-$")
+_CONDITIONS = re.compile(r"\b(dry|wet|dirty|muddy)\b", re.IGNORECASE)
 _UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 
 
@@ -49,7 +54,9 @@ class Points:
 def guessed_pressure(name: str) -> str | None:
     """Return the pressure that a name tells, as ``207kPa-1.csv`` does, or None."""
     found = _PRESSURE.search(name)
-    return f"{found[1].replace(',', '.')} {_UNITS[found[2].lower()]}" if found else None
+    if found is None or _RANGE.search(name[: found.start()]):
+        return None
+    return f"{found[1].replace(',', '.')} {_UNITS[found[2].lower()]}"
 
 
 def read_points(data: bytes, file: str) -> list[Points]:
@@ -178,6 +185,8 @@ def with_curves(
         raise InputError(problems)
     if of.quantity == "friction":
         _refuse_scale(of, taken)
+    else:
+        _refuse_unitless(of, taken[0][0].file)
     curves = _coefficient_curves(of, taken) if of.quantity == "coefficients" else taken
     tests: list[PlannedTest] = []
     records: dict[str, MachineRecord] = {}
@@ -188,6 +197,7 @@ def with_curves(
             pressure = parse_quantity(said, "pressure")
         label = f"{test.file}: {curve.name}" if curve.name else test.file
         try:
+            _refuse_condition(label, curve, test)
             record = _record(label, curve, pressure, of, plan)
             _refuse_again(record, records)
             records[label] = record
@@ -254,6 +264,19 @@ def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> Non
         raise InputError(problems)
 
 
+def _refuse_unitless(of: Digitised, file: str) -> None:
+    """Ask for the units without which A and b mean nothing."""
+    given = {"slip_unit": of.slip_unit, "pressure_unit": of.pressure_unit}
+    problems = [
+        Problem(message="missing", remedy=f'Say it: {key} = "{usual}".', file=file,
+                key=f"digitised.{key}")
+        for (key, value), usual in zip(given.items(), ("mm", "kPa"), strict=True)
+        if value is None
+    ]  # fmt: skip
+    if problems:
+        raise InputError(problems)
+
+
 def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     """All curves of the file, or the one that the test names."""
     if not test.curve:
@@ -284,6 +307,17 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     return chosen
 
 
+def _refuse_condition(label: str, curve: Points, test: PlannedTest) -> None:
+    """Refuse a curve whose name says another condition than its test."""
+    said = _CONDITIONS.search(curve.name)
+    if said and said[1].casefold() not in test.condition.casefold():
+        own = shown(said[1].casefold())
+        remedy = (
+            f"Give it a [[test]] of its own with curve = {shown(curve.name)}, condition = {own}."
+        )
+        raise _refused(label, f"its name says {own}, its test {shown(test.condition)}", remedy)
+
+
 def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> None:
     """Refuse a curve that another one is, by its name or by its points."""
     if record.file in others:
@@ -312,11 +346,15 @@ def _coefficient_curves(
         remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
         raise _refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
     (test, a), (_, b) = by["a"], by["b"]
-    inside = (a.x >= b.x.min()) & (a.x <= b.x.max())
+    beyond = a.x[(a.x * _EDGE < b.x[0]) | (a.x > b.x[-1] * _EDGE)]
+    if len(beyond):
+        raise _refused(
+            test.file,
+            f"A is read at {beyond[0]:.4g}, b only from {b.x[0]:.4g} to {b.x[-1]:.4g}",
+            "Read both at the same pressures.",
+        )
     curves = []
-    for p, first, second in zip(
-        a.x[inside], a.y[inside], np.interp(a.x[inside], b.x, b.y), strict=True
-    ):
+    for p, first, second in zip(a.x, a.y, np.interp(a.x, b.x, b.y), strict=True):
         if not first < 0.0 or abs(second / first) > 10.0:
             raise _refused(
                 test.file,
@@ -324,12 +362,11 @@ def _coefficient_curves(
                 "A is below 0 in mu = A x ln x - b x; see the axes and the unit of x.",
             )
         _, peak = peak_from_ab(float(first), float(second))
-        end = (of.slip_max or peak * of.metres) / of.metres
-        x = np.linspace(0.0, end, _STEPS)
+        end = peak if of.slip_max is None else min(of.slip_max / of.metres, peak)
+        x = np.linspace(0.0, end, _STEPS)  # no law beyond its peak
         with np.errstate(divide="ignore", invalid="ignore"):
             y = np.where(x > 0.0, first * x * np.log(x) - second * x, 0.0)
-        x, y = x[: int(np.argmax(y)) + 1], y[: int(np.argmax(y)) + 1]  # no law beyond its peak
-        pressure = p * of.pressure_unit
+        pressure = p * (of.pressure_unit or 1e3)
         own = replace(test, pressure=pressure, curve="")
         curves.append((own, Points(f"{pressure / 1e3:.4g} kPa", x, y)))
     return curves
@@ -343,6 +380,8 @@ def _record(
     if pressure is None:
         remedy = 'Give pressure in its [[test]], or name the curve "207 kPa" in the digitiser.'
         raise _refused(label, "the pressure of this curve is not known", remedy)
+    if not pressure > 0.0:
+        raise _refused(label, f"its pressure is {pressure / 1e3:.4g} kPa", "It is above 0.")
     if count < LEAST_POINTS:
         remedy = f"Click {LEAST_POINTS} points or more along it, most where it bends."
         raise _refused(label, f"the curve has {count} points only", remedy)
