@@ -352,6 +352,21 @@ def test_the_file_of_a_digitiser_is_dropped_named_and_fitted(page: Page, tmp_pat
     assert found == pytest.approx(float(drawn(4.0, 138.0)), rel=0.02)
 
 
+@pytest.mark.parametrize(
+    ("head", "figure"), [("x,34 kPa,138 kPa", True), ("way,pull a,pull b", False)]
+)
+def test_a_file_of_a_digitiser_is_told_from_one_of_a_machine(
+    page: Page, head: str, figure: bool
+) -> None:
+    page.get_by_role("form").get_by_text("Tests", exact=True).click()
+    rows = "\n".join(f"{a},{b},{b / 2}" for a, b in points(34.0))
+    file = {"name": "p.csv", "mimeType": "text/csv", "buffer": f"{head}\n{rows}".encode()}
+    page.set_input_files("#test-files", file)  # type: ignore[arg-type]
+    expect(
+        page.get_by_role("heading", name="1 file of points" if figure else "1 test")
+    ).to_be_visible()
+
+
 def test_a_and_b_are_clicked_over_pressure(page: Page, tmp_path: Path) -> None:
     """On a plain picture of 800 x 600: 0 to 800 kPa, and -1 to 1 of A and b."""
     blank = io.BytesIO()

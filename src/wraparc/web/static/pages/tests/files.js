@@ -137,13 +137,15 @@ async function take(found) {
     if (i < 0) session.files.push(f);
     else session.files[i] = f;
   }
-  // the JSON of a digitiser is no file of a machine
-  if (!session.files.some((f) => f.read) && found.some((f) => f.digitised.length)) useFigure();
+  if (!session.files.some((f) => f.read) && found.every(ofDigitiser)) useFigure();
   const others = isFigure() ? [] : found.filter((f) => !told(f));
   const guessed = others.filter((f) => f.read && !f.pressure && f.pressure_guess);
   await Promise.all(guessed.map((f) => say(f, { pressure: f.pressure_guess })));
   redraw();
 }
+/** No machine writes JSON, or columns under pressures. @param {TestFile} f */
+const ofDigitiser = (f) =>
+  f.digitised.length > 0 && (/\.json$/i.test(f.name) || f.digitised.every((c) => c.pressure));
 let saying = /** @type {Promise<void>} */ (Promise.resolve());
 /** Wait until all that was said of files has arrived; what a lost server dropped is said again. */
 export async function allSaid() {
