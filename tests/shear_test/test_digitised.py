@@ -130,6 +130,9 @@ def test_the_error_of_a_point_is_in_the_budget(tmp_path: Path, said: str, share:
     assert "friction off the figure" in {row.title for row in table.rows}
 
 
+AB = HEAD + 'quantity = "coefficients"\nslip_unit = "mm"\npressure_unit = "kPa"\n'
+
+
 def coefficients() -> str:
     ab = [ab_from_peak(m, x) for m, x in zip(FRICTION, SLIP, strict=True)]
     return "p,A,b\n" + "\n".join(
@@ -138,8 +141,7 @@ def coefficients() -> str:
 
 
 def test_a_and_b_over_pressure_give_their_peaks(tmp_path: Path) -> None:
-    head = HEAD + 'quantity = "coefficients"\n'
-    result = fitted(tmp_path, coefficients(), "ab.csv", head)
+    result = fitted(tmp_path, coefficients(), "ab.csv", AB)
     condition = result.conditions[0]
     slip, friction, _ = condition.peaks_at(PRESSURES * 1e3)
     np.testing.assert_allclose(friction, FRICTION, rtol=0.02)
@@ -161,6 +163,112 @@ def test_another_unit_of_x_is_taken(tmp_path: Path) -> None:
     result = fitted(tmp_path, inches, head=HEAD + 'slip_unit = "in"\n')
     slip = result.conditions[0].peaks_at(np.array([138e3]))[0]
     assert slip[0] == pytest.approx(1e-3 * SLIP[2], rel=0.03)
+
+
+def named(curves: list[Any], own: list[str] | None = None) -> str:
+    return json.dumps([{"name": n, "data": c} for n, c in zip(own or names(), curves, strict=True)])
+
+
+CURVES = [curve(k) for k in range(6)]
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        # twice the error of a point, 1 % of 12 mm, is 0.24
+        (named([[[-0.3, 0.0], *curve(0)], *CURVES[1:]]), "f.json: 34 kPa: its slip goes down to"),
+        (named([[[0.1, -0.1], *curve(0)], *CURVES[1:]]), "its friction goes down to -0.1"),
+        (named([[[x / 25.4, y] for x, y in c] for c in CURVES]), "the slip would end at 0.472 mm"),
+        (named(CURVES, ["34 kPa", *names()[:-1]]), "two curves of the file have this name"),
+        (named([CURVES[0], *CURVES[:-1]]), 'it has the same points as "f.json: 34 kPa"'),
+        (named(CURVES, [*names()[:-1], "1,034 kPa"]), "1,034 kPa: the pressure of this curve is"),
+        (named(CURVES, [*names()[:-1], "414 to 690 kPa"]), "414 to 690 kPa: the pressure of"),
+        (named(CURVES, [*names()[:-1], "414-690 kPa"]), "414-690 kPa: the pressure of"),
+        (named(CURVES, [*names()[:-1], "690 kPa wet"]), 'its name says "wet", its test "dry"'),
+        (named(CURVES, ["0 kPa", *names()[1:]]), "its pressure is 0 kPa"),
+        (named(CURVES, [f"{p:g} N/mm2" for p in PRESSURES]), "6 problems"),
+    ],
+)
+def test_curves_that_cannot_be_are_refused(tmp_path: Path, text: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        fitted(tmp_path, text, "f.json")
+
+
+@pytest.mark.parametrize("text", [
+    named([[[-0.02, -0.001], *c] for c in CURVES]),  # within the error of a click
+    named(CURVES, [f"{p / 100:.2f}".replace(".", ",") + " bar" for p in PRESSURES]),
+    named(CURVES, [f"{p / 6.894757:.4f} psig" for p in PRESSURES]),
+])  # fmt: skip
+def test_curves_that_can_be_are_taken(tmp_path: Path, text: str) -> None:
+    peaks = fitted(tmp_path, text).conditions[0].peaks_at(PRESSURES * 1e3)
+    np.testing.assert_allclose(peaks[1], FRICTION, rtol=0.02)
+
+
+def test_a_unit_of_slip_that_is_said_is_not_asked_for(tmp_path: Path) -> None:
+    text = named([[[x / 25.4, y] for x, y in c] for c in CURVES])
+    assert fitted(tmp_path, text, head=HEAD + 'slip_unit = "mm"\n').conditions
+
+
+def test_one_pressure_is_not_that_of_all_curves_of_a_file(tmp_path: Path) -> None:
+    (tmp_path / "f.json").write_text(project())
+    tests = '[[test]]\nfile = "f.json"\npressure = "34 kPa"\n'
+    (tmp_path / "plan.toml").write_text(HEAD + tests)
+    with pytest.raises(InputError, match="one pressure is given for its 6 curves"):
+        fit_plan(load_plan(tmp_path / "plan.toml"))
+
+
+def test_two_curves_of_a_are_told(tmp_path: Path) -> None:
+    text = json.dumps([{"name": n, "data": [[1, -1], [2, -1]]} for n in "AAb"])
+    with pytest.raises(InputError, match="two curves are named A"):
+        fitted(tmp_path, text, head=AB)
+
+
+def test_a_and_b_without_their_units_are_asked_for(tmp_path: Path) -> None:
+    with pytest.raises(InputError) as told:
+        fitted(tmp_path, coefficients(), "ab.csv", HEAD + 'quantity = "coefficients"\n')
+    assert {p.key for p in told.value.problems} == {
+        "digitised.slip_unit",
+        "digitised.pressure_unit",
+    }
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "said"),
+    [
+        (PRESSURES, PRESSURES[2:4], "A is read at 34, b only from 138 to 276"),
+        (np.array([0.0, *PRESSURES[1:]]), np.array([0.0, *PRESSURES[1:]]), "its pressure is 0 kPa"),
+    ],
+)
+def test_a_and_b_at_other_pressures_are_told(tmp_path: Path, a: Any, b: Any, said: str) -> None:
+    values = [[ab_from_peak(FRICTION[k], SLIP[k])[n] for k in range(6)] for n in (0, 1)]
+    sets = [
+        {"name": name, "data": [[p, values[n][k]] for k, p in enumerate(at)]}
+        for n, (name, at) in enumerate((("A", a), ("b", b)))
+    ]
+    with pytest.raises(InputError, match=said):
+        fitted(tmp_path, json.dumps(sets), head=AB)
+
+
+def test_a_slip_far_beyond_the_peak_is_cut_there(tmp_path: Path) -> None:
+    result = fitted(tmp_path, coefficients(), "ab.csv", AB + 'slip_max = "12 in"\n')
+    friction = result.conditions[0].peaks_at(PRESSURES * 1e3)[1]
+    np.testing.assert_allclose(friction, FRICTION, rtol=0.02)
+
+
+def test_whether_the_slip_of_a_figure_includes_shear_is_asked(tmp_path: Path) -> None:
+    """With thickness and G of the sample: taken off or left in, the law is another."""
+    sample = 'thickness = "12 mm"\nshear_modulus = "2.3 MPa"\n'
+    head = HEAD.replace("[digitised]", f"{sample}[digitised]")
+    with pytest.raises(InputError, match="Does the slip of the figure include"):
+        fitted(tmp_path, project(), head=head)
+    peaks = [
+        fitted(tmp_path, project(), head=f"{head}[fit]\nremove_shear = {said}\n")
+        .conditions[0]
+        .peaks_at(PRESSURES[-1:] * 1e3)[0][0]
+        for said in ("true", "false")
+    ]
+    assert peaks[1] == pytest.approx(1e-3 * SLIP[-1], rel=0.02)
+    assert peaks[0] < 0.95 * peaks[1]
 
 
 @pytest.mark.parametrize(
@@ -189,7 +297,7 @@ def test_a_curve_is_chosen_by_its_name(tmp_path: Path) -> None:
 
 def test_coefficients_without_b_are_told(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="A and b are not both in it"):
-        fitted(tmp_path, "p,A\n1,-1\n2,-1\n3,-1\n", "ab.csv", HEAD + 'quantity = "coefficients"\n')
+        fitted(tmp_path, "p,A\n1,-1\n2,-1\n3,-1\n", "ab.csv", AB)
 
 
 def test_places_in_the_image_are_no_values() -> None:

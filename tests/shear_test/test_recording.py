@@ -127,8 +127,15 @@ def test_scatter_is_what_the_repeats_show() -> None:
     for name in [name for name in records if name.endswith("r1")]:
         records[name] = replace(records[name], force=1.04 * records[name].force)
     condition = fitted(plan, records).conditions[0]
-    assert condition.found.scatter_of_repeats == pytest.approx(0.04 / np.sqrt(2.0), rel=0.2)
-    assert any(text.startswith("repeats scatter by 2.8 %") for text in condition.remarks)
+    scatter = condition.found.scatter
+    assert scatter is not None
+    assert scatter.value == pytest.approx(0.04 / np.sqrt(2.0), rel=0.2)
+    # of 8 pressures; chi-square of 8 degrees of freedom: 2.180 and 17.535 (tables)
+    assert scatter.freedom == 8
+    expected = scatter.value * np.sqrt(8.0 / np.array([17.535, 2.180]))
+    np.testing.assert_allclose(scatter.ends, expected, rtol=1e-3)
+    told = "repeats scatter by 2.8 % in peak friction (between 1.9 and 5.3 %, with 95 %)"
+    assert any(text.startswith(told) for text in condition.remarks)
 
 
 def test_a_low_zero_is_no_contradiction() -> None:

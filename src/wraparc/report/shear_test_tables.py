@@ -125,8 +125,9 @@ def _remainders(result: PlanResult) -> str:
     tests = [test for condition in result.conditions for test in condition.tests]
     share = max(test.fit.remainder / _top(test) for test in tests)
     levels = max(noise_levels(test.fit, test.curve) for test in tests)
-    scatters = [s for c in result.conditions if (s := c.found.scatter_of_repeats) is not None]
-    between = f"; repeats scatter by {100 * max(scatters, default=0.0):.2g} % in peak friction"
+    scatters = [s for c in result.conditions if (s := c.found.scatter) is not None]
+    told = scatters and not result.plan.digitised
+    between = f"; {max(scatters, key=lambda s: s.value).words}" if told else ""
     swings = [test.curve.swing for test in tests if test.curve.swing is not None]
     largest = max(swings, default=None)
     stick_slip = (
@@ -137,7 +138,7 @@ def _remainders(result: PlanResult) -> str:
     )
     return (
         f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
-        f"({levels:.1f} noise levels){between if scatters else ''}.{stick_slip}"
+        f"({levels:.1f} noise levels){between}.{stick_slip}"
     )
 
 

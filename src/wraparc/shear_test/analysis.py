@@ -18,10 +18,13 @@ from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.profile import profile_interval
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
+from wraparc.shear_test.student import chi_square_ends
 from wraparc.shear_test.tails import Tails
 
 # Error of friction, as a share of its peak, below which a prediction is good whatever the noise.
 _MATTERS = 0.02
+# With fewer degrees of freedom repeats do not tell the scatter.
+_FEW_REPEATS = 3
 _LONGEST_REASON = 500
 # Standard error of ln x_pk from which the likelihood of a peak beyond the test is far from normal.
 _SKEWED = 0.1
@@ -178,6 +181,42 @@ class Separated:
     remarks: tuple[str, ...] = ()
 
 
+@dataclass(frozen=True)
+class Scatter:
+    """Standard deviation of ln mu_pk between samples.
+
+    Parameters
+    ----------
+    value
+        [-].
+    freedom
+        Its degrees of freedom: few tell little, as `ends` shows.
+    of
+        ``"repeats"`` of one pressure, or ``"samples"`` about the law.
+    """
+
+    value: float
+    freedom: int
+    of: str
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Its 95 % interval [-]: value sqrt(n / q), q the quantiles of chi-square."""
+        low, high = chi_square_ends(self.freedom)
+        return self.value * (self.freedom / high) ** 0.5, self.value * (self.freedom / low) ** 0.5
+
+    @property
+    def words(self) -> str:
+        """Its size and interval, for a sentence."""
+        low, high = self.ends
+        between = f"between {_percent(low)} and {_percent(high)} %, with 95 %"
+        return f"{self.of} scatter by {_percent(self.value)} % in peak friction ({between})"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.2g}" if share < 0.995 else f"{100 * share:.0f}"
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Findings:
     """What the tests of one condition have shown.
@@ -231,18 +270,25 @@ class Findings:
     separated: Separated = field(default_factory=Separated)
 
     @property
-    def scatter_of_repeats(self) -> float | None:
-        """Standard deviation of ln mu_pk between tests of one pressure [-]; None without repeats.
+    def scatter(self) -> Scatter | None:
+        """Scatter of ln mu_pk between samples, without those that disagree with the others.
 
-        Tests that disagree with their repeats are not counted.
+        That of repeats, with three degrees of freedom or more; else of the curves about the law,
+        if there are more degrees of freedom in it; None where there are none.
         """
         squares, freedom = 0.0, 0
+        good = ~self.flagged
         for k in np.unique(self.levels):
-            own = self.points.value[(self.levels == k) & ~self.flagged, 1]
+            own = self.points.value[(self.levels == k) & good, 1]
             if len(own) > 1:
                 squares += float(((own - own.mean()) ** 2).sum())
                 freedom += len(own) - 1
-        return float(np.sqrt(squares / freedom)) if freedom else None
+        if self.fit is not None and freedom < _FEW_REPEATS:
+            of_law = int(good.sum() - 0.5 * self.fit.form.size)
+            if of_law > freedom:
+                off = self.points.value[:, 1] - self.fit.peaks(self.points.pressure)[:, 1]
+                return Scatter(float(np.sqrt((off[good] ** 2).sum() / of_law)), of_law, "samples")
+        return Scatter(float(np.sqrt(squares / freedom)), freedom, "repeats") if freedom else None
 
     def level_pressures(self) -> Array:
         """Mean pressure of each level [Pa]."""

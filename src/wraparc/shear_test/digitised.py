@@ -26,7 +26,19 @@ from wraparc.units import parse_quantity
 #: Points of a curve; a plain CSV or JSON of more than this many curves is no figure.
 LEAST_POINTS, _MOST_CURVES, _DEEPEST = 10, 200, 12
 _STEPS = 60
-_PRESSURE = re.compile(r"(?<![\d.])0*(\d{1,5}(?:[.]\d{1,3})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE)
+# Slip that shear tests of laggings reach [m]; a figure outside it has to say its unit. Ours.
+_USUAL_SLIP = (2e-3, 50e-3)
+# As far as this beyond the last b, a pressure of A is that of its last.
+_EDGE = 1.05
+# Below 0 by more than this many errors of a point is no error of it.
+_ERRORS = 2.0
+_RENAME = "Give each its own name in the digitiser."
+_PRESSURE = re.compile(
+    r"(?<![\d.,])0*(\d{1,5}(?:[.]\d{1,6}|,\d{1,2})?)[ _]?(kPa|MPa|psi|bar)", re.IGNORECASE
+)
+# "34 to 69 kPa" is no pressure.
+_RANGE = re.compile(r"\d\s*(?:\s-\s|[\u2013\u2026]|\.\.+|\bto\b|\bbis\b)\s*$|^\s*[\d.]+-$")
+_CONDITIONS = re.compile(r"\b(dry|wet|dirty|muddy)\b", re.IGNORECASE)
 _UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 
 
@@ -42,7 +54,9 @@ class Points:
 def guessed_pressure(name: str) -> str | None:
     """Return the pressure that a name tells, as ``207kPa-1.csv`` does, or None."""
     found = _PRESSURE.search(name)
-    return f"{found[1]} {_UNITS[found[2].lower()]}" if found else None
+    if found is None or _RANGE.search(name[: found.start()]):
+        return None
+    return f"{found[1].replace(',', '.')} {_UNITS[found[2].lower()]}"
 
 
 def read_points(data: bytes, file: str) -> list[Points]:
@@ -169,6 +183,10 @@ def with_curves(
             problems += error.problems
     if problems:
         raise InputError(problems)
+    if of.quantity == "friction":
+        _refuse_scale(of, taken)
+    else:
+        _refuse_unitless(of, taken[0][0].file)
     curves = _coefficient_curves(of, taken) if of.quantity == "coefficients" else taken
     tests: list[PlannedTest] = []
     records: dict[str, MachineRecord] = {}
@@ -179,7 +197,10 @@ def with_curves(
             pressure = parse_quantity(said, "pressure")
         label = f"{test.file}: {curve.name}" if curve.name else test.file
         try:
-            records[label] = _record(label, curve, pressure, of, plan)
+            _refuse_condition(label, curve, test)
+            record = _record(label, curve, pressure, of, plan)
+            _refuse_again(record, records)
+            records[label] = record
         except InputError as error:
             problems += error.problems
             continue
@@ -218,18 +239,60 @@ def _errors(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> ReadOff:
     """Largest errors: the share of the largest slip and friction, or of the largest A and b."""
     if of.quantity == "friction":
         slip, friction = (max(float(getattr(c, axis).max()) for _, c in taken) for axis in "xy")
-        return ReadOff(slip=of.error * slip * of.slip_unit, friction=of.error * friction)
+        return ReadOff(slip=of.error * slip * of.metres, friction=of.error * friction)
     tops = {_letter(test, curve): float(np.abs(curve.y).max()) for test, curve in taken}
-    return ReadOff(a=of.error * tops["a"], b=of.error * tops["b"], unit=of.slip_unit)
+    return ReadOff(a=of.error * tops["a"], b=of.error * tops["b"], unit=of.metres)
+
+
+def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> None:
+    """Refuse slip or friction below 0, and slip that is likely in another unit than mm."""
+    problems = []
+    for axis, title in (("x", "slip"), ("y", "friction")):
+        top = max(float(getattr(curve, axis).max()) for _, curve in taken)
+        for test, curve in taken:
+            least = float(getattr(curve, axis).min())
+            if least < -_ERRORS * of.error * top:
+                remedy = "See the axes in the digitiser, and which column is x."
+                message = f"its {title} goes down to {least:.3g}"
+                problems += _refused(f"{test.file}: {curve.name}", message, remedy).problems
+    end = max(float(curve.x.max()) for _, curve in taken) * of.metres
+    if of.slip_unit is None and not _USUAL_SLIP[0] <= end <= _USUAL_SLIP[1]:
+        message = f"missing: the slip would end at {end * 1e3:.3g} mm, which tests seldom do"
+        remedy = 'Say the unit of x: slip_unit = "in", or "mm" where it is that.'
+        problems += _refused(taken[0][0].file, message, remedy, "digitised.slip_unit").problems
+    if problems:
+        raise InputError(problems)
+
+
+def _refuse_unitless(of: Digitised, file: str) -> None:
+    """Ask for the units without which A and b mean nothing."""
+    given = {"slip_unit": of.slip_unit, "pressure_unit": of.pressure_unit}
+    problems = [
+        Problem(message="missing", remedy=f'Say it: {key} = "{usual}".', file=file,
+                key=f"digitised.{key}")
+        for (key, value), usual in zip(given.items(), ("mm", "kPa"), strict=True)
+        if value is None
+    ]  # fmt: skip
+    if problems:
+        raise InputError(problems)
 
 
 def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     """All curves of the file, or the one that the test names."""
     if not test.curve:
+        if len(curves) > 1 and test.pressure is not None:
+            raise _refused(
+                test.file,
+                f"one pressure is given for its {len(curves)} curves",
+                "Give each a [[test]] with its curve and pressure, or name them by pressure.",
+                "pressure",
+            )
         return curves
     if len(curves) == 1:
         return [replace(curves[0], name=test.curve)]
     chosen = [curve for curve in curves if curve.name.strip() == test.curve.strip()]
+    if len(chosen) > 1:
+        raise _refused(test.file, f"{len(chosen)} curves are named so", _RENAME, "curve")
     if not chosen:
         listed = ", ".join(shown(curve.name) for curve in curves[:10])
         raise InputError(
@@ -244,6 +307,27 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     return chosen
 
 
+def _refuse_condition(label: str, curve: Points, test: PlannedTest) -> None:
+    """Refuse a curve whose name says another condition than its test."""
+    said = _CONDITIONS.search(curve.name)
+    if said and said[1].casefold() not in test.condition.casefold():
+        own = shown(said[1].casefold())
+        remedy = (
+            f"Give it a [[test]] of its own with curve = {shown(curve.name)}, condition = {own}."
+        )
+        raise _refused(label, f"its name says {own}, its test {shown(test.condition)}", remedy)
+
+
+def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> None:
+    """Refuse a curve that another one is, by its name or by its points."""
+    if record.file in others:
+        raise _refused(record.file, "two curves of the file have this name", _RENAME)
+    same = next((name for name, other in others.items() if other.digest == record.digest), None)
+    if same is not None:
+        remedy = "Click its own points, or take it out."
+        raise _refused(record.file, f"it has the same points as {shown(same)}", remedy)
+
+
 def _letter(test: PlannedTest, curve: Points) -> str:
     return (test.curve or curve.name).strip().casefold()
 
@@ -252,17 +336,25 @@ def _coefficient_curves(
     of: Digitised, taken: list[tuple[PlannedTest, Points]]
 ) -> list[tuple[PlannedTest, Points]]:
     """A and b over pressure as friction over slip: a curve at each pressure of A."""
-    by = {_letter(test, curve): (test, curve) for test, curve in taken}
+    letters = [_letter(test, curve) for test, curve in taken]
+    for letter, title in (("a", "A"), ("b", "b")):
+        if letters.count(letter) > 1:
+            raise _refused(taken[0][0].file, f"two curves are named {title}", _RENAME)
+    by = dict(zip(letters, taken, strict=True))
     if not {"a", "b"} <= by.keys():
         listed = ", ".join(shown(curve.name) for _, curve in taken[:10])
         remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
         raise _refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
     (test, a), (_, b) = by["a"], by["b"]
-    inside = (a.x >= b.x.min()) & (a.x <= b.x.max())
+    beyond = a.x[(a.x * _EDGE < b.x[0]) | (a.x > b.x[-1] * _EDGE)]
+    if len(beyond):
+        raise _refused(
+            test.file,
+            f"A is read at {beyond[0]:.4g}, b only from {b.x[0]:.4g} to {b.x[-1]:.4g}",
+            "Read both at the same pressures.",
+        )
     curves = []
-    for p, first, second in zip(
-        a.x[inside], a.y[inside], np.interp(a.x[inside], b.x, b.y), strict=True
-    ):
+    for p, first, second in zip(a.x, a.y, np.interp(a.x, b.x, b.y), strict=True):
         if not first < 0.0 or abs(second / first) > 10.0:
             raise _refused(
                 test.file,
@@ -270,12 +362,11 @@ def _coefficient_curves(
                 "A is below 0 in mu = A x ln x - b x; see the axes and the unit of x.",
             )
         _, peak = peak_from_ab(float(first), float(second))
-        end = (of.slip_max or peak * of.slip_unit) / of.slip_unit
-        x = np.linspace(0.0, end, _STEPS)
+        end = peak if of.slip_max is None else min(of.slip_max / of.metres, peak)
+        x = np.linspace(0.0, end, _STEPS)  # no law beyond its peak
         with np.errstate(divide="ignore", invalid="ignore"):
             y = np.where(x > 0.0, first * x * np.log(x) - second * x, 0.0)
-        x, y = x[: int(np.argmax(y)) + 1], y[: int(np.argmax(y)) + 1]  # no law beyond its peak
-        pressure = p * of.pressure_unit
+        pressure = p * (of.pressure_unit or 1e3)
         own = replace(test, pressure=pressure, curve="")
         curves.append((own, Points(f"{pressure / 1e3:.4g} kPa", x, y)))
     return curves
@@ -289,13 +380,15 @@ def _record(
     if pressure is None:
         remedy = 'Give pressure in its [[test]], or name the curve "207 kPa" in the digitiser.'
         raise _refused(label, "the pressure of this curve is not known", remedy)
+    if not pressure > 0.0:
+        raise _refused(label, f"its pressure is {pressure / 1e3:.4g} kPa", "It is above 0.")
     if count < LEAST_POINTS:
         remedy = f"Click {LEAST_POINTS} points or more along it, most where it bends."
         raise _refused(label, f"the curve has {count} points only", remedy)
     force = curve.y * pressure * plan.rig.area * plan.rig.faces
     return MachineRecord(
         file=label, place=f"{count} points", encoding="", delimiter="", decimal=".", columns=(),
-        travel=curve.x * of.slip_unit, force=force, normal_force=None, time=None,
+        travel=curve.x * of.metres, force=force, normal_force=None, time=None,
         lines=np.arange(1, count + 1), rows=count, dropped=(),
         notes=(of.provenance(None).source,), header=(),
         digest=sha256(curve.x.tobytes() + curve.y.tobytes()).hexdigest(),

@@ -71,9 +71,9 @@ class Digitised:
     quantity
         ``"friction"``, mu over slip, or ``"coefficients"``, A and b over pressure.
     slip_unit
-        SI value of the unit of slip; A and b are per this unit [m].
+        SI value of the unit of slip, mm if None; A and b are per this unit, and need it [m].
     pressure_unit
-        SI value of the unit of pressure, of A and b [Pa].
+        SI value of the unit of pressure under A and b, which need it [Pa].
     error
         Largest error of a point, as a share of full scale [-].
     slip_max
@@ -83,10 +83,15 @@ class Digitised:
     source: str
     figure: str = ""
     quantity: str = "friction"
-    slip_unit: float = 1e-3
-    pressure_unit: float = 1e3
+    slip_unit: float | None = None
+    pressure_unit: float | None = None
     error: float = USUAL_ERROR
     slip_max: float | None = None
+
+    @property
+    def metres(self) -> float:
+        """The unit of slip [m]."""
+        return self.slip_unit or 1e-3
 
     def provenance(self, given: Provenance | None) -> Provenance:
         """Where the numbers come from; the kind is that of the plan, else published."""

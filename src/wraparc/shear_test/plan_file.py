@@ -37,6 +37,10 @@ _CHOICES = (
 
 # A figure has no rig: what was pressed and pulled is a friction already.
 _NO_RIG = {"sample_area": "1 m2", "faces": 1}
+_SHEAR_OF_FIGURE = (
+    "Does the slip of the figure include the sample's own shear? true takes it off, false leaves "
+    "it in; without thickness nothing is asked."
+)
 _FIGURE_UNITS: dict[str, Dimension] = {"slip_unit": "length", "pressure_unit": "pressure"}
 
 
@@ -72,8 +76,12 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
     ]
     uncertainty = _uncertainty(record.get("uncertainty"), report)
     digitised = _digitised(record.get("digitised"), report)
-    report.raise_all()
     fit = record.get("fit", {})
+    moduli = {"shear_modulus", "elastic_modulus"} & record.get("lagging", {}).keys()
+    known = bool(moduli) and "thickness" in record["lagging"]
+    if "digitised" in record and known and "remove_shear" not in fit:
+        report.add(("fit", "remove_shear"), "missing", _SHEAR_OF_FIGURE)
+    report.raise_all()
     return TestPlan(
         rig=rig,
         tests=tuple(tests),

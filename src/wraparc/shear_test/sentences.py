@@ -16,6 +16,7 @@ from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.reduce import UNKNOWN_ZERO
 from wraparc.shear_test.speeds import speed_sentences
+from wraparc.shear_test.student import t95
 
 _FEW = 3
 _CLEARLY = 100.0
@@ -49,7 +50,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         *_unused(plan),
         *_held(plan),
         *order_remarks,
-        *_scatter(found),
+        *([] if plan.digitised else _scatter(found)),
         *speed_remarks,
         *found.separated.remarks,
         *_compliance(plan, tests),
@@ -84,14 +85,15 @@ def form_sentences(plan: TestPlan, found: Findings) -> list[str]:
 
 
 def _scatter(found: Findings) -> list[str]:
-    """What the scatter of repeats means for a further sample."""
-    scatter = found.scatter_of_repeats
+    """What the scatter of samples means for a further one."""
+    scatter = found.scatter
     if scatter is None:
         return []
+    apart = "between tests of one pressure" if scatter.of == "repeats" else "about the law"
+    off = 100 * t95(scatter.freedom) * scatter.value
     return [
-        f"repeats scatter by {100 * scatter:.2g} % in peak friction (standard deviation between "
-        f"tests of one pressure): of 20 further samples about one is off by more than "
-        f"{200 * scatter:.2g} %"
+        f"{scatter.words}: a standard deviation {apart}, of {scatter.freedom} degrees of freedom. "
+        f"Of 20 further samples about one is off by more than {off:.2g} %"
     ]
 
 

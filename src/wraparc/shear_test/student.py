@@ -1,4 +1,4 @@
-"""Quantiles of Student's t, by which intervals of few tests are wider."""
+"""Quantiles of Student's t and chi-square, by which intervals of few tests are wider."""
 
 import math
 from functools import lru_cache
@@ -38,3 +38,28 @@ def two_sided(freedom: float, level: float) -> float:
         if abs(step) < 1e-10:
             break
     return t
+
+
+@lru_cache
+def chi_square_ends(freedom: int) -> tuple[float, float]:
+    """Quantiles 2.5 % and 97.5 % of chi-square, by bisection of the incomplete gamma series."""
+
+    def below(x: float) -> float:
+        """P(a, x) = x^a e^-x sum_k x^k / gamma(a + k + 1), a = freedom / 2, x = chi-square / 2."""
+        a = 0.5 * freedom
+        part = total = math.exp(a * math.log(x) - x - math.lgamma(a + 1.0))
+        k = 1
+        while part > 1e-16 * total:
+            part *= x / (a + k)
+            total += part
+            k += 1
+        return total
+
+    def quantile(level: float) -> float:
+        low, high = 1e-9, freedom + 20.0
+        for _ in range(60):
+            middle = 0.5 * (low + high)
+            low, high = (middle, high) if below(middle) < level else (low, middle)
+        return low + high
+
+    return quantile(0.025), quantile(0.975)

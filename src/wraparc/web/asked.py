@@ -357,6 +357,9 @@ class TestFileRequest(Request):
     use: bool = True
     reason: Line = ""
     choices: FileChoices = FileChoices()
+    curve_pressures: dict[str, Short] = Field(
+        {}, max_length=200, description="Of the curves of a digitised file, by their names."
+    )
     more: dict[str, Any] = Field(
         {}, description="Other keys of its test in a plan: speed, temperature, lot ..."
     )

@@ -21,7 +21,7 @@ from wraparc.shear_test import (
 )
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.analysis import TestResult as OneTest
-from wraparc.shear_test.digitised import guessed_pressure
+from wraparc.shear_test.digitised import guessed_pressure, read_points, with_curves
 from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.shear_test.plan_keys import PLAN
 from wraparc.shear_test.reader import table_columns
@@ -41,6 +41,8 @@ from wraparc.web.asked import FileChoices, FitRequest, TestFileRequest
 from wraparc.web.errors import ToldProblem, told
 
 _PREVIEW, _CURVE, _PRESSURES = 240, 200, 60
+#: A digitiser writes less than this [bytes].
+_MOST_POINTS = 1_000_000
 _TEST_KEYS = ("pressure", "normal_force", "condition", "repeat", "sample")
 
 
@@ -69,10 +71,22 @@ class Preview(Answer):
     force: Numbers
 
 
+class DigitisedCurve(Answer):
+    """A curve of a digitiser's file."""
+
+    name: str
+    points: int
+    pressure: str | None
+
+
 class ReadFile(Answer):
-    """What was understood of a file, or what has to be said about it."""
+    """What was understood of a file, or what has to be said about it.
+
+    `digitised` is what it is if its numbers are points read off a figure.
+    """
 
     read: bool = False
+    digitised: list[DigitisedCurve] = Field(default_factory=list)
     problems: list[ToldProblem] = Field(default_factory=list)
     tables: list[Table] = Field(default_factory=list)
     columns: list[FileColumn] = Field(default_factory=list)
@@ -163,16 +177,20 @@ def read_files(files: list[MachineFile]) -> ReadFiles:
 
 def _read_file(file: MachineFile) -> ReadFile:
     guess = guessed_pressure(file.name)
+    curves = _curves_of(file)
     try:
         test = _one_test(file)
         record = read_machine_bytes(file.data, file.name, test.choices)
     except InputError as error:
         columns = _columns_of(file)
-        return ReadFile(problems=told(error.problems), pressure_guess=guess, columns=columns)
+        return ReadFile(
+            problems=told(error.problems), pressure_guess=guess, columns=columns, digitised=curves
+        )
     shown = record_sheet(record)
     step = max(1, len(record.travel) // _PREVIEW)
     return ReadFile(
         read=True,
+        digitised=curves,
         place=shown.subtitle,
         tables=tables(lambda _: shown.tables, ("columns", "rows")),
         columns=[FileColumn(name=c.name, unit=c.unit, role=c.role) for c in record.columns],
@@ -180,6 +198,17 @@ def _read_file(file: MachineFile) -> ReadFile:
         preview=Preview(travel=rounded(record.travel[::step]), force=rounded(record.force[::step])),
         pressure_guess=guess,
     )
+
+
+def _curves_of(file: MachineFile) -> list[DigitisedCurve]:
+    try:
+        found = read_points(file.data, file.name) if len(file.data) <= _MOST_POINTS else []
+    except InputError:
+        return []
+    return [
+        DigitisedCurve(name=c.name, points=len(c.x), pressure=guessed_pressure(c.name))
+        for c in found
+    ]
 
 
 def _columns_of(file: MachineFile) -> list[FileColumn]:
@@ -211,6 +240,16 @@ def _test_table(file: str, said: TestFileRequest) -> Document:
     return {"file": file, **{k: v for k, v in given.items() if v not in (None, "", {})}}
 
 
+def _test_tables(file: str, said: TestFileRequest) -> list[Document]:
+    """One test, or one a curve where the curves of a file were told their pressures."""
+    table = _test_table(file, said)
+    named = [
+        {**table, "curve": name} | ({"pressure": pressure} if pressure else {})
+        for name, pressure in said.curve_pressures.items()
+    ]
+    return named or [table]
+
+
 def plan_file(asked: FitRequest, uploads: list[MachineFile]) -> PlanAnswer:
     """The file of the test plan; it lies beside the files of the machine."""
     plan = _plan(asked, [(upload.name, upload) for upload in uploads])
@@ -222,8 +261,8 @@ def _plan(asked: FitRequest, files: Sequence[tuple[str, MachineFile]]) -> Docume
     document: Data = {
         "format": 1,
         "lagging": _without_empty(asked.lagging),
-        "rig": _without_empty(asked.rig),
     }
+    document |= {"rig": rig} if (rig := _without_empty(asked.rig)) else {}
     document |= {key: table for key, table in asked.more.items() if key not in document}
     options = _without_empty(asked.fit)
     document |= {"fit": options} if options else {}
@@ -231,7 +270,7 @@ def _plan(asked: FitRequest, files: Sequence[tuple[str, MachineFile]]) -> Docume
         note = "virtual tests of a known law, no real product"
         origin = {"kind": "illustrative", "source": "virtual rig", "note": note}
         document["provenance"] = origin
-    tests = [_test_table(file, upload.said) for file, upload in files]
+    tests = [table for file, upload in files for table in _test_tables(file, upload.said)]
     return {**document, "test": tests}
 
 
@@ -243,6 +282,9 @@ def fit(asked: FitRequest, uploads: list[MachineFile]) -> FitAnswer:
     def read(test: PlannedTest) -> MachineRecord:
         return read_machine_bytes(files[test.file].data, test.file, test.choices)
 
+    if plan.digitised is not None:
+        plan, curves = with_curves(plan, lambda test: files[test.file].data)
+        read = lambda test: curves[test.file]  # noqa: E731 - as in fit_plan
     result = fit_plan(plan, read=read)
     return _fitted(plan, result.accepting(asked.accept_misfit) if asked.accept_misfit else result)
 

@@ -54,6 +54,7 @@ class FileAnswer(ReadFile):
     use: bool
     reason: str
     choices: FileChoices
+    curve_pressures: dict[str, str]
     more: Data
     illustrative: bool
 

@@ -5,8 +5,28 @@ import { act, note, refusal, save, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { list, refused, standing, stands, table } from "../parts/answers.js";
 import { h } from "../vendor/preact.js";
-import { allSaid, details, drop, expect, files, saidOf, session, within } from "./tests/files.js";
-import { asked, planForm, rowOf, openPlan as takePlan, typedAt } from "./tests/plan.js";
+import { figureCard, hasFigure } from "./tests/figure.js";
+import {
+  allSaid,
+  details,
+  drop,
+  expect,
+  files,
+  saidOf,
+  sendFigure,
+  session,
+  takePicture,
+  within,
+} from "./tests/files.js";
+import {
+  asked,
+  isFigure,
+  planForm,
+  rowOf,
+  openPlan as takePlan,
+  typedAt,
+  unsaid,
+} from "./tests/plan.js";
 import { conditionPlots } from "./tests/plots.js";
 
 /** Take a test plan in: the form at once, its tests when their files are dropped.
@@ -38,9 +58,18 @@ const subject = () => JSON.stringify([asked(), session.files.map((f) => [f.name,
 /** @param {string} reason why its misfit is accepted, if it is */
 async function fit(reason = "") {
   Object.assign(state, { problems: [], fitting: true });
-  state.marks = {};
+  state.marks = unsaid();
+  const open = Object.keys(state.marks).length;
   redraw();
   try {
+    if (!(await sendFigure()) || open) {
+      requestAnimationFrame(() =>
+        /** @type {HTMLElement | null} */ (
+          document.querySelector("#tests [aria-invalid=true], #tests .wrong input")
+        )?.focus(),
+      );
+      return;
+    }
     await allSaid();
     const of = subject();
     const result = await within("fit", { ...asked(), accept_misfit: reason });
@@ -59,6 +88,7 @@ async function fit(reason = "") {
   }
 }
 async function download() {
+  if (!(await sendFigure())) return;
   await allSaid();
   const { toml, name } = await within("plan", asked());
   save(name, toml, "application/toml");
@@ -84,6 +114,7 @@ export const Page = () =>
       "div",
       { class: "results" },
       drop(),
+      isFigure() && figureCard(takePicture),
       session.files.length > 0 && files(),
       session.files.length > 0 && details(),
       h(
@@ -94,7 +125,9 @@ export const Page = () =>
           {
             type: "button",
             class: "main",
-            disabled: !session.files.some((f) => f.read),
+            disabled: !(isFigure()
+              ? hasFigure() || session.files.some((f) => f.digitised.length)
+              : session.files.some((f) => f.read)),
             onClick: act(() => fit()),
           },
           "Fit the lagging",

@@ -1,9 +1,11 @@
 // The files of a testing machine: dropped, read, and what they do not tell themselves.
-import { redraw } from "../../base/design.js";
+import { app, redraw } from "../../base/design.js";
 import { Advice, act, ask, Refused, refusal, sentence } from "../../base/server.js";
 import { list, scroll, table } from "../../parts/answers.js";
 import { valueIn } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
+import { figureFile, openPicture, refusePicture, unfinished } from "./figure.js";
+import { figured, isFigure, useFigure } from "./plan.js";
 import { asRead } from "./plots.js";
 
 /** @import { Problem, Table, Text } from "../../types.d.ts" */
@@ -12,6 +14,7 @@ import { asRead } from "./plots.js";
  * @typedef {{id: string, name: string, read: boolean, columns: Column[], problems: Problem[],
  *   refused: Problem[] | null, notes: Text[], tables: Table[], choices: any,
  *   preview: {travel: number[], force: number[]} | null, pressure_guess: string,
+ *   digitised: {name: string, points: number, pressure: string | null}[],
  *   [key: string]: any}} TestFile
  */
 
@@ -47,11 +50,53 @@ export async function within(path, body, how) {
 }
 /** @param {FileList | File[] | null | undefined} chosen */
 async function send(chosen) {
-  if (!chosen?.length) return;
+  const files = [...(chosen ?? [])];
+  const picture = files.find((f) => f.type.startsWith("image/"));
+  const others = files.filter((f) => !f.type.startsWith("image/"));
+  if (others.length) await upload(others);
+  if (picture) await takePicture(picture);
+}
+/** @param {File[]} files */
+async function upload(files) {
   const data = new FormData();
-  for (const f of chosen) data.append("files", f, f.name);
+  for (const f of files) data.append("files", f, f.name);
   await take((await within("files", data)).files);
 }
+/** Begin with a picture; the points of the one before are kept as a file. @param {File} picture */
+export async function takePicture(picture) {
+  useFigure();
+  if (unfinished())
+    return refusePicture("Finish or delete the curves of this picture before the next.");
+  await sendFigure();
+  await openPicture(picture, (name) => session.files.some((f) => f.name === name));
+}
+let sending = /** @type {Promise<boolean>} */ (Promise.resolve(true));
+/** Send the points of the picture that is open, in the place of what was sent of it before; one
+ * after the other. @returns {Promise<boolean>} whether there is nothing left to say of them */
+export function sendFigure() {
+  sending = sending.catch(() => true).then(sendPoints);
+  return sending;
+}
+async function sendPoints() {
+  const file = isFigure() ? figureFile() : null;
+  if (!file) return file === null;
+  const before = session.files.find((f) => f.name === file.name);
+  if (before && before.text === file.text) return true;
+  if (before) await within(`files/${before.id}`, undefined, { method: "DELETE" });
+  session.files = session.files.filter((f) => f !== before);
+  await upload([new File([file.text], file.name, { type: "application/json" })]);
+  const now = session.files.find((f) => f.name === file.name);
+  if (now) now.text = file.text;
+  redraw();
+  return true;
+}
+/** A picture pasted while the page of tests is looked at. */
+addEventListener("paste", (e) => {
+  const picture = [...(e.clipboardData?.files ?? [])].find((f) => f.type.startsWith("image/"));
+  if (!picture || app.page !== "tests") return;
+  e.preventDefault();
+  act(() => takePicture(picture))(e);
+});
 const example = async () => take((await within("example", {})).files);
 /** What a plan says of files that are still to be dropped, by their name.
  * @type {Map<string, any>} */
@@ -92,11 +137,15 @@ async function take(found) {
     if (i < 0) session.files.push(f);
     else session.files[i] = f;
   }
-  const others = found.filter((f) => !told(f));
+  if (!session.files.some((f) => f.read) && found.every(ofDigitiser)) useFigure();
+  const others = isFigure() ? [] : found.filter((f) => !told(f));
   const guessed = others.filter((f) => f.read && !f.pressure && f.pressure_guess);
   await Promise.all(guessed.map((f) => say(f, { pressure: f.pressure_guess })));
   redraw();
 }
+/** No machine writes JSON, or columns under pressures. @param {TestFile} f */
+const ofDigitiser = (f) =>
+  f.digitised.length > 0 && (/\.json$/i.test(f.name) || f.digitised.every((c) => c.pressure));
 let saying = /** @type {Promise<void>} */ (Promise.resolve());
 /** Wait until all that was said of files has arrived; what a lost server dropped is said again. */
 export async function allSaid() {
@@ -121,8 +170,15 @@ export const saidOf = (f) => ({
   use: f.use !== false,
   reason: f.reason || "",
   choices: f.choices || {},
+  curve_pressures: pressuresOf(f),
   more: f.more || {},
 });
+/** Pressures of the curves of a file, as soon as one of them is typed. @param {TestFile} f */
+function pressuresOf(f) {
+  const typed = f.typed_pressures ?? {};
+  if (!isFigure() || !Object.values(typed).some(Boolean)) return {};
+  return Object.fromEntries(f.digitised.map((c) => [c.name, typed[c.name] || c.pressure || ""]));
+}
 /** @param {TestFile} of */
 async function tell(of) {
   const here = () => session.files.findIndex((x) => x.id === of.id);
@@ -172,7 +228,7 @@ export function drop() {
     id: "test-files",
     class: "away",
     tabIndex: -1,
-    "aria-label": "Files of the testing machine",
+    "aria-label": "Files of the testing machine or of a digitiser",
     onChange: act((e) => {
       const own = /** @type {HTMLInputElement} */ (e.currentTarget);
       const chosen = [...(own.files ?? [])];
@@ -193,7 +249,13 @@ export function drop() {
         act(() => send(e.dataTransfer?.files))(e);
       },
     },
-    h("p", {}, "Drop the files of the testing machine here: text or Excel, one test a file."),
+    h(
+      "p",
+      {},
+      isFigure()
+        ? "Drop the picture of a figure here, or points of a digitiser: JSON or CSV."
+        : "Drop the files of the testing machine here: text or Excel, one test a file.",
+    ),
     h("input", input),
     h(
       "p",
@@ -203,17 +265,19 @@ export function drop() {
         { type: "button", class: "main", id: "choose-files", onClick: choose },
         "Choose files …",
       ),
-      h("button", { type: "button", onClick: act(example) }, "Try it with made-up tests"),
+      !isFigure() &&
+        h("button", { type: "button", onClick: act(example) }, "Try it with made-up tests"),
     ),
   );
 }
 export function files() {
   const n = session.files.length;
+  const what = isFigure() ? ["file of points", "files of points"] : ["test", "tests"];
   const heads = ["File", "Read as", "Set pressure", "Condition", "Use"];
   return h(
     "section",
     { class: "card", "aria-label": "Tests", key: "files" },
-    h("h2", {}, `${n} ${n === 1 ? "test" : "tests"}`),
+    h("h2", {}, `${n} ${what[n === 1 ? 0 : 1]}`),
     scroll(
       "Files of tests",
       h(
@@ -241,7 +305,10 @@ function fileRow(f) {
     session.chosen = open ? null : f.id;
     redraw();
   };
+  const curves = isFigure() ? f.digitised : [];
   const as = (f.columns || []).filter((c) => c.role).map(columnText);
+  const read = isFigure() ? curves.length > 0 : f.read;
+  const problems = curves.length ? [] : f.problems || [];
   return h(
     "tr",
     { class: open ? "pinned" : "", key: f.id },
@@ -252,13 +319,21 @@ function fileRow(f) {
     ),
     h(
       "td",
-      { class: f.read ? "" : "bad" },
-      f.read ? as.join(", ") : h("b", {}, "not understood yet"),
-      [...(f.problems || []), ...(f.refused || [])].map((p, i) =>
+      { class: read ? "" : "bad" },
+      curves.length
+        ? curves.map((c) => curveRow(f, c))
+        : read
+          ? as.join(", ")
+          : h("b", {}, "not understood yet"),
+      [...problems, ...(f.refused || [])].map((p, i) =>
         h("p", { class: "error", key: i }, sentence(p)),
       ),
     ),
-    h("td", { class: f.refused ? "wrong" : "" }, box(f, "pressure", "Set pressure", 9)),
+    h(
+      "td",
+      { class: f.refused ? "wrong" : "" },
+      curves.length < 2 && box(f, "pressure", "Set pressure", 9),
+    ),
     h("td", {}, box(f, "condition", "Condition", 7)),
     h(
       "td",
@@ -289,6 +364,29 @@ function fileRow(f) {
     ),
   );
 }
+/** A curve of a digitised file; its pressure can be said where its name does not.
+ * @param {TestFile} f @param {TestFile["digitised"][0]} c */
+const curveRow = (f, c) =>
+  h(
+    "p",
+    { key: c.name },
+    `${c.name || "curve"}, ${c.points} points `,
+    c.name &&
+      f.digitised.length > 1 &&
+      f.digitised.some((x) => !x.pressure) &&
+      figured() === "friction" &&
+      h("input", {
+        type: "text",
+        size: 9,
+        placeholder: c.pressure || "pressure",
+        value: f.typed_pressures?.[c.name] || "",
+        "aria-label": `Pressure of ${c.name} of ${f.name}`,
+        onChange: act((e) => {
+          const own = { ...f.typed_pressures, [c.name]: valueIn(e).trim() };
+          return say(f, { typed_pressures: own });
+        }),
+      }),
+  );
 /** @param {Column} c */
 const columnText = (c) => `${c.role.replace("_", " ")}: ${c.name}${c.unit ? ` [${c.unit}]` : ""}`;
 /** @param {TestFile} f @param {string} key @param {string} label @param {number} size
@@ -310,7 +408,7 @@ const box = (f, key, label, size, hint) =>
 export function details() {
   const f =
     session.files.find((x) => x.id === session.chosen) || session.files.find((x) => !x.read);
-  if (!f) return null;
+  if (!f || isFigure()) return null;
   return h(
     "section",
     { class: "card", "aria-label": f.name, key: `details-${f.id}` },

@@ -1,8 +1,10 @@
 // The form of a test plan: lagging, rig and fit.
 import { redraw } from "../../base/design.js";
+import { oneOf } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
 
-/** @typedef {{key: string, label: string, value?: string, help?: string, list?: string[]}} Row */
+/** @typedef {{key: string, label: string, value?: string, help?: string, list?: string[],
+ *   none?: string, of?: string}} Row `none` is what "" says; `of` which curves it is */
 /** @type {Record<string, Row[]>} */
 const ROWS = {
   lagging: [
@@ -18,6 +20,7 @@ const ROWS = {
       label: "Surface",
       value: "rubber",
       list: ["", "bare", "rubber", "polyurethane", "ceramic"],
+      none: "not said",
     },
     { key: "thickness", label: "Thickness", value: "12 mm" },
     { key: "shear_modulus", label: "Shear modulus G", value: "2.3 MPa" },
@@ -26,6 +29,36 @@ const ROWS = {
       key: "roughness",
       label: "Roughness",
       help: "Of lagging and belt together, for the saturation estimate.",
+    },
+  ],
+  digitised: [
+    { key: "source", label: "Source", help: "Who published it: author, title, year." },
+    { key: "figure", label: "Figure", help: "Which one, such as Figures 3 to 5." },
+    {
+      key: "quantity",
+      label: "It shows",
+      value: "friction",
+      list: ["friction", "coefficients"],
+    },
+    { key: "slip_unit", label: "Unit of slip", list: ["", "mm", "in", "cm", "m"], none: "choose" },
+    {
+      key: "pressure_unit",
+      label: "Unit of pressure",
+      value: "kPa",
+      list: ["kPa", "MPa", "psi", "bar"],
+      of: "coefficients",
+    },
+    {
+      key: "slip_max",
+      label: "Slip of the tests",
+      help: "Up to which A and b hold; to the peak if left empty.",
+      of: "coefficients",
+    },
+    {
+      key: "error",
+      label: "Error of a point",
+      value: "1 %",
+      help: "A share of full scale: how well the curves can be read.",
     },
   ],
   rig: [
@@ -50,12 +83,27 @@ const ROWS = {
 };
 const TITLES = {
   lagging: "Lagging",
+  digitised: "Figure",
   rig: "Rig",
   fit: "Fit",
   fixed: "Held in every curve, not fitted",
 };
 /** @type {Record<string, string>} */
-const LIST_WORDS = { "": "as found best", true: "yes", false: "no" };
+const LIST_WORDS = {
+  "": "as found best",
+  true: "yes",
+  false: "no",
+  friction: "friction over slip",
+  coefficients: "A and b over pressure",
+};
+/** What is fitted: the files of a machine, or curves read off a figure. */
+let from = "tests";
+export const isFigure = () => from === "figure";
+export function useFigure() {
+  from = "figure";
+}
+/** What a figure shows. @returns {"friction" | "coefficients"} */
+export const figured = () => /** @type {any} */ (typed.digitised.quantity);
 
 /** What is typed, by part and key. */
 const typed = /** @type {Record<string, Record<string, string>>} */ (
@@ -71,9 +119,11 @@ const typed = /** @type {Record<string, Record<string, string>>} */ (
 const kept = { parts: {}, tables: {} };
 /** Take a test plan into the form. @param {any} plan */
 export function openPlan(plan) {
-  const { format, lagging, rig, fit, test, ...tables } = plan;
+  const { format, lagging, rig, digitised, fit, test, ...tables } = plan;
   const { fixed, ...fits } = fit ?? {};
   const parts = /** @type {Record<string, any>} */ ({ lagging, rig, fit: fits, fixed });
+  from = digitised ? "figure" : "tests";
+  if (digitised) parts.digitised = { quantity: "friction", slip_unit: "mm", ...digitised };
   Object.assign(kept, { parts: {}, tables });
   for (const part of Object.keys(ROWS)) {
     const rows = ROWS[part].map((r) => r.key);
@@ -83,9 +133,12 @@ export function openPlan(plan) {
   }
 }
 
+/** Rows of a part that what is fitted has. @param {string} part */
+const shown = (part) => ROWS[part].filter((r) => !r.of || r.of === figured());
 /** What is typed of a part of the plan; numbers and truth values as such. @param {string} part */
 function said(part) {
-  const given = Object.entries(typed[part]).filter(([, v]) => v.trim());
+  const rows = shown(part).map((r) => r.key);
+  const given = Object.entries(typed[part]).filter(([key, v]) => rows.includes(key) && v.trim());
   const numbers = ["faces", "pieces"];
   const read = given.map(([k, v]) => [
     k,
@@ -97,7 +150,21 @@ function said(part) {
 export function asked() {
   const fixed = said("fixed");
   const fit = { ...said("fit"), ...(Object.keys(fixed).length && { fixed }) };
-  return { lagging: said("lagging"), rig: said("rig"), fit, more: kept.tables };
+  const digitised = isFigure() && { digitised: said("digitised") };
+  const rig = isFigure() ? {} : said("rig");
+  return { lagging: said("lagging"), rig, fit, more: { ...kept.tables, ...digitised } };
+}
+/** What a figure does not show and only its reader can say, by part and key. */
+export function unsaid() {
+  const found = /** @type {Record<string, string>} */ ({});
+  if (!isFigure()) return found;
+  const { digitised, lagging, fit } = typed;
+  if (!digitised.source.trim()) found["digitised.source"] = "Say who published the figure.";
+  if (!digitised.slip_unit) found["digitised.slip_unit"] = "Choose the unit of slip in the figure.";
+  if (lagging.thickness.trim() && lagging.shear_modulus.trim() && !fit.remove_shear)
+    found["fit.remove_shear"] =
+      "Does the slip of the figure include the sample's own shear? Yes takes it off.";
+  return found;
 }
 /** @param {string} path */
 export function rowOf(path) {
@@ -115,13 +182,28 @@ export const planForm = (marks) =>
       "aria-label": "Lagging and rig",
       onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
     },
-    Object.entries(TITLES).map(([part, title]) =>
-      h(
-        "fieldset",
-        { key: part },
-        h("legend", {}, title),
-        ROWS[part].map((r) => row(part, r, marks[`${part}.${r.key}`])),
-      ),
+    oneOf(
+      "t-from",
+      "What is fitted",
+      from,
+      [
+        ["tests", "Tests"],
+        ["figure", "A published figure"],
+      ],
+      (value) => {
+        from = value;
+        redraw();
+      },
+    ),
+    Object.entries(TITLES).map(
+      ([part, title]) =>
+        part !== (isFigure() ? "rig" : "digitised") &&
+        h(
+          "fieldset",
+          { key: part },
+          h("legend", {}, title),
+          shown(part).map((r) => row(part, r, marks[`${part}.${r.key}`])),
+        ),
     ),
   );
 /** @param {string} part @param {Row} r @param {string | undefined} problem */
@@ -137,7 +219,9 @@ function row(part, r, problem) {
       redraw();
     },
   };
-  const options = r.list?.map((x) => h("option", { value: x, key: x }, LIST_WORDS[x] ?? x));
+  const options = r.list?.map((x) =>
+    h("option", { value: x, key: x }, (!x && r.none) || (LIST_WORDS[x] ?? x)),
+  );
   return h(
     "div",
     { class: `field${problem ? " wrong" : ""}`, key: r.key },
