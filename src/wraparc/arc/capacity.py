@@ -145,10 +145,10 @@ def _first_along(
     # both sides grow: where friction that falls with pressure meets their ratio
     face, area = interface(law, arc), arc.width * arc.radius
     low, high = tight, FAR * tight
-    first = _stress_about(face, tight / area, 0.6 * limit.most) / tight
+    first = stress_about(face, tight / area, 0.6 * limit.most) / tight
     for _ in range(HALVINGS):
         middle = sqrt(low * high)
-        used = _stress_about(face, middle / area, 0.6 * limit.most) / middle
+        used = stress_about(face, middle / area, 0.6 * limit.most) / middle
         asked = log(middle / (slack + (middle - tight) / tight_rise * slack_rise))
         if asked < used / first * log_ratio(at_tight):
             low = middle
