@@ -159,7 +159,23 @@ def designs(side: float, lagging: Lagging, n: int) -> Arcs:
     )
 
 
-@pytest.mark.parametrize("name", ["diamond-rubber", "full-ceramic"])
+def rubber_tested_to(slip: float) -> Lagging:
+    """Return diamond rubber as if its tests had gone so far, beyond which creep comes first."""
+    lagging = load_lagging("diamond-rubber")
+    tested = lagging.law.tested
+    assert tested is not None
+    law = replace(lagging.law, tested=replace(tested, slip_max=slip))  # type: ignore[type-var]
+    return replace(lagging, law=law)
+
+
+LAGGINGS = {
+    "tests first": load_lagging("diamond-rubber"),
+    "ceramic": load_lagging("full-ceramic"),
+    "slip or creep": rubber_tested_to(57e-3),
+}
+
+
+@pytest.mark.parametrize("name", LAGGINGS)
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_many_arcs_slide_where_each_does(
     name: str, side: float, monkeypatch: pytest.MonkeyPatch
@@ -170,8 +186,12 @@ def test_many_arcs_slide_where_each_does(
         assert len(of.arcs) == 0
         return np.empty(0), np.empty(0, dtype=np.int8)
 
+    def searched(*_: object) -> None:
+        raise AssertionError("a search")
+
     monkeypatch.setattr(sliding_rows, "_places", searches)
-    lagging = load_lagging(name)
+    monkeypatch.setattr("wraparc.checks.sliding.slide_place", searched)
+    lagging = LAGGINGS[name]
     arcs = designs(side, lagging, 4)
     many = replace(LoadedRows.of(arcs, setting=Setting.PRECISE), peaks=np.zeros(4, dtype=bool))
     singles = [loaded_arc(arcs.arc(i, [lagging.law]), math.inf) for i in range(4)]
