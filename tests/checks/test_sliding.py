@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arc.drives import SOFTENING
+from arc.drives import SOFTENING, integral_log
 from checks.test_least_tension import random_drives
 from checks.test_rows import quiet, rigid
 from present.drives import drive
@@ -159,7 +159,23 @@ def designs(side: float, lagging: Lagging, n: int) -> Arcs:
     )
 
 
-@pytest.mark.parametrize("name", ["diamond-rubber", "full-ceramic"])
+def rubber_tested_to(slip: float) -> Lagging:
+    """Return diamond rubber as if its tests had gone so far, beyond which creep comes first."""
+    lagging = load_lagging("diamond-rubber")
+    tested = lagging.law.tested
+    assert tested is not None
+    law = replace(lagging.law, tested=replace(tested, slip_max=slip))  # type: ignore[type-var]
+    return replace(lagging, law=law)
+
+
+LAGGINGS = {
+    "tests first": load_lagging("diamond-rubber"),
+    "ceramic": load_lagging("full-ceramic"),
+    "slip or creep": rubber_tested_to(57e-3),
+}
+
+
+@pytest.mark.parametrize("name", LAGGINGS)
 @pytest.mark.parametrize("side", [1.0, -1.0])
 def test_many_arcs_slide_where_each_does(
     name: str, side: float, monkeypatch: pytest.MonkeyPatch
@@ -170,11 +186,16 @@ def test_many_arcs_slide_where_each_does(
         assert len(of.arcs) == 0
         return np.empty(0), np.empty(0, dtype=np.int8)
 
+    def searched(*_: object) -> None:
+        raise AssertionError("a search")
+
     monkeypatch.setattr(sliding_rows, "_places", searches)
-    lagging = load_lagging(name)
+    monkeypatch.setattr("wraparc.checks.sliding.slide_place", searched)
+    lagging = LAGGINGS[name]
     arcs = designs(side, lagging, 4)
-    many = replace(LoadedRows.of(arcs, setting=Setting.PRECISE), peaks=np.zeros(4, dtype=bool))
-    singles = [loaded_arc(arcs.arc(i, [lagging.law]), math.inf) for i in range(4)]
+    many = LoadedRows.of(arcs, setting=Setting.PRECISE)
+    singles = [loaded_arc(arcs.arc(i, [lagging.law])) for i in range(4)]
+    assert [one.peaks for one in singles] == many.peaks.tolist() == [False] * 4
     begun = [at_limits(one) for one in singles]
     tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
     slack = np.minimum(arcs.entry_tension, arcs.exit_tension)
@@ -190,6 +211,23 @@ def test_many_arcs_slide_where_each_does(
     for i, one in enumerate(singles):
         expected_least = tight_of_one(one, 1.2 * float(tight[i] - slack[i]), begun[i])
         assert least[i] == pytest.approx(expected_least, rel=2e-6)
+
+
+@pytest.mark.parametrize("free", [True, False])
+def test_a_law_whose_peak_carries_most_is_known_without_its_capacities(free: bool) -> None:
+    """A law free of pressure, and one of several pressures; rows as the scalar solver has them."""
+    law = integral_log(slope=-10.0, residual=0.4)
+    if not free:
+        steep = tuple(6.0 * slope for slope in SOFTENING.coefficients.post_peak_slope)
+        low = tuple(0.4 * left for left in SOFTENING.coefficients.residual_friction)
+        pairs = {"post_peak_slope": steep, "residual_friction": low}
+        law = replace(SOFTENING, coefficients=replace(SOFTENING.coefficients, **pairs))
+    arcs = designs(1.0, replace(load_lagging("diamond-rubber"), law=law), 3)
+    for i, peaks in enumerate(LoadedRows.of(arcs).peaks.tolist()):
+        arc = arcs.arc(i, [law])
+        assert math.isfinite(Distributed().solve(arc).capacities.gross_slip_creep)
+        assert peaks
+        assert loaded_arc(arc).peaks
 
 
 @pytest.mark.parametrize("number", [4, 6, 8])

@@ -286,6 +286,22 @@ def test_the_slow_part_of_a_judgement_is_found_once_for_all_tables(
     assert called["lift_for_safety"] == 10
 
 
+def test_no_number_depends_on_how_many_load_cases_are_asked() -> None:
+    # each alone is what each is among the others, to the last digit of every number and table
+    drive = _cases(6)
+    for i, case in enumerate(drive["load_case"]):
+        case["pulley"] = {"head": {"entry_tension": f"{80 + 25 * i} kN"}}
+    every = drives.solve_all(SolveRequest(document=drive, points=60)).arcs
+    shown = {arc.load_case: arc.model_dump() for arc in every}
+    assert len(shown) == 6  # the design case breaks away, the others carry more and more
+    for case in drive["load_case"]:
+        single = {**drive, "load_case": [case]}
+        found = drives.solve_all(SolveRequest(document=single, points=60)).arcs
+        alone = {arc.load_case: arc.model_dump() for arc in found}
+        for name, arc in alone.items():
+            assert arc == shown[name]
+
+
 def test_pulleys_share_how_many_load_cases_are_taken() -> None:
     documents.read(_cases(documents.MOST_ARCS))
     with pytest.raises(Exception, match="201 load cases are more than the 200 "):

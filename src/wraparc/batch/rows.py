@@ -171,6 +171,19 @@ def carried_on(arcs: Arcs, on: OnLine, part: int, accuracy: float) -> AtLimit:
     return found
 
 
+def may_peak(arcs: Arcs) -> Flags:
+    """Where friction falls past its peak, and may carry most at some creep."""
+    found = np.zeros(len(arcs), dtype=bool)
+    for which in arcs.by_kind():
+        with np.errstate(all="ignore"):
+            batch = RowBatch.of(arcs.rows(which), 1.0)
+            falls = np.flatnonzero(batch.of_input("steepest_fall") < 0.0)
+            if len(falls):
+                outweighs, left = batch.outweighs(falls)
+                found[which[falls]] = outweighs | ~np.isfinite(left)
+    return found
+
+
 def _guess_on(block: Block, on: OnLine, tight: Array, goal: Array) -> tuple[Tensions, Array]:
     """Tensions of a line at which about a limit is met, and the stress that is used [Pa]."""
     used, fall = _about(block, tight, goal)
@@ -508,21 +521,26 @@ class RowBatch:
         the rise lacks, int (mu - mu_residual) dx > 0 from the overrun on: more creep comes late,
         where the belt is slack.
         """
-        block, tight = self.block.rows(which), self.tight[which]
-        top, wrap = tight / block.area, block.length / block.radius
-        most = ratio_at_gross_slip(block.laws, top, wrap, residual=True)
+        outweighs, most = self.outweighs(which)
         creep = np.full(len(which), np.inf)
-        outweighs = np.zeros(len(which), dtype=bool)
-        for share in np.linspace(0.0, 1.0, PRESSURES):
-            tension = tight * np.exp(-share * most)
-            p, start = tension / block.area, np.abs(block.overrun(tension)[0])
-            outweighs |= block.laws.excess(p) + start * block.laws.residual(p) > 0.0
         rows = np.flatnonzero(outweighs)
         if len(rows):
             found, where = self._peak(which[rows])
             higher = ~(found <= most[rows])  # also where it is not found
             most[rows[higher]], creep[rows[higher]] = found[higher], where[higher]
         return most, creep
+
+    def outweighs(self, which: Integers) -> tuple[Flags, Array]:
+        """Where some creep may carry more than what is left of friction, and what that carries."""
+        block, tight = self.block.rows(which), self.tight[which]
+        top, wrap = tight / block.area, block.length / block.radius
+        most = ratio_at_gross_slip(block.laws, top, wrap, residual=True)
+        found = np.zeros(len(which), dtype=bool)
+        for share in np.linspace(0.0, 1.0, PRESSURES):
+            tension = tight * np.exp(-share * most)
+            p, start = tension / block.area, np.abs(block.overrun(tension)[0])
+            found |= block.laws.excess(p) + start * block.laws.residual(p) > 0.0
+        return found, most
 
     def _peak(self, which: Integers) -> tuple[Array, Array]:
         """Largest ratio among creeps around that of the peak, and its creep.

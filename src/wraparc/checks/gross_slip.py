@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
-from wraparc.arc.gross_slip import Line
+from wraparc.arc.gross_slip import Line, outweighs, residual_capacity
 from wraparc.checks.numbers import rise_among
 from wraparc.checks.sliding import (
     AtLimit,
@@ -33,8 +33,14 @@ def loaded(result: ArcResult) -> Loaded:
 
 def loaded_arc(arc: WrapArc, most_creep: float = math.nan) -> Loaded:
     """Return the same of an arc whose creep at the largest ratio may be known [m]."""
-    peaks = arc.law.steepest_fall() < 0.0 and most_creep != math.inf
-    return Loaded(arc.law.compact(), arc.geometry(), arc.load(), peaks)
+    law, geometry, load = arc.law.compact(), arc.geometry(), arc.load()
+    peaks = load.steepest_fall < 0.0 and most_creep != math.inf
+    if peaks and math.isnan(most_creep):
+        tight = max(load.entry_tension, load.exit_tension)
+        pressure = tight / (geometry.width * geometry.radius)
+        left = residual_capacity(law, pressure, geometry.wrap_angle)
+        peaks = outweighs(law, geometry, tight, left)
+    return Loaded(law, geometry, load, peaks)
 
 
 @dataclass(frozen=True)

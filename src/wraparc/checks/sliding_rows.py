@@ -15,7 +15,7 @@ from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
 from wraparc.batch import Setting, row
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
-from wraparc.batch.rows import AtLimit, OnLine, carried_on, solve_rows
+from wraparc.batch.rows import AtLimit, OnLine, carried_on, may_peak, solve_rows
 from wraparc.batch.scaled import Unscaled
 from wraparc.batch.solve import CHUNK
 from wraparc.batch.traction import Laws
@@ -64,11 +64,10 @@ class LoadedRows:
     @classmethod
     def of(cls, arcs: Arcs, **more: Any) -> LoadedRows:
         """Return arcs of which nothing more is known."""
-        one = np.ones(len(arcs))
-        falls = arcs.laws.steepest_fall[arcs.law] < 0.0
-        return cls(
-            **{"friction_factor": one, "slip_factor": one, "peaks": falls, **more}, arcs=arcs
-        )
+        one, none = np.ones(len(arcs)), np.zeros(len(arcs), dtype=bool)
+        given = {"friction_factor": one, "slip_factor": one, "peaks": none, **more}
+        of = cls(**given, arcs=arcs)
+        return replace(of, peaks=may_peak(of._unscaled()))
 
     def rows(self, which: Integers) -> LoadedRows:
         """Return some of the rows."""
