@@ -26,7 +26,7 @@ def tandem() -> TrainResult:
 
 def test_it_shows_its_drives() -> None:
     text = " ".join(checked(tandem()._repr_html_()).text)
-    assert "OK, on illustrative data. All 11 checks are kept" in text
+    assert "OK dry only, on illustrative data. All 11 checks are kept" in text
     assert "Drives: load case design" in text
     assert "Drives: load case empty" in text
     assert "Speed by belt contraction" in text
