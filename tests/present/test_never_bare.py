@@ -1,5 +1,6 @@
 """An OK that stands on illustrative data says so in the headline of every command that judges."""
 
+import re
 from pathlib import Path
 
 import pytest
