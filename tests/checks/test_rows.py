@@ -276,12 +276,12 @@ def test_creep_says_whether_the_belt_qualifies_for_more(of: dict[str, Any], said
 def test_the_ok_says_once_what_data_it_stands_on() -> None:
     source = Provenance(Kind.ILLUSTRATIVE)
     for lag, word in (
-        (lagging(provenance=source), "OK, on illustrative data"),
-        (lagging(tested=None), "OK, on friction without tests"),
+        (lagging(provenance=source), "OK dry only, on illustrative data"),
+        (lagging(tested=None), "OK dry only, on friction without tests"),
         (lagging(sources={"shear_modulus": Provenance(note="estimated: G = E/3")}),
-         "OK, on estimated data"),
-        (lagging(provenance=Provenance(Kind.CALIBRATED)), "OK, on calibrated data"),
-        (lagging(), "OK"),
+         "OK dry only, on estimated data"),
+        (lagging(provenance=Provenance(Kind.CALIBRATED)), "OK dry only, on calibrated data"),
+        (lagging(), "OK dry only"),
     ):  # fmt: skip
         verdict = judged(quiet(lagging=lag))
         assert verdict.word == word

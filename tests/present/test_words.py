@@ -17,7 +17,7 @@ def test_within_the_limit() -> None:
     least = 34e3 * 1.2 * 0.8 / 2.0  # the least pressure tested, 34 kPa, asks for most
     assert result.capacities.least_exit_tension < least
     assert told.level is Level.OK
-    assert told.told == "OK, on illustrative data"
+    assert told.told == "OK dry only, on illustrative data"
     assert told.headline.startswith("All ")
     assert "nearest to its limit is belt tension" in told.headline
     assert "100 kN, at most 210 kN" in told.headline

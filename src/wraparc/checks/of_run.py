@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -152,7 +152,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
 def _odd_sizes(run: RunResult) -> Iterator[Check]:
     """Yield what of the moving parts and of the event no conveyor has, with the unit meant."""
     station, event = run.station, run.event
-    owners: list[tuple[object, str]] = [(station, ""), (event, f" of event {event.name}")]
+    owners: list[tuple[Any, str]] = [(station, ""), (event, f" of event {event.name}")]
     owners += [(of, f" of event {event.name}") for of in event.happenings]
     for name, drum in zip(station.names, station.drums, strict=True):
         owners += [(of, f" of drum {name}") for of in (drum, drum.control, drum.trim) if of]

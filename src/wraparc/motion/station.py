@@ -102,7 +102,7 @@ class Station:
     take_up: TakeUp = "gravity"
     winch_speed: float = 0.1
     source: str = ""
-    taken: tuple[str, ...] = ()
+    taken: tuple[str, ...] = field(default=(), compare=False)
 
     def __post_init__(self) -> None:
         limits = dict(self.LIMITS)
