@@ -72,9 +72,7 @@ def test_help_lists_every_command_and_the_exit_codes() -> None:
     assert ran.code == 0
     for name, command in COMMANDS.items():
         assert f"{name} {command.help}" in ran.words
-    assert (
-        "1 FAILS: gross slip, or a mandatory limit exceeded" in ran.words
-    )
+    assert "1 FAILS: gross slip, or a mandatory limit exceeded" in ran.words
 
 
 def test_version() -> None:

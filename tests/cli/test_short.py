@@ -150,6 +150,16 @@ def test_every_missed_check_is_told_however_many() -> None:
     assert len(verdict.sentences) == 20
 
 
+def test_a_study_shows_the_load_case_that_comes_off_worst(tmp_path: Path) -> None:
+    """Only in a start does the momentary rating of the lighter belt fail."""
+    out = tmp_path / "out.parquet"
+    ran = wraparc("study", EXAMPLES / "studies" / "load-cases.toml", "-o", out)
+    assert len(lines(ran)) <= 40
+    assert "start: by belt" in ran.out
+    assert "design: by belt" not in ran.out
+    assert ran.words.count("FAILS: the momentary") == 4
+
+
 # ---- what is chosen ----
 
 
@@ -173,7 +183,7 @@ def test_rows_that_ask_for_attention_stay_and_others_are_counted() -> None:
     assert [row.title for row in known.rows] == [f"row {n}" for n in (0, 1, 2, 3, 4, 5, 6, 8)]
     assert nameless.rows[0].title == "all"
     assert "Unknown: ATTENTION in 1 row (--table constant)." in short.foot
-    assert short.foot[-1] == "Not shown: 1 row, 1 table, 2 sources: more."
+    assert short.foot[-1] == "Not shown: 1 row, 1 table: more."
 
 
 def test_the_action_stands_by_itself_in_the_words_of_the_headline() -> None:

@@ -1,14 +1,13 @@
 """``wraparc field``: what a healthy drive shows, when to alarm, how long the lagging lasts."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 import click
 
 from wraparc.calibrate.on_site import OnSite, on_site
 from wraparc.cli.answer import Answer, answers
-from wraparc.cli.options import load_whole, options
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.cli.options import load_whole, options, typed
+from wraparc.errors import InputError, Problem, placed
 from wraparc.units import parse_number
 
 
@@ -69,12 +68,10 @@ def _hours(texts: Iterable[str], option: str) -> dict[str, float]:
     found = {}
     for text in texts:
         name, equals, number = text.rpartition("=")
-        try:
+        with typed(option, text):
             if not equals or not name:
                 raise InputError(
                     Problem(message="no load case with hours", remedy="Write CASE=HOURS.")
                 )
             found[name] = parse_number(number)
-        except InputError as error:
-            raise InputError(replace(error.problems[0], key=option, value=shown(text))) from None
     return found

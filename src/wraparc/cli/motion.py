@@ -11,6 +11,7 @@ import click
 
 from wraparc.checks import judge_run
 from wraparc.cli.answer import Answer, answers
+from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
 from wraparc.cli.solve import FAILS, SOLVED, code_of
@@ -20,7 +21,7 @@ from wraparc.motion.file import load_motion
 from wraparc.motion.follow import simulate
 from wraparc.motion.result import Outcome, RunResult
 from wraparc.saving import interrupted
-from wraparc.units import System, parse_quantity
+from wraparc.units import System
 
 
 @click.command()
@@ -69,9 +70,9 @@ def run(
         result = simulate(
             motion.station,
             chosen,
-            step=None if step is None else _time("--step", step),
+            step=positive("--step", step, "time"),
             points=points,
-            every=None if every is None else _time("--every", every),
+            every=positive("--every", every, "time"),
             sink=rows.take if rows.wanted else None,
             progress=progress,
             checkpoint=Checkpoint(state_file, rows.resumed, rows.flush) if state_file else None,
@@ -114,7 +115,7 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
     from wraparc.present.motion_sheet import stability_sheet
 
     motion = load_motion(file, overrides=settings)
-    result = found_by(motion.station, run_out=_length("--run-out", run_out))
+    result = found_by(motion.station, run_out=positive("--run-out", run_out, "length") or 0.0)
     if answer.paths["plot"] or answer.paths["map"]:
         from wraparc.plot.motion import plot_stability, plot_stability_map
 
@@ -167,26 +168,3 @@ def _followed(*, quiet: bool) -> Iterator[Callable[[float], bool]]:
     finally:
         if mine:
             signal.signal(signal.SIGINT, before)
-
-
-def _time(option: str, text: str) -> float:
-    return _positive(option, text, "time")
-
-
-def _length(option: str, text: str) -> float:
-    return _positive(option, text, "length")
-
-
-def _positive(option: str, text: str, dimension: Any) -> float:
-    from dataclasses import replace
-
-    from wraparc.errors import shown
-
-    try:
-        value = parse_quantity(text, dimension)
-    except InputError as error:
-        raise InputError(replace(error.problems[0], key=option, value=shown(text))) from None
-    if value <= 0.0:
-        message = "must be more than 0"
-        raise InputError(Problem(message=message, key=option, value=shown(text)))
-    return value

@@ -11,6 +11,7 @@ import click
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import saving_problems
+from wraparc.units import Dimension, parse_quantity
 
 if TYPE_CHECKING:
     from wraparc.drive import Drive
@@ -51,6 +52,26 @@ def place_options(command: _F) -> _F:
     )
     pulley = click.option("--pulley", metavar="NAME", help="Which pulley; the first if left out.")
     return pulley(case(command))
+
+
+@contextlib.contextmanager
+def typed(option: str, text: str) -> Iterator[None]:
+    """Say of a problem raised within that it is of an option, and what was typed."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(replace(error.problems[0], key=option, value=shown(text))) from None
+
+
+def positive(option: str, text: str | None, dimension: Dimension) -> float | None:
+    """Return a quantity [SI] of more than 0 that was typed for an option; None if it was not."""
+    if text is None:
+        return None
+    with typed(option, text):
+        value = parse_quantity(text, dimension)
+        if value <= 0.0:
+            raise InputError(Problem(message="must be more than 0"))
+    return value
 
 
 @contextlib.contextmanager

@@ -11,10 +11,10 @@ from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
 from wraparc.cli.answer import Answer, answers
-from wraparc.cli.options import conditions_option, load_whole, named_conditions
+from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
 from wraparc.cli.show import Wanted
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import InputError, Problem, placed
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
 from wraparc.present.sheet import Sheet
 from wraparc.units import System, parse_quantity
@@ -103,8 +103,11 @@ def solve_as_train(
 
     train = Train.of(read) if isinstance(read, Drive) else read
     train = train_answer.with_case(train, load_case, file)
-    limit = None if creep_limit is None else _limit(creep_limit)
-    return train_answer.solve_all(train_answer.with_limit(train, limit), METHODS[method])
+    if creep_limit is not None:
+        with typed("--creep-limit", creep_limit):
+            limit = parse_quantity(creep_limit, "length")
+        train = train_answer.with_limit(train, limit)
+    return train_answer.solve_all(train, METHODS[method])
 
 
 def _json(results: Sequence[DriveResult], train: "TrainResult | None", file: str) -> str:
@@ -192,18 +195,7 @@ def with_limit(drive: Drive, text: str | None) -> Drive:
     """Return the drive with one creep limit for all pulleys, as it was typed."""
     if text is None:
         return drive
-    limit = _limit(text)
-    try:
+    with typed("--creep-limit", text):
+        limit = parse_quantity(text, "length")
         pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in drive.pulleys)
         return replace(drive, creep_limit=limit, pulleys=pulleys)
-    except InputError as error:
-        problem = replace(error.problems[0], key="--creep-limit", value=shown(text))
-        raise InputError(problem) from None
-
-
-def _limit(text: str) -> float:
-    try:
-        return parse_quantity(text, "length")
-    except InputError as error:
-        problem = replace(error.problems[0], key="--creep-limit", value=shown(text))
-        raise InputError(problem) from None

@@ -19,10 +19,8 @@ def with_case(train: Train, name: str | None, file: str, key: str = "--load-case
         return replace(train, cases=(train.case(name),))
 
 
-def with_limit(train: Train, limit: float | None) -> Train:
+def with_limit(train: Train, limit: float) -> Train:
     """Return the train with one creep limit [m] for all pulleys."""
-    if limit is None:
-        return train
     pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in train.pulleys)
     return replace(train, creep_limit=limit, pulleys=pulleys)
 

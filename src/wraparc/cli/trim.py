@@ -1,13 +1,10 @@
 """``wraparc trim``: how closely the drives on one belt must be matched."""
 
-from dataclasses import replace
-from typing import Any
-
 import click
 
 from wraparc.arc import Distributed
 from wraparc.cli.answer import Answer, answers
-from wraparc.cli.options import load_whole
+from wraparc.cli.options import load_whole, typed
 from wraparc.cli.output import Content
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
@@ -157,25 +154,20 @@ def _drive(train: Train, pulley: str | None, file: str) -> int:
     )
 
 
-def _quantity(option: str, text: str, dimension: Any) -> float:
-    try:
-        return parse_quantity(text, dimension)
-    except InputError as error:
-        problem = replace(error.problems[0], key=option, value=shown(text))
-        raise InputError(problem) from None
-
-
 def _wear(text: str, train: Train) -> float:
-    depth = _quantity("--wear", text, "length")
     thickest = max(pulley.lagging.thickness for pulley in train.pulleys)
-    if not 0.0 <= depth <= thickest:
-        message = f"must be between 0 and the thickness of a lagging, {display(thickest, 'length')}"
-        raise InputError(Problem(message=message, key="--wear", value=shown(text)))
+    with typed("--wear", text):
+        depth = parse_quantity(text, "length")
+        if not 0.0 <= depth <= thickest:
+            most = display(thickest, "length")
+            message = f"must be between 0 and the thickness of a lagging, {most}"
+            raise InputError(Problem(message=message))
     return depth
 
 
 def _trim(text: str) -> float:
-    return _quantity("--span", text, "number")
+    with typed("--span", text):
+        return parse_quantity(text, "number")
 
 
 def _map(result: TrainResult, load_case: str, drive: int, matching: Matching) -> ShareMap:

@@ -76,7 +76,6 @@ _PICKED: dict[str, _Pick] = {
     "values": _Pick(),
     "ranking": _Pick(most=6, explained=True),
     "rejected": _Pick(most=4),
-    "event": _Pick(),
     "drums": _Pick(rows=("Largest pull", "Largest torque", "Largest creep", "Time", "Friction w")),
     "vibrations": _Pick(),
     "controls": _Pick(),
@@ -85,7 +84,7 @@ _PICKED: dict[str, _Pick] = {
     "predicted": _Pick(most=12),
     "records": _Pick(),
     # many designs
-    "groups": _Pick(tables=1000, explained=True),
+    "groups": _Pick(tables=1000),
     "together": _Pick(),
     "indices": _Pick(),
     "alone": _Pick(),
@@ -132,6 +131,8 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
             left = [row for row in table.rows if row not in rows]
             hidden += [] if pick.judged else [(table, left)]
             part = _part(table, rows, pick)
+        elif part.rows:
+            cut += len(table.rows) - len(part.rows)
         if not part.rows:
             continue
         before = shown[-1] if shown else None
@@ -147,7 +148,6 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
         "remark": len(sheet.remarks) - len(remarks),
         "row": cut,
         "table": len(sheet.tables) - len(shown),
-        "source": len(sheet.sources) - len(ground),
     }
     bare = Sheet(
         title=sheet.title,

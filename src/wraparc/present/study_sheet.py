@@ -28,7 +28,7 @@ Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
 Global = Mapping[tuple[str, str], Mapping[str, Indices]]
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
-_MOST_ROWS = 60
+_MOST_ROWS, _SHORT_ROWS = 60, 8
 BAD = (Level.FAILS, Level.ATTENTION)
 
 
@@ -87,13 +87,13 @@ def _group_tables(
         by_case.setdefault((group.load_case, group.condition), []).append(group)
     worst = max(by_case, key=lambda case: _badness(by_case[case]), default=None)
     for (load, condition), groups in by_case.items():
-        short = None if (load, condition) == worst else Table("", ())
         where = ", ".join(part for part in (load, condition) if part)
         if summary.drawn:
             title = f"{where}: probability by {fields or 'all draws'}"
             table = _chances(title, groups, units, system)
         else:
             table = _values(f"{where}: by {fields}", groups, units, system)
+        short = _worst_rows(table, groups) if (load, condition) == worst else Table("", ())
         yield replace(table, short=short)
     together = over_conditions(summary) if summary.drawn else ()
     if together:
@@ -105,6 +105,14 @@ def _group_tables(
 def _badness(groups: Sequence[Group]) -> tuple[float, ...]:
     """Return how large a share of groups fails, then how large a share asks for attention."""
     return tuple(sum(group.judged.share(level).value for group in groups) for level in BAD)
+
+
+def _worst_rows(table: Table, groups: Sequence[Group]) -> Table:
+    """Return a table of groups with those that come off worst, in their order."""
+    by_badness = sorted(
+        range(len(table.rows)), key=lambda i: _badness(groups[i : i + 1]), reverse=True
+    )
+    return replace(table, rows=tuple(table.rows[i] for i in sorted(by_badness[:_SHORT_ROWS])))
 
 
 def _chances(
