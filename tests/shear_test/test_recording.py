@@ -121,6 +121,22 @@ def test_the_order_of_tests_is_asked_for_and_read_from_dates() -> None:
     assert any("one sample served for 16 tests" in text for text in fitted(worn, records).misfit)
 
 
+def test_a_sample_that_wears_shows_in_its_repeats_where_no_order_is_stated() -> None:
+    """5 % less from each test to the next of its pressure, as the plan lists them; else nothing."""
+    plan, records = laboratory(seed=2, repeats=3, points=250)
+    sound = fitted(plan, records)
+    told = "from a test to the next of its pressure in the plan"
+    assert not any(told in text for text in sound.misfit)
+    assert any("order of the tests is not stated" in text for text in verdict(sound).sentences)
+    for name, record in records.items():
+        records[name] = replace(record, force=0.95 ** int(name[-1]) * record.force)
+    worn = fitted(plan, records)
+    (text,) = (text for text in worn.misfit if told in text)
+    # 0.95 - 1, to the scatter of 2 % over the root of 16
+    assert float(text.split("%")[0].split()[-1]) == pytest.approx(-5.0, abs=1.0)
+    assert verdict(worn).level is Level.ATTENTION
+
+
 def test_scatter_is_what_the_repeats_show() -> None:
     """ln mu of two tests of a pressure 4 % apart has a standard deviation of 0.04 / sqrt 2."""
     plan, records = laboratory(seed=2, repeats=2, points=250)

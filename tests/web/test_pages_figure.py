@@ -32,11 +32,7 @@ LISTEN = """() => {
   window.bodies = [];
   const usual = window.fetch;
   window.fetch = (url, how) => {
-    const body = how?.body;
-    if (how && how.method !== "GET")
-      bodies.push(
-        body instanceof FormData ? new Response(body).text() : Promise.resolve(String(body))
-      );
+    if (how && how.method !== "GET") bodies.push(new Response(how.body).text());
     return usual(url, how);
   };
 }"""
