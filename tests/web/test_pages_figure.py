@@ -63,17 +63,18 @@ class Drawn:
         for p in PRESSURES:
             axes.plot(x, drawn(x, p), label=f"{p:g} kPa")
         axes.set(xlim=(x[0], ENDS[0]), ylim=(0.0, ENDS[1]), xscale="log" if log else "linear")
-        canvas.draw()
-        image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+        drawing = io.BytesIO()
+        canvas.print_png(drawing)
+        image = Image.open(drawing).convert("RGB")
         self.height, self.axes = image.height, axes
         slope = np.tan(np.radians(turned))
         # x' = x + s y, y' = y + 2 s x: a scan that is turned and leans
         self.way = np.array([[1.0, slope], [2.0 * slope, 1.0]])
         if turned:
             back = np.linalg.inv(self.way)
-            wide = tuple(int(v) for v in self.way @ image.size)
+            wide, tall = (int(v) for v in self.way @ image.size)
             rows = (*back[0], 0.0, *back[1], 0.0)
-            image = image.transform(wide, Image.Transform.AFFINE, rows, fillcolor="white")
+            image = image.transform((wide, tall), Image.Transform.AFFINE, rows, fillcolor="white")
         picture = io.BytesIO()
         image.save(picture, "png")
         self.png = picture.getvalue()
