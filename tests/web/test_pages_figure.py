@@ -57,14 +57,14 @@ class Drawn:
 
     def __init__(self, *, log: bool = False, turned: float = 0.0) -> None:
         figure = Figure(figsize=(6.0, 4.0), dpi=150, layout="tight")
-        canvas = FigureCanvasAgg(figure)
+        FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         x = np.linspace(0.1 if log else 0.0, ENDS[0], 400)
         for p in PRESSURES:
             axes.plot(x, drawn(x, p), label=f"{p:g} kPa")
         axes.set(xlim=(x[0], ENDS[0]), ylim=(0.0, ENDS[1]), xscale="log" if log else "linear")
         drawing = io.BytesIO()
-        canvas.print_png(drawing)
+        figure.savefig(drawing, format="png")
         image = Image.open(drawing).convert("RGB")
         self.height, self.axes = image.height, axes
         slope = np.tan(np.radians(turned))
