@@ -28,8 +28,6 @@ _CONFOUNDED = 0.9
 # How sure a trend must be, and how much of friction it must take from the first test to the last.
 _LEVEL, _MATTERS = 0.98, 0.02
 _LEAST_FREEDOM = 2
-# The same from repeat to repeat, where the order is only supposed.
-_REPEATS_LEVEL = 0.99
 
 
 def order_of(tests: Sequence[PlannedTest]) -> Array | None:
@@ -105,7 +103,7 @@ def _from_repeat_to_repeat(listed: NDArray[np.int64], points: CurvePoints) -> li
     slope = float(place @ value / (place @ place))
     left = float(((value - slope * place) ** 2).sum()) / freedom
     error = float(np.sqrt(left / (place @ place)))
-    if abs(slope) < max(_MATTERS, two_sided(freedom, _REPEATS_LEVEL) * error):
+    if abs(slope) < max(_MATTERS, two_sided(freedom, _LEVEL) * error):
         return []
     return [
         f"friction changes by {100 * np.expm1(slope):+.1f} % (standard error {100 * error:.1f} %) "
