@@ -458,7 +458,7 @@ def _left_out_rows(count: int) -> Iterable[str]:
     yield f"| error of the law, of the peak | {_both(law)} |"
     yield f"| error of plain least squares | {_both(plain)} |"
     yield f"| law over plain | {np.mean(law / plain):.2f} | {np.max(law / plain):.2f} |"
-    yield f"| scatter claimed where there is none | {_both(scatter)} |"
+    yield f"| scatter told where there is none | {_both(scatter)} |"
     yield f"\nScatter of 3 % told within a factor of two: {_share(within, count)}; root mean square"
     yield f"{3.0 * np.sqrt(np.mean(drawn**2)):.2f} %. Its interval holds it: "
     yield f"{_share(int(held.sum()), count)}."

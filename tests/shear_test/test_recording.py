@@ -121,6 +121,39 @@ def test_the_order_of_tests_is_asked_for_and_read_from_dates() -> None:
     assert any("one sample served for 16 tests" in text for text in fitted(worn, records).misfit)
 
 
+def test_a_sample_that_wears_shows_in_its_repeats_where_no_order_is_stated() -> None:
+    """5 % less from each test to the next of its pressure, as the plan lists them; else nothing."""
+    plan, records = laboratory(seed=2, repeats=3, points=250)
+    sound = fitted(plan, records)
+    told = "from a test to the next of its pressure in the plan"
+    assert not any(told in text for text in sound.misfit)
+    assert any("order of the tests is not stated" in text for text in verdict(sound).sentences)
+    for name, record in records.items():
+        records[name] = replace(record, force=0.95 ** int(name[-1]) * record.force)
+    worn = fitted(plan, records)
+    (text,) = (text for text in worn.misfit if told in text)
+    # 0.95 - 1, to the scatter of 2 % over the root of 16
+    assert float(text.split("%")[0].split()[-1]) == pytest.approx(-5.0, abs=1.0)
+    assert verdict(worn).level is Level.ATTENTION
+
+
+def test_a_pressure_typed_wrong_for_all_its_tests_is_asked_about_where_friction_rises() -> None:
+    """Of a power -0.3 of pressure: 1.5 times at 103 kPa, friction is (2/3) 103^-0.3 at 155 kPa.
+
+    That is a fifth below the 207^-0.3 of the next pressure.
+    """
+    module = verdicts()
+    lab = module.laboratory(module.smooth(), "4 x 2", 3)
+    rises = "peak friction rises from"
+    assert not any(text.startswith(rises) for text in lab.fit().misfit)
+    lab.scale([name for name in lab.records if name.startswith("p1")], load=1.5)
+    result = lab.fit()
+    (text,) = (text for text in result.misfit if text.startswith(rises))
+    assert "at 154.5 kPa to" in text
+    assert "at 207 kPa" in text
+    assert verdict(result).level is Level.ATTENTION
+
+
 def test_scatter_is_what_the_repeats_show() -> None:
     """ln mu of two tests of a pressure 4 % apart has a standard deviation of 0.04 / sqrt 2."""
     plan, records = laboratory(seed=2, repeats=2, points=250)

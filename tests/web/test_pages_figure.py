@@ -32,11 +32,7 @@ LISTEN = """() => {
   window.bodies = [];
   const usual = window.fetch;
   window.fetch = (url, how) => {
-    const body = how?.body;
-    if (how && how.method !== "GET")
-      bodies.push(
-        body instanceof FormData ? new Response(body).text() : Promise.resolve(String(body))
-      );
+    if (how && how.method !== "GET") bodies.push(new Response(how.body).text());
     return usual(url, how);
   };
 }"""
@@ -61,23 +57,24 @@ class Drawn:
 
     def __init__(self, *, log: bool = False, turned: float = 0.0) -> None:
         figure = Figure(figsize=(6.0, 4.0), dpi=150, layout="tight")
-        canvas = FigureCanvasAgg(figure)
+        FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         x = np.linspace(0.1 if log else 0.0, ENDS[0], 400)
         for p in PRESSURES:
             axes.plot(x, drawn(x, p), label=f"{p:g} kPa")
         axes.set(xlim=(x[0], ENDS[0]), ylim=(0.0, ENDS[1]), xscale="log" if log else "linear")
-        canvas.draw()
-        image = Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+        drawing = io.BytesIO()
+        figure.savefig(drawing, format="png")
+        image = Image.open(drawing).convert("RGB")
         self.height, self.axes = image.height, axes
         slope = np.tan(np.radians(turned))
         # x' = x + s y, y' = y + 2 s x: a scan that is turned and leans
         self.way = np.array([[1.0, slope], [2.0 * slope, 1.0]])
         if turned:
             back = np.linalg.inv(self.way)
-            wide = tuple(int(v) for v in self.way @ image.size)
+            wide, tall = (int(v) for v in self.way @ image.size)
             rows = (*back[0], 0.0, *back[1], 0.0)
-            image = image.transform(wide, Image.Transform.AFFINE, rows, fillcolor="white")
+            image = image.transform((wide, tall), Image.Transform.AFFINE, rows, fillcolor="white")
         picture = io.BytesIO()
         image.save(picture, "png")
         self.png = picture.getvalue()

@@ -21,6 +21,7 @@ from wraparc.report.shear_test_head import circumstances_table
 from wraparc.report.shear_test_numbers import number, slope, with_error
 from wraparc.report.shear_test_standard import laws_table, standard_tables
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.campaign import NOT_STATED
 from wraparc.shear_test.curve_fit import Z95
 from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
@@ -117,7 +118,9 @@ def verdict(result: PlanResult) -> Verdict:
     if misfit:
         headline = f"The law does not describe everything: {counted(misfit)}."
         return Verdict(Level.ATTENTION, headline, shown)
-    return Verdict(Level.OK, f"The law describes the tests. {_remainders(result)}")
+    unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
+    asked = (_started(NOT_STATED),) if unsure else ()
+    return Verdict(Level.OK, f"The law describes the tests. {_remainders(result)}", asked)
 
 
 def _remainders(result: PlanResult) -> str:

@@ -18,6 +18,11 @@ from wraparc.shear_test.pressure_form import ln_peaks
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.student import two_sided
 
+#: What is said where no order is.
+NOT_STATED = (
+    "the order of the tests is not stated (order or date in each [[test]]): a sample that "
+    "wears, or a rig that drifts, over the campaign would not be noticed"
+)
 # Correlation of order and ln p from which they cannot be told apart. Ours.
 _CONFOUNDED = 0.9
 # How sure a trend must be, and how much of friction it must take from the first test to the last.
@@ -63,13 +68,10 @@ def order_sentences(
     fresh = len(set(names)) == len(planned)
     if order is None:
         most = max((names.count(name) for name in set(names)), default=0)
-        text = (
-            "the order of the tests is not stated (order or date in each [[test]]): a sample that "
-            "wears, or a rig that drifts, over the campaign would not be noticed"
-        )
         if most > 2:
-            return [f"one sample served for {most} tests, and {text}"], []
-        return [], [text]
+            return [f"one sample served for {most} tests, and {NOT_STATED}"], []
+        listed = np.array([int("0" + "".join(filter(str.isdigit, test.place))) for test in planned])
+        return _from_repeat_to_repeat(listed[~flagged], points.only(~flagged)), [NOT_STATED]
     ln_pressure = np.log(points.pressure)
     several = len(points.level_pressures) > 2
     together = float(np.corrcoef(order, ln_pressure)[0, 1]) if np.ptp(ln_pressure) > 0.0 else 0.0
@@ -83,6 +85,31 @@ def order_sentences(
             return [], [f"{text}; each test had a sample of its own, so the rig's drift is left"]
         return [f"{text}; repeat the first pressure at the end, or test in mixed order"], []
     return _trend(order[~flagged], law, points.only(~flagged), law.weights[~flagged])
+
+
+def _from_repeat_to_repeat(listed: NDArray[np.int64], points: CurvePoints) -> list[str]:
+    """Whether tests of one pressure go up or down as the plan lists them, which may be their order.
+
+    By Student's t of the slope of ln mu_pk over their places, within the pressures.
+    """
+    place, value = np.zeros(len(points.level)), np.zeros(len(points.level))
+    for k in np.unique(points.level):
+        own = points.level == k
+        place[own] = np.argsort(np.argsort(listed[own])) - 0.5 * (own.sum() - 1)
+        value[own] = points.value[own, 1] - points.value[own, 1].mean()
+    freedom = len(place) - len(np.unique(points.level)) - 1
+    if freedom < _LEAST_FREEDOM or len(set(listed.tolist())) < len(listed):
+        return []
+    slope = float(place @ value / (place @ place))
+    left = float(((value - slope * place) ** 2).sum()) / freedom
+    error = float(np.sqrt(left / (place @ place)))
+    if abs(slope) < max(_MATTERS, two_sided(freedom, _LEVEL) * error):
+        return []
+    return [
+        f"friction changes by {100 * np.expm1(slope):+.1f} % (standard error {100 * error:.1f} %) "
+        "from a test to the next of its pressure in the plan: if they were done in this order the "
+        "sample wears, or the rig drifts; say the order (order or date in each [[test]])"
+    ]
 
 
 def _trend(

@@ -246,7 +246,7 @@ def _errors(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> ReadOff:
 
 def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> None:
     """Refuse slip or friction below 0, and slip that is likely in another unit than mm."""
-    problems = []
+    problems: list[Problem] = []
     for axis, title in (("x", "slip"), ("y", "friction")):
         top = max(float(getattr(curve, axis).max()) for _, curve in taken)
         for test, curve in taken:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE
 from wraparc.shear_test.campaign import order_sentences
-from wraparc.shear_test.consistency import FAR
+from wraparc.shear_test.consistency import FAR, USUAL
 from wraparc.shear_test.curve_fit import fit_curve
 from wraparc.shear_test.load_slips import load_questions, surface_questions
 from wraparc.shear_test.plan import TestPlan
@@ -25,6 +25,8 @@ _FAR_FROM_LAW = 3.5
 _WIDE = 0.25
 # Standard deviation of ln mu_pk between samples beyond which they are not of one kind. Ours.
 _LOOSE = 0.1
+# Peak friction that goes up by more than this, and than chance, where it falls elsewhere. Ours.
+_RISE = 0.05
 
 
 def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -38,7 +40,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
-        misfit += _predictions(found.left_out) + _wide(tests, law, found)
+        misfit += _predictions(found.left_out) + _wide(tests, law, found) + _rises(law, found)
         by_order, order_remarks = order_sentences(tests, law, found.points, found.flagged)
         misfit += by_order
         order_remarks = [] if plan.digitised else order_remarks
@@ -94,6 +96,28 @@ def _scatter(found: Findings) -> list[str]:
     return [
         f"{scatter.words}: a standard deviation {apart}, of {scatter.freedom} degrees of freedom. "
         f"Of 20 further samples about one is off by more than {off:.2g} %"
+    ]
+
+
+def _rises(law: PressureFit, found: Findings) -> list[str]:
+    """Friction that goes up to a pressure among those over which it falls, no trend line there."""
+    at, of = found.level_pressures(), found.points.level
+    if not law.form.nodes or len(at) < 3:
+        return []
+    counts = np.bincount(of)
+    mean = np.bincount(of, found.points.value[:, 1]) / np.maximum(counts, 1)
+    if not np.all(counts) or mean[-1] > mean[0]:
+        return []
+    scatter = USUAL if found.scatter is None else found.scatter.value
+    error = scatter * np.sqrt(1.0 / counts[1:] + 1.0 / counts[:-1])
+    rise = np.diff(mean) - np.maximum(_RISE, 3.0 * error)
+    k = int(np.argmax(rise))
+    if rise[k] <= 0.0:
+        return []
+    return [
+        f"peak friction rises from {np.exp(mean[k]):.3g} at {at[k] / 1e3:.4g} kPa to "
+        f"{np.exp(mean[k + 1]):.3g} at {at[k + 1] / 1e3:.4g} kPa, and falls over all pressures: "
+        "see whether a set pressure, a normal force or a sample of these is another"
     ]
 
 
