@@ -128,7 +128,8 @@ def member_of(law: CompactLaw, given: Given) -> Member:
     arc = description_of(given)
     squeeze = 2.0 * (arc.thickness / arc.compression_modulus) / (arc.width * arc.diameter)
     geometry = geometry_of(arc, law.onset_compliance)
-    return Member(law, geometry, 0.5 * arc.diameter, 1.0 / arc.axial_stiffness, squeeze)
+    stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
+    return Member(law, geometry, 0.5 * arc.diameter + arc.pitch_offset, stretch, squeeze)
 
 
 class Divided(NamedTuple):
