@@ -175,7 +175,7 @@ def _power(energy: Callable[[BatchResult], Array]) -> Callable[[BatchResult], Ar
 
 
 def _carried(r: BatchResult, place: int) -> Array:
-    """ln of a capacity, tight over slack side, by that of the tensions above m v^2."""
+    """Ln of a capacity, tight over slack side, by that of the tensions above m v^2."""
     carried, lift = r.found[:, place], r.arcs.centrifugal_force
     tight = np.maximum(r.arcs.entry_tension, r.arcs.exit_tension)
     with np.errstate(all="ignore"):

@@ -19,8 +19,9 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.drive.belt import COVER_SHEAR_MODULUS, Belt, Side
+from wraparc.drive.belt import COVER_SHEAR_BAND, COVER_SHEAR_MODULUS, Belt, Side
 from wraparc.friction import FrictionLaw
+from wraparc.provenance import Provenance
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
@@ -97,6 +98,19 @@ def cover_compliance(belt: Belt, side: Side) -> float:
     return 0.0 if isnan(cover) else cover / modulus
 
 
+def covered(belt: Belt) -> bool:
+    """Whether a cover of the belt is known that could shear."""
+    found = layers_of(belt)
+    return found.pulley_cover > 0.0 or found.carry_cover > 0.0
+
+
+#: Where the modulus of a cover comes from that is not given.
+ESTIMATED_COVER = Provenance(
+    note=f"estimated: belt covers have {COVER_SHEAR_BAND[0] / 1e6:g} to "
+    f"{COVER_SHEAR_BAND[1] / 1e6:g} MPa"
+)
+
+
 def counts_shear(law: FrictionLaw, part: str) -> bool | None:
     """Return whether the slip of a law includes the shear of a part; None if it does not say."""
     told = getattr(law, "slip_includes", None)
@@ -133,7 +147,7 @@ def pitch_radius(radius: Number, compression: Number, offset: Number) -> Number:
 
 
 def centrifugal_force(mass: Number, speed: Number) -> Number:
-    """m v^2, what of the tension presses on no pulley [N].
+    """M v^2, what of the tension presses on no pulley [N].
 
     Parameters
     ----------

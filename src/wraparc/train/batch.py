@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from wraparc.arc import Distributed
-from wraparc.drive.pitch import centrifugal_of
 from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.solve import share_chunks
+from wraparc.drive.pitch import centrifugal_of
 from wraparc.errors import InputError
 from wraparc.train.balance import Balanced, Equations, Start, balance
 from wraparc.train.batch_result import (

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch import STATUSES, BatchResult
-from wraparc.errors import library
 from wraparc.drive.pitch import pitch_radius
+from wraparc.errors import library
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.result import TrainStatus
 from wraparc.train.rows import TrainRows

@@ -112,7 +112,7 @@ class TrainRows:
 
     @property
     def lift(self) -> Array:
-        """m v^2 of the belt, 0 where its mass or its speed is not known, shape (n,) [N]."""
+        """M v^2 of the belt, 0 where its mass or its speed is not known, shape (n,) [N]."""
         mass = np.full(len(self), self.train.belt.mass or 0.0)
         return np.nan_to_num(centrifugal_force(mass, self.whole["belt_speed"]))
 
