@@ -1,6 +1,6 @@
 """The arc of a belt with thickness, cover and mass, integrated from moments about the drum.
 
-Written for the angle theta and for p = (T - m v^2)/(B R), d ln(T - m v^2)/d theta = -(tau/p) R/(R + e)
+Written for the angle theta: p = (T - m v^2)/(B R), d ln(T - m v^2)/d theta = -(tau/p) R/(R + e)
 and u = x + (h/G + h_b/G_b) tau, without the arc of a thin belt that the solver makes of it.
 """
 

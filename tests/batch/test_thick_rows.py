@@ -30,10 +30,8 @@ def rows(arcs: list[WrapArc]) -> dict[str, list[float]]:
     }
 
 
-@pytest.mark.parametrize("name", ["rubber", "ceramic", "softening", "constant", "elastic-plastic"])
+@pytest.mark.parametrize("name", ["rubber", "softening", "constant", "elastic-plastic"])
 def test_rows_are_those_of_the_solver_of_one(name: str) -> None:
-    if name not in LAWS:
-        pytest.skip("no such law")
     rng = np.random.default_rng([39, sorted(LAWS).index(name)])
     arcs = [thick(random_arc(LAWS[name], rng), rng) for _ in range(12)]
     of: Lagging = lagging(name, LAWS[name])

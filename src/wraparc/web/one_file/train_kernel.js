@@ -2150,7 +2150,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
     (a - a1) / stiffness,
     g - g1,
     at.compression / at.radius - first.compression / first.radius,
-    first.offset / first.radius - at.offset / at.radius,
+    (1.0 + first.offset / first.radius) / (1.0 + at.offset / at.radius) - 1.0,
     (((ratio * arm1) / arm) * at.radius) / first.radius,
     surface,
     surface / arm,
@@ -2989,7 +2989,7 @@ export function train_sheet__case_table(case_, system) {
   };
   let thick = [];
   if ([...members].some((m) => m.thickness_term !== 0.0)) {
-    thick = [small("thickness_term", (m) => m.thickness_term, "to first order")];
+    thick = [small("thickness_term", (m) => m.thickness_term, "")];
   }
   let rows = [
     row("share", train_sheet___share, ""),

@@ -1092,12 +1092,12 @@ export function load_case__exit_behind(entry, leaving) {
   return Math.abs(entry - leaving) <= ROUNDING * entry ? entry : leaving;
 }
 
-/** m v^2, what of the tension presses on no pulley [N]. */
+/** M v^2, what of the tension presses on no pulley [N]. */
 export function pitch__centrifugal_force(mass, speed) {
   return mass * speed * speed;
 }
 
-/** m v^2 of a belt [N]; 0 where its mass or its speed is not known. */
+/** M v^2 of a belt [N]; 0 where its mass or its speed is not known. */
 export function in_page__lift_of(given) {
   let force = pitch__centrifugal_force(given.mass, given.speed);
   return force === force ? force : 0.0;
