@@ -152,8 +152,8 @@ def test_the_torque_pulls_at_the_tension_member() -> None:
     """R - delta + e, delta = (h/E_c) p1 with p1 of the tension above m v^2."""
     arc = WrapArc(
         law=Constant(friction_coefficient=0.4), entry_tension=100e3, exit_tension=60e3,
-        diameter=0.8, wrap_angle=math.pi, width=1.2, axial_stiffness=15e6, thickness=0.012, shear_modulus=1e6,
-        compression_modulus=9e6, pitch_offset=7e-3, centrifugal=10e3,
+        diameter=0.8, wrap_angle=math.pi, width=1.2, axial_stiffness=15e6, thickness=0.012,
+        shear_modulus=1e6, compression_modulus=9e6, pitch_offset=7e-3, centrifugal=10e3,
     )  # fmt: skip
     delta = 0.012 / 9e6 * 90e3 / (1.2 * 0.4)
     assert arc.pitch_radius == pytest.approx(0.4 - delta + 7e-3, rel=1e-15)
