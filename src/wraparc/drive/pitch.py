@@ -98,6 +98,12 @@ def cover_compliance(belt: Belt, side: Side) -> float:
     return 0.0 if isnan(cover) else cover / modulus
 
 
+def whole_thickness(belt: Belt) -> float | None:
+    """Return covers and carcass of a belt in all [m]; None where that is not known."""
+    total = sum(layers_of(belt)) if belt.thickness is None else belt.thickness
+    return None if isnan(total) else total
+
+
 def covered(belt: Belt) -> bool:
     """Whether a cover of the belt is known that could shear."""
     found = layers_of(belt)
