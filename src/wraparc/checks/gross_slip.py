@@ -133,7 +133,8 @@ def sliding(result: ArcResult, rise: Rise) -> Sliding:
     arc = result.arc
     tight = max(arc.entry_tension, arc.exit_tension)
     slack = min(arc.entry_tension, arc.exit_tension)
-    line, known = Line(tight, slack, rise.tight, rise.slack), _grip_of(result)
+    line = Line(tight - arc.centrifugal, slack - arc.centrifugal, rise.tight, rise.slack)
+    known = _grip_of(result)
     if line not in known.slidings:  # it is asked for every table, in both systems of units
         known.slidings[line] = pull_at_sliding(known.of, line, known.begin)
     return known.slidings[line]

@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import NOWHERE, Check, Level, Miss, Place, keeps
-from wraparc.checks.numbers import USUAL_SIZES, Sizes, compared_sizes, held_alike, idles, usual
+from wraparc.checks.numbers import (
+    USUAL_BELT_MASS,
+    USUAL_SIZES,
+    Sizes,
+    compared_sizes,
+    held_alike,
+    idles,
+    usual,
+)
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -17,6 +26,7 @@ from wraparc.checks.rules import (
 )
 from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.pitch import centrifugal_of
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension, meant_by
 
@@ -48,6 +58,12 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
         () if drive.conveyor is None else _conveyor_sizes(drive.conveyor, drive.belt.width)
     ):
         odd.setdefault(check.sentence(), check)
+    mass, width = drive.belt.mass, drive.belt.width
+    if mass is not None and not usual(mass / width, *USUAL_BELT_MASS):
+        least, most = (width * end for end in USUAL_BELT_MASS)
+        check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
+        remedy = "Is it that of the whole belt? Give the mass of a metre."
+        odd["mass"] = replace(check, remedy=remedy)
     yield from odd.values()
     if not odd:
         yield Check(
@@ -252,7 +268,8 @@ def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         why = "the largest wrap pressure of the belt is not given"
         return not_checked("face_pressure", title, why, place)
     tensions = case.tensions[pulley.name]
-    value = wrap_pressure(max(tensions.entry, tensions.exit), belt.width, pulley.diameter)
+    tight = max(tensions.entry, tensions.exit)
+    value = wrap_pressure(tight, belt.width, pulley.diameter, centrifugal_of(belt))
     return judged(
         RULES["face_pressure"],
         title,
@@ -290,7 +307,7 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
         yield judged(
             RULES[name],
             title,
-            wrap_pressure(tension, drive.belt.width, pulley.diameter),
+            wrap_pressure(tension, drive.belt.width, pulley.diameter, centrifugal_of(drive.belt)),
             limit,
             "pressure",
             source=tests_of(pulley),

@@ -56,6 +56,7 @@ RULES = {
         Rule("gross_slip", "the safety against gross slip", at_most=False, fails_beyond=1.0),
         Rule("design_standard", "the design standard", at_most=False),
         Rule("creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT),
+        Rule("cover_creep", "the creep limit, with the cover of the belt in series"),
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),
@@ -128,6 +129,8 @@ def start_factor(criteria: Criteria, kind: str) -> float:
     return criteria.standard.start_factor if kind == "running" else 1.0
 
 
-def wrap_pressure(tension: _Number, width: _Number, diameter: _Number) -> _Number:
+def wrap_pressure(
+    tension: _Number, width: _Number, diameter: _Number, centrifugal: _Number
+) -> _Number:
     """Pressure of the belt on the pulley, 2 T/(B D) [Pa]."""
-    return 2.0 * tension / (width * diameter)
+    return 2.0 * (tension - centrifugal) / (width * diameter)

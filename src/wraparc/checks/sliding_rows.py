@@ -63,7 +63,8 @@ class LoadedRows:
 
     @classmethod
     def of(cls, arcs: Arcs, **more: Any) -> LoadedRows:
-        """Return arcs of which nothing more is known."""
+        """Return arcs of which nothing more is known; tensions are those above m v^2."""
+        arcs = arcs.light()
         one, none = np.ones(len(arcs)), np.zeros(len(arcs), dtype=bool)
         given = {"friction_factor": one, "slip_factor": one, "peaks": none, **more}
         of = cls(**given, arcs=arcs)
@@ -90,7 +91,7 @@ class LoadedRows:
     def plateau(self, tight: Array) -> Array:
         """ln(tight/slack) with the largest friction everywhere, shape (n,) [-]."""
         # the plateau of f mu over an angle is that of mu over f times the angle
-        wrap = self.arcs.wrap_angle * self.friction_factor
+        wrap = self.arcs.traction_wrap * self.friction_factor
         with np.errstate(all="ignore"):  # rows without a tension become nan
             return self._of_laws(tight, lambda laws, p, at: ratio_at_gross_slip(laws, p, wrap[at]))
 
@@ -229,7 +230,7 @@ def _first_places(of: LoadedRows, lines: _Lines) -> tuple[Array, Codes]:
 
 
 def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
-    """Least tension of each tight side with which a pull does not slide the belt [N], (n,).
+    """Least tension above m v^2 of each tight side that slides no belt of a pull [N], (n,).
 
     As `checks.sliding.tight_at_sliding`.
     """

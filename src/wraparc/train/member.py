@@ -84,11 +84,14 @@ class Member:
     law, geometry
         As the solver of :mod:`wraparc.arc` reads them.
     radius
-        R over the unloaded lagging [m].
+        R + e of the tension member over the unloaded lagging [m].
     stretch
-        1/EA of the belt [1/N].
+        1/(EA + m v^2) of the belt [1/N]: tensions are those above m v^2, and 1 + T/EA goes with
+        1 + (T - m v^2)/(EA + m v^2).
     squeeze
         Compression of the lagging at the entry per tension there, 2 h/(E_c B D) [m/N].
+    offset
+        e of the tension member, 0 where it is not known [m].
     """
 
     law: CompactLaw
@@ -96,13 +99,15 @@ class Member:
     radius: float
     stretch: float
     squeeze: float
+    offset: float = 0.0
 
     @classmethod
     def of(cls, arc: WrapArc) -> Member:
         """Return the member of an arc, whose tensions do not matter."""
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
-        stretch = 1.0 / arc.axial_stiffness
-        return cls(arc.law.compact(), arc.geometry(), arc.radius, stretch, squeeze)
+        stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
+        radius = arc.radius + arc.offset
+        return cls(arc.law.compact(), arc.geometry(), radius, stretch, squeeze, arc.offset)
 
     @property
     def holds(self) -> bool:
@@ -130,11 +135,11 @@ class Member:
         return self.place_of(LARGEST_RATIO * self.length)
 
     def arm(self, entry: float) -> float:
-        """R - delta, the lever of the belt on the shaft [m]."""
+        """R - delta + e, the lever of the belt on the shaft [m]."""
         return self.radius - self.squeeze * entry
 
     def stretch_log(self, entry: float) -> float:
-        """ln(1 + T1/EA) - ln(1 - delta/R): surface speed over belt speed without creep [-]."""
+        """ln(1 + T1/EA) - ln(1 - delta/(R + e)): surface over belt speed without creep [-]."""
         return log1p(entry * self.stretch) - log1p(-self.squeeze * entry / self.radius)
 
     def stretch_slope(self, entry: float) -> float:

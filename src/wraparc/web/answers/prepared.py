@@ -88,6 +88,8 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
     if len(drive.pulleys) > 1 or any(key in document for key in _ELSEWHERE):
         return None
     arc = WrapArc.of(drive, pulley, case)
+    if arc.cover_left_out > 0.0:  # judged with the cover too
+        return None
     compact = arc.law.compact()
     law = Law(
         kind=compact.kind,
@@ -104,6 +106,9 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
         "modulus": drive.belt.modulus,
         "speed": math.nan if drive.belt.speed is None else drive.belt.speed,
         "creep_limit": arc.creep_limit,
+        "cover_compliance": arc.cover_compliance,
+        "mass": math.nan if drive.belt.mass is None else drive.belt.mass,
+        "slip_with_shear": float(arc.slip_with_shear),
         "steepest_fall": arc.law.steepest_fall(),
     }
     inputs = list(_inputs(document, drive, pulley, case, tensions))

@@ -41,9 +41,25 @@ export function beyond(doc) {
     return `Tensions from the resistances of a conveyor are not found in this page; ${HERE}.`;
   const [pulley] = doc.pulley;
   if (pulley.across) return acrossOf(pulley);
+  if (thickOf(doc)) return thickOf(doc);
   if (pulley.belt_path) return `A wrap angle from a belt path is not found in this page; ${HERE}.`;
   return "";
 }
+
+const THICK = [
+  "pulley_cover",
+  "carry_cover",
+  "carcass",
+  "thickness",
+  "cover_shear_modulus",
+  "mass",
+];
+/** What is said of a belt whose layers or mass are given; empty for none. @param {any} doc */
+export const thickOf = ({ belt, pulley }) =>
+  THICK.some((key) => belt?.[key] != null && belt[key] !== "") ||
+  pulley.some((/** @type {any} */ p) => p.side != null && p.side !== "pulley")
+    ? `Thickness, covers and mass of the belt are not counted in this page; ${HERE}.`
+    : "";
 
 /** What is said of a pulley whose load is uneven across the width. @param {any} pulley */
 export const acrossOf = ({ name }) =>
@@ -317,6 +333,8 @@ export function caseOf(said, c, bookLaw, book) {
     wear_coefficient: lagging.wear_coefficient,
     creep_limit: limit,
     steepest_fall: bookLaw.steepest_fall,
+    slip_with_shear: +bookLaw.slip_with_shear,
+    ...{ pitch_offset: 0, cover_compliance: 0, mass: none }, // see `thickOf`
   };
   const tested = bookLaw.tested;
   const standard = standardOf(said, bookLaw, book);
