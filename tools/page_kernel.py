@@ -15,7 +15,6 @@ from typing import Any
 
 from javascript.translate import Module, translated
 from wraparc.arc import answer, capacity, profile
-from wraparc.arc.kernel import effort
 from wraparc.checks import numbers
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
@@ -28,7 +27,6 @@ from wraparc.train import (
     Induction,
     MemberResult,
     VariableSpeed,
-    member,
     turning,
 )
 from wraparc.train.system import System
@@ -127,7 +125,6 @@ def train_module() -> str:
     kernel = _kernel()
     kernel.text()
     instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
-    instead[member.shoot] = effort.shoot_from
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'

@@ -86,6 +86,39 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Running speed of the belt; power and wear need it.",
     ),
     Quantity(
+        "pulley_cover", "t_p", "length", "Pulley cover",
+        "Thickness of the belt cover on the side of the pulleys.",
+    ),
+    Quantity(
+        "carry_cover", "t_c", "length", "Carry cover",
+        "Thickness of the belt cover that carries the load.",
+    ),
+    Quantity(
+        "carcass", "t_k", "length", "Carcass",
+        "Thickness of the carcass, or diameter of the cords.",
+    ),
+    Quantity(
+        "belt_thickness", "t", "length", "Belt thickness",
+        "Covers and carcass in all.",
+    ),
+    Quantity(
+        "cover_shear_modulus", "G_b", "pressure", "Shear modulus of the covers",
+        "Shear stress for unit tangent of the shear angle of a belt cover.",
+    ),
+    Quantity(
+        "belt_mass", "m", "mass_per_length", "Belt mass",
+        "Mass of a metre of belt; m v^2 of the tension presses on no pulley.",
+    ),
+    Quantity(
+        "pitch_offset", "e", "length", "Offset of the tension member",
+        "Height of the tension member over the lagging surface: the cover that meets the pulley "
+        "and half of the carcass.",
+    ),
+    Quantity(
+        "centrifugal_force", "m v^2", "force", "Centrifugal force",
+        "Part of the belt tension that presses on no pulley.",
+    ),
+    Quantity(
         "lagging_thickness", "h", "length", "Lagging thickness",
         "Thickness of the lagging that shears.",
     ),
@@ -383,17 +416,23 @@ QUANTITIES: tuple[Quantity, ...] = (
         "makes a larger drum.",
     ),
     Quantity(
+        "thickness_term", "e1/R1 - e/R", "number", "Speed by belt thickness",
+        "First-order part of the ratio of drum speeds because the tension member runs outside the "
+        "lagging surface, farther on a smaller drum and on a thicker cover.",
+    ),
+    Quantity(
         "drum_ratio", "omega R/(omega1 R1)", "number", "Drum speed to the first",
-        "Ratio of the drum speeds of drums of equal diameter: that of the surface speeds, and the "
-        "compression of the laggings.",
+        "Ratio of the drum speeds of drums of equal diameter: that of the surface speeds, the "
+        "compression of the laggings and the thickness of the belt.",
     ),
     Quantity(
         "surface_speed", "v_s", "speed", "Surface speed",
-        "Speed of the loaded lagging surface at the entry nip.",
+        "Speed of the loaded drum at the entry nip, at the radius of the tension member.",
     ),
     Quantity(
         "rotation_speed", "omega", "rotation_speed", "Drum speed",
-        "Rotation speed of the drum, surface speed over radius less compression.",
+        "Rotation speed of the drum, surface speed over the radius of the tension "
+        "member, R - delta + e.",
     ),
     Quantity(
         "speed_trim", "trim", "number", "Speed trim",

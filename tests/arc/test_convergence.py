@@ -1,10 +1,9 @@
 """The order of convergence, and what the usual mesh is good for.
 
-Expected values: the order of the methods (collocation at Gauss's three points has six at the ends
-of elements, U. Ascher, R. Mattheij, R. Russell, chapter 5; the march of trains J. C. Butcher's
-six); the solver itself with a 300th of the misfit let stand; the twin. Friction that begins like
-the logarithm of slip spoils the order where slip begins, which the graded mesh spreads but does not
-remove.
+Expected values: the order of the method (collocation at Gauss's three points has six at the ends
+of elements, U. Ascher, R. Mattheij, R. Russell, chapter 5); the solver itself with a 300th of the
+misfit let stand; the twin. Friction that begins like the logarithm of slip spoils the order where
+slip begins, which the graded mesh spreads but does not remove.
 """
 
 from __future__ import annotations
@@ -14,18 +13,15 @@ from dataclasses import replace
 
 import pytest
 
-from arc.drives import ARC, LAWS, PIECEWISE, RUBBER, SOFTENING, TABLE, integral_log
+from arc.drives import ARC, LAWS, integral_log
 from arc.finer import finer
 from arc.twin import Twin
 from wraparc.arc import Distributed, WrapArc, collocation
 from wraparc.arc.collocation import NEWTON, between_tensions, converged, first_course, kinks
-from wraparc.arc.kernel.march import sweep
-from wraparc.arc.kernel.quantities import parameters_at
 from wraparc.arc.meet import interface
-from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots, TestedRange
+from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 
 SMOOTH = replace(ARC, law=integral_log(0.8, 30e-3))
-KICKED = replace(SMOOTH, overrun=3e-5)
 STEEL = 144e6 * 1.2
 QUICK = Distributed(capacities=False, points=18)
 
@@ -112,47 +108,3 @@ def test_above_the_tested_pressures_the_slopes_are_those_of_the_law(residual: fl
     found = QUICK.solve(arc)
     assert found.entry_creep_ratio == pytest.approx(0.03, rel=1e-6)
     assert found.exit_slip == pytest.approx(there.slip, rel=1e-6)
-    assert exit_slip(arc, 0.03, 96) == pytest.approx(there.slip, rel=1e-6)
-
-
-# --- the march of trains -----------------------------------------------------------------------
-
-
-def exit_slip(arc: WrapArc, g: float, steps: int) -> float:
-    """Slip at the exit of a march in position at an entry creep ratio."""
-    par = parameters_at(arc.entry_tension, arc.geometry())
-    return sweep(arc.law.compact(), par, g, steps).slip
-
-
-def orders(arc: WrapArc, g: float, steps: tuple[int, ...]) -> list[float]:
-    """Order of the error of the exit slip from each number of steps to the next."""
-    limit = exit_slip(arc, g, 1024)
-    assert limit == pytest.approx(Twin(arc).integrate(g).slip, rel=2e-9)
-    errors = [abs(exit_slip(arc, g, n) / limit - 1) for n in steps]
-    pairs = zip(steps, steps[1:], errors, errors[1:], strict=False)
-    return [math.log(e / f) / math.log(m / n) for n, m, e, f in pairs]
-
-
-@pytest.mark.parametrize("g", [3e-4, 1e-3, 2e-3])
-def test_a_march_has_sixth_order_where_nothing_is_singular(g: float) -> None:
-    assert orders(KICKED, g, (24, 48, 96)) == pytest.approx([6.0, 6.0], abs=0.3)
-
-
-@pytest.mark.parametrize(
-    ("arc", "g"),
-    [
-        (SMOOTH, 1e-3),
-        (replace(SMOOTH, entry_tension=60e3, exit_tension=150e3), -2e-3),
-        (replace(SMOOTH, axial_stiffness=STEEL), 4e-3),
-    ],
-)
-def test_a_march_has_fourth_order_from_the_logarithm_at_the_start(arc: WrapArc, g: float) -> None:
-    assert orders(arc, g, (8, 64))[0] > 4.0
-
-
-@pytest.mark.parametrize("law", [RUBBER, SOFTENING, PIECEWISE, TABLE])
-@pytest.mark.parametrize("kick", [0.0, 3e-5])
-def test_kinks_of_the_law_do_not_lower_the_order(law: FrictionLaw, kick: float) -> None:
-    # in cells of a table a coarser mesh is made finer, and has no order
-    coarse = 24 if law is TABLE else 16
-    assert orders(replace(ARC, law=law, overrun=kick), 1e-3, (coarse, 64))[0] > 4.0

@@ -66,14 +66,15 @@ def _guess_at(law: CompactLaw, arc: Geometry, tight: float, limit: Limit) -> Gue
     """Where an arc meets a limit of creep or slip, about."""
     face, area = interface(law, arc), arc.width * arc.radius
     p = tight / area
-    used = _stress_about(face, p, 0.6 * limit.most)
+    used = stress_about(face, p, 0.6 * limit.most)
     fall = min(used / p * arc.wrap_angle, LARGEST_FALL)
     slack = tight * exp(-0.9 * fall)
     end = arc.side * (limit.most + (arc.shear * used if limit.kind == SLIP else 0.0))
     return _guess(arc, tight, slack, end)
 
 
-def _stress_about(face: Interface, pressure: float, creep: float) -> float:
+def stress_about(face: Interface, pressure: float, creep: float) -> float:
+    """Magnitude of the traction at a pressure [Pa] and a creep [m], for a first guess [Pa]."""
     return min(
         abs(traction_at(face, pressure, creep).stress),
         MOST_USED * plateau_stress(face.law, pressure),

@@ -615,6 +615,21 @@ def misfit(face: Interface, arc: Geometry, at: Course, i: int) -> float:
     return h * arc.width * max(first, abs(E2 * f0 + E1 * f1 + E0 * f2 - right))
 
 
+def misfits(face: Interface, arc: Geometry, at: Course, kind: int) -> list[float]:
+    """Misfits of the elements: of the change of tension where both are given (`kind` TENSION).
+
+    Of the change of the logarithm of tension where one of them is found.
+    """
+    n = len(at.place) - 1
+    size = 1e-7 * at.tension[0]
+    for tension in at.tension:
+        size = max(size, abs(tension - at.tension[0]))
+    sizes, fall = [size] * n, abs(log(at.tension[0] / at.tension[n]))
+    if kind != TENSION:
+        sizes = [max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)]
+    return [misfit(face, arc, at, i) / sizes[i] for i in range(n)]
+
+
 def piece_code(
     face: Interface, arc: Geometry, state: tuple[float, float], least: float
 ) -> tuple[int, int, int]:
@@ -686,17 +701,10 @@ def meshed(
 ) -> tuple[bool, Course]:
     """The course on a mesh that spreads the misfit evenly and ends elements at kinks.
 
-    True where a finer mesh is needed; else the course is returned as it was. Misfits are relative
-    to the change of tension where both are given, of its logarithm where one of them is found.
+    True where a finer mesh is needed; else the course is returned as it was.
     """
-    places, n = at.place, len(at.place) - 1
-    size = 1e-7 * at.tension[0]
-    for tension in at.tension:
-        size = max(size, abs(tension - at.tension[0]))
-    sizes, fall = [size] * n, abs(log(at.tension[0] / at.tension[n]))
-    if kind != TENSION:
-        sizes = [max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)]
-    needed = [(misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25 for i in range(n)]
+    places, misses = at.place, misfits(face, arc, at, kind)
+    needed = [(miss / tol) ** 0.25 for miss in misses]
     needed[0] = needed[0] ** 2  # creep begins there with the steepest slope of a law
     ends = kinks(face, arc, at)
     far = False

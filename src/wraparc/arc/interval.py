@@ -44,12 +44,12 @@ def creep_interval(arc: WrapArc) -> tuple[float, float]:
         return nan, nan
     if not all(0 <= place < len(knots.pressure) for place, _ in fit.knots):
         return nan, nan
-    geometry = arc.geometry()
+    geometry, load = arc.geometry(), arc.load()
     peaks = np.array([getattr(knots, quantity)[place] for place, quantity in fit.knots])
 
     def creep_at(logs: Array) -> float:
         moved = with_peaks(law, dict(zip(fit.knots, (peaks * np.exp(logs)).tolist(), strict=True)))
-        found = operating_point(moved.compact(), geometry, arc.entry_tension, arc.exit_tension)
+        found = operating_point(moved.compact(), geometry, load.entry_tension, load.exit_tension)
         if found.outcome != SOLVED:
             return math.copysign(math.inf, arc.side)
         return found.met.course.creep[-1]

@@ -33,6 +33,9 @@ class PaperMarch:
     tau = mu(x, p) p with x = u - (h/G) tau, and T grows by tau B ds towards the entry. The global
     creep, of either sign, is found so that the tension at the entry is T1.
 
+    The paper's belt is a string on the surface of the lagging: thickness, cover and mass of the belt
+    are left out.
+
     Attributes
     ----------
     segment
@@ -147,7 +150,7 @@ class _March:
     def step_of_ratio(self, share: float) -> float:
         """Largest ln(tension) that one segment adds, where it either slips or rests [-]."""
         arc = self.arc
-        if not jumps(self.law) or arc.shear_compliance + self.onset > 0.0:
+        if not jumps(self.law) or arc.lagging_compliance + self.onset > 0.0:
             return 0.0
         step = arc.width * arc.length / self.segments
         return max(abs(tau) * step / tension for _, tension, _, _, tau in self.walk(share))
@@ -156,7 +159,7 @@ class _March:
         """Remaining arc, tension, creep, slip, shear stress at each exit end, then at the entry."""
         arc = self.arc
         length, kick = arc.length, arc.entry_overrun
-        stiffness, shear = arc.axial_stiffness, arc.shear_compliance
+        stiffness, shear = arc.axial_stiffness, arc.lagging_compliance
         step = length / self.segments
         area, tension = arc.width * arc.radius, arc.exit_tension
         rows = []
@@ -178,7 +181,7 @@ class _March:
         ratio still grows with the global creep.
         """
         arc, n, law = self.arc, self.segments, self.arc.law
-        shear, area, step = arc.shear_compliance, arc.width * arc.radius, arc.length / n
+        shear, area, step = arc.lagging_compliance, arc.width * arc.radius, arc.length / n
         pull, remaining = arc.width * step, arc.length - step * np.arange(n)
         by_tension, by_share = remaining / arc.axial_stiffness, arc.side * remaining / arc.length
         ratio, share = arc.entry_tension / arc.exit_tension, _FIRST_SHARE

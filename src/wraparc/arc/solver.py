@@ -60,7 +60,7 @@ class Distributed:
 
 def capacities_of(arc: WrapArc, carried: Carried) -> Capacities:
     """Capacities and margins as an engineer reads them."""
-    told = capacity_numbers(arc.entry_tension, arc.exit_tension, arc.wrap_angle, carried)
+    told = capacity_numbers(arc.described(), carried)
     return Capacities(**told._asdict())
 
 
@@ -103,8 +103,9 @@ def solved_result(
 def _profile(arc: WrapArc, out: Buffer, count: int, rest: float) -> Profile:
     rows: Array = np.array(out[: RECORD * count]).reshape(count, RECORD)
     s, q, slip, creep, tau = rows[:, 0], rows[:, 1], rows[:, 2], rows[:, 3], rows[:, 4]
-    tension = arc.entry_tension * np.exp(q)
-    pressure = 2.0 * tension / (arc.width * arc.diameter)
+    lift = arc.centrifugal
+    tension = (arc.entry_tension - lift) * np.exp(q) + lift
+    pressure = 2.0 * (tension - lift) / (arc.width * arc.diameter)
     # a stuck belt has the friction of vanishing slip available
     sliding = ((s > rest) | (rest == 0.0)) & ((slip != 0.0) | (tau == 0.0))
     tiny = np.copysign(NEXT_SLIP, np.where(tau == 0.0, arc.side, tau))

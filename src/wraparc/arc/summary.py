@@ -18,6 +18,7 @@ from wraparc.arc.collocation import overrun_at
 from wraparc.arc.profile import RECORD, Range, read, records
 from wraparc.arc.quantities import SOLVED, Buffer, Geometry, Load, jumps, zeros
 from wraparc.arc.traction import held_stress
+from wraparc.drive.pitch import thin_belt
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
 
@@ -45,6 +46,9 @@ class Description(NamedTuple):
     recovery: bool
     belt_speed: float  # [m/s]
     wear_coefficient: float  # [m3/J]
+    shear_compliance: float  # of lagging and cover [m/Pa]
+    pitch_offset: float  # e [m]
+    centrifugal: float  # m v^2 [N]
 
 
 def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
@@ -72,17 +76,22 @@ def recovery_compliance(arc: Description) -> float:
 
 
 def geometry_of(arc: Description, onset: float) -> Geometry:
-    """Numbers of the arc for the march; `onset` is that of its law [m/Pa]."""
+    """Numbers of the arc for the solver; `onset` is that of its law [m/Pa].
+
+    They are those of the arc without thickness that is the same, see `wraparc.drive.pitch`; its
+    tensions are those above m v^2.
+    """
     radius = 0.5 * arc.diameter
+    pitch, wrap, width = thin_belt(radius, arc.wrap_angle, arc.width, arc.pitch_offset)
     given = arc.overrun == arc.overrun
     by_formula = overrun_coefficient(arc.thickness / arc.compression_modulus, radius)
     return Geometry(
         1.0 if arc.entry_tension >= arc.exit_tension else -1.0,
-        radius,
-        arc.wrap_angle,
-        arc.width,
+        pitch,
+        wrap,
+        width,
         1.0 / arc.axial_stiffness + recovery_compliance(arc),
-        arc.thickness / arc.shear_modulus,
+        arc.shear_compliance,
         arc.overrun if given else 0.0,
         0.0 if given else by_formula,
         onset,
@@ -91,8 +100,13 @@ def geometry_of(arc: Description, onset: float) -> Geometry:
 
 def too_steep(arc: Description, fall: float) -> bool:
     """Whether friction falls so steeply that slip and shear of the lagging are not unique."""
-    top = 2.0 * max(arc.entry_tension, arc.exit_tension) / (arc.width * arc.diameter)
-    return arc.thickness / arc.shear_modulus * top * fall <= -1.0
+    tight = max(arc.entry_tension, arc.exit_tension)
+    return arc.shear_compliance * pressure_of(arc, tight) * fall <= -1.0
+
+
+def pressure_of(arc: Description, tension: float) -> float:
+    """Wrap pressure at a tension [N], 2 (T - m v^2)/(B D) [Pa]."""
+    return 2.0 * (tension - arc.centrifugal) / (arc.width * arc.diameter)
 
 
 def held_creep(law: CompactLaw, shear: float, pressure: float) -> float:
@@ -172,21 +186,20 @@ def summary_of(
     """
     if found.outcome != SOLVED:
         return _asked_alone(arc)
-    entry, exit_tension, radius = arc.entry_tension, arc.exit_tension, geometry.radius
+    entry, exit_tension, radius = arc.entry_tension, arc.exit_tension, 0.5 * arc.diameter
     told = read(geometry, found.met, range_of(tested))
     pull, g, length = entry - exit_tension, told.creep_ratio, radius * arc.wrap_angle
     kappa = recovery_compliance(arc)
     compliance = 1.0 / arc.axial_stiffness + kappa
     recovery = kappa / compliance if compliance > 0.0 else 0.0
-    overrun = overrun_at(geometry, entry)[0]
+    overrun = overrun_at(geometry, entry - arc.centrifugal)[0]
     distributed = told.creep - overrun - g * length
-    shear = arc.thickness / arc.shear_modulus
-    kept = 0.5 * shear * (told.stress * told.stress - told.entry_stress * told.entry_stress)
+    kept = 0.5 * arc.shear_compliance * (told.stress * told.stress - told.entry_stress * told.entry_stress)
     work = told.loss - kept
     if abs(work) < 1e-12 * (abs(told.loss) + abs(kept)):
         work = 0.0  # rounding: the belt is held all along
     speed = arc.belt_speed / (1.0 - g) if g < 1.0 else nan
-    part = arc.width * told.loss / abs(pull) if abs(pull) > 1e-6 * entry else nan
+    part = geometry.width * told.loss / abs(pull) if abs(pull) > 1e-6 * entry else nan
     efficiency = 1.0 - part if pull > 0.0 else 1.0 / (1.0 + part)
     return Summary(
         entry_tension=entry,
@@ -209,15 +222,15 @@ def summary_of(
         outside_tested_share=told.outside,
         stuck_arc=told.stuck / radius,
         transmitted_power=speed * pull,
-        sliding_power=speed * arc.width * work,
-        shear_loss=speed * arc.width * kept,
-        power_loss=speed * arc.width * told.loss,
+        sliding_power=speed * geometry.width * work,
+        shear_loss=speed * geometry.width * kept,
+        power_loss=speed * geometry.width * told.loss,
         efficiency=efficiency,
         frictional_energy=work,
         wear_rate=1e6 * arc.wear_coefficient * work,
-        identity_error=arc.width
+        identity_error=geometry.width
         * told.miss
-        / max(abs(arc.width * told.loss), 1e-6 * entry * abs(g), 1e-300),
+        / max(abs(geometry.width * told.loss), 1e-6 * entry * abs(g), 1e-300),
     )
 
 
@@ -246,16 +259,19 @@ class CapacityNumbers(NamedTuple):
 
 
 def capacity_numbers(
-    entry: float, leaving: float, wrap_angle: float, carried: Carried
+    arc: Description, carried: Carried
 ) -> CapacityNumbers:
-    """Capacities and margins of an arc with its tensions [N] and its wrap angle [rad]."""
+    """Capacities and margins of an arc."""
+    entry, leaving, wrap_angle = arc.entry_tension, arc.exit_tension, arc.wrap_angle
     actual = max(entry, leaving) / min(entry, leaving)
-    creep, slip, gross = exp(carried.creep_limit), exp(carried.tested_slip), exp(carried.gross_slip)
+    creep = tension_ratio_of(arc, carried.creep_limit)
+    slip = tension_ratio_of(arc, carried.tested_slip)
+    gross = tension_ratio_of(arc, carried.gross_slip)
     return CapacityNumbers(
         creep_limit_capacity=creep,
         creep_limit_margin=creep / actual,
         equivalent_friction=log(creep) / wrap_angle,
-        least_exit_tension=carried.least_slack,
+        least_exit_tension=carried.least_slack + arc.centrifugal,
         largest_effective_tension=carried.most_pull,
         tested_slip_capacity=slip,
         tested_slip_margin=slip / actual,
@@ -263,6 +279,14 @@ def capacity_numbers(
         gross_slip_margin=gross / actual,
         gross_slip_creep=carried.gross_creep,
     )
+
+
+def tension_ratio_of(arc: Description, carried: float) -> float:
+    """Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]."""
+    if arc.centrifugal == 0.0:
+        return exp(carried)
+    tight = max(arc.entry_tension, arc.exit_tension)
+    return tight / ((tight - arc.centrifugal) * exp(-carried) + arc.centrifugal)
 
 
 class Columns(NamedTuple):
@@ -290,8 +314,8 @@ def columns_of(law: CompactLaw, arc: Description, rest: float, out: Buffer, coun
     for i in range(count):
         o = RECORD * i
         s, slip, tau = out[o], out[o + 2], out[o + 4]
-        tension = arc.entry_tension * exp(out[o + 1])
-        pressure = 2.0 * tension / (arc.width * arc.diameter)
+        tension = (arc.entry_tension - arc.centrifugal) * exp(out[o + 1]) + arc.centrifugal
+        pressure = pressure_of(arc, tension)
         # a stuck belt has the friction of vanishing slip available
         slides = (s > rest or rest == 0.0) and (slip != 0.0 or tau == 0.0)
         felt = slip if slides else copysign(NEXT_SLIP, side if tau == 0.0 else tau)

@@ -24,8 +24,8 @@ WORN_SHARE = 0.5
 def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     """Mean frictional power per area in equal parts of the wrap [W/m2].
 
-    tau v_s dx/ds, the shear stress times the speed of the belt on the lagging surface, with the
-    speed v_s = v/(1 - g) of the surface. Summed over the parts and the area of the wrap it is the
+    tau v_s dx/ds R/(R + e), the shear stress times the speed of the belt on the lagging surface,
+    with v_s = v/(1 - g) at the pitch radius. Summed over the parts and the area of the wrap it is the
     sliding power of `Energy`.
 
     Parameters
@@ -53,8 +53,9 @@ def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     # the profile has points, and the solver the exact work: its parts keep its sum
     whole = at[-1] - at[0]
     scale = result.energy.frictional_energy / whole if whole else 1.0
-    length = arc.radius * arc.wrap_angle / parts
-    return edges, scale * np.diff(at) * arc.belt_speed / (1.0 - g) / length
+    length = arc.length / parts
+    share = arc.radius / (arc.radius + arc.offset)
+    return edges, scale * np.diff(at) * arc.belt_speed / (1.0 - g) / length * share
 
 
 def passes_per_hour(speed: float, diameter: float) -> float:

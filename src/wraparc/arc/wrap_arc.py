@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TypedDict
 
 from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.summary import (
@@ -14,9 +15,38 @@ from wraparc.arc.summary import (
     recovery_compliance,
     too_steep,
 )
-from wraparc.drive import CREEP_LIMIT, Drive, Fit, LoadCase, Pulley
+from wraparc.drive import CREEP_LIMIT, Belt, Drive, Fit, LoadCase, Pulley
+from wraparc.drive.belt import Side
+from wraparc.drive.pitch import (
+    centrifugal_of,
+    counts_shear,
+    cover_compliance,
+    pitch_offset,
+    pitch_radius,
+)
 from wraparc.errors import InputError, Problem
-from wraparc.friction import FrictionLaw
+from wraparc.friction import COVER_SHEAR, LAGGING_SHEAR, FrictionLaw
+
+
+class OfBelt(TypedDict):
+    """What of a belt beside its width and its stiffness an arc has; see `WrapArc`."""
+
+    pitch_offset: float | None
+    cover_compliance: float
+    centrifugal: float
+
+
+def of_belt(belt: Belt, side: Side, law: FrictionLaw) -> OfBelt:
+    """Return what a belt adds to an arc: thickness, cover and mass, as far as they are known.
+
+    The cover shears in series where the slip of the law is known not to include that already.
+    """
+    apart = counts_shear(law, COVER_SHEAR) is False
+    return OfBelt(
+        pitch_offset=pitch_offset(belt, side),
+        cover_compliance=cover_compliance(belt, side) if apart else 0.0,
+        centrifugal=centrifugal_of(belt),
+    )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -54,6 +84,13 @@ class WrapArc:
         Speed of the belt at the entry [m/s], or None.
     wear_coefficient
         Worn volume per frictional energy [m3/J], or None.
+    pitch_offset
+        Offset e of the tension member over the surface of the lagging [m], or None where the belt
+        is not known that well: the tension then runs at the surface.
+    cover_compliance
+        h_b/G_b of the belt cover on the pulley, which shears in series with the lagging [m/Pa].
+    centrifugal
+        m v^2, the part of the tension that presses on no pulley [N].
     fit
         Statistics of the law, or None: for the interval of the creep alone.
     pulley, load_case
@@ -75,6 +112,9 @@ class WrapArc:
     creep_limit: float = CREEP_LIMIT
     belt_speed: float | None = None
     wear_coefficient: float | None = None
+    pitch_offset: float | None = None
+    cover_compliance: float = 0.0
+    centrifugal: float = 0.0
     fit: Fit | None = None
     pulley: str = ""
     load_case: str = ""
@@ -109,6 +149,16 @@ class WrapArc:
             )
             if not value > 0.0
         ]
+        least = min(self.entry_tension, self.exit_tension)
+        for key, value, unit, most in (
+            ("pitch_offset", self.pitch_offset or 0.0, "m", math.inf),
+            ("cover_compliance", self.cover_compliance, "m/Pa", math.inf),
+            ("centrifugal", self.centrifugal, "N", least),
+        ):
+            if not 0.0 <= value < most:
+                ends = "at least 0" + ("" if most == math.inf else ", and less than the tensions")
+                message = f"must be {ends}"
+                problems.append(Problem(key=key, value=f"{value:g} {unit}", message=message))
         if not problems:
             problems = self._law_problems()
         if problems:
@@ -154,6 +204,7 @@ class WrapArc:
         lagging, tensions = pulley.lagging_in(case.condition), case.tensions[pulley.name]
         return cls(
             law=lagging.law,
+            **of_belt(drive.belt, pulley.side, lagging.law),
             entry_tension=tensions.entry,
             exit_tension=tensions.exit,
             diameter=pulley.diameter,
@@ -184,6 +235,11 @@ class WrapArc:
         return self.radius * self.wrap_angle
 
     @property
+    def pitch_radius(self) -> float:
+        """R - delta + e, at which the belt pulls and runs [m]."""
+        return pitch_radius(self.radius, self.compression, self.offset)
+
+    @property
     def effective_tension(self) -> float:
         """T1 - T2 [N]."""
         return self.entry_tension - self.exit_tension
@@ -200,8 +256,8 @@ class WrapArc:
         return 1.0 if self.entry_tension >= self.exit_tension else -1.0
 
     def wrap_pressure(self, tension: float) -> float:
-        """Wrap pressure p = 2 T/(B D) [Pa]."""
-        return 2.0 * tension / (self.width * self.diameter)
+        """Wrap pressure p = 2 (T - m v^2)/(B D) [Pa]."""
+        return 2.0 * (tension - self.centrifugal) / (self.width * self.diameter)
 
     @property
     def entry_pressure(self) -> float:
@@ -209,9 +265,27 @@ class WrapArc:
         return self.wrap_pressure(self.entry_tension)
 
     @property
+    def offset(self) -> float:
+        """e, as far as it is known [m]."""
+        return self.pitch_offset or 0.0
+
+    @property
     def shear_compliance(self) -> float:
-        """h/G, shear displacement per shear stress [m/Pa]."""
-        return self.thickness / self.shear_modulus
+        """h/G + h_b/G_b, shear displacement of lagging and cover per shear stress [m/Pa].
+
+        Without the part that the slip of the law includes.
+        """
+        return self.lagging_compliance + self.cover_compliance
+
+    @property
+    def lagging_compliance(self) -> float:
+        """h/G of the lagging alone [m/Pa]; 0 where the slip of the law includes its shear."""
+        return 0.0 if self.slip_with_shear else self.thickness / self.shear_modulus
+
+    @property
+    def slip_with_shear(self) -> bool:
+        """Whether the slip of the law includes the shear of the lagging."""
+        return counts_shear(self.law, LAGGING_SHEAR) is True
 
     @property
     def compression_compliance(self) -> float:
@@ -255,6 +329,9 @@ class WrapArc:
             recovery=self.recovery,
             belt_speed=math.nan if self.belt_speed is None else self.belt_speed,
             wear_coefficient=math.nan if self.wear_coefficient is None else self.wear_coefficient,
+            shear_compliance=self.shear_compliance,
+            pitch_offset=self.offset,
+            centrifugal=self.centrifugal,
         )
 
     def geometry(self) -> Geometry:
@@ -262,14 +339,14 @@ class WrapArc:
         return geometry_of(self.described(), self.law.compact().onset_compliance)
 
     def load(self) -> Load:
-        """Tensions and limits, as the kernel reads them."""
+        """Tensions above m v^2 and limits, as the kernel reads them."""
         tested = self.law.tested
         ends = (math.nan, math.nan, math.nan)
         if tested is not None:
             ends = (tested.pressure_min, tested.pressure_max, tested.slip_max)
         return Load(
-            self.entry_tension,
-            self.exit_tension,
+            self.entry_tension - self.centrifugal,
+            self.exit_tension - self.centrifugal,
             self.creep_limit,
             *ends,
             self.law.steepest_fall(),

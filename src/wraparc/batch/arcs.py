@@ -22,6 +22,7 @@ from wraparc.batch.columns import (
 )
 from wraparc.batch.laws import LawBank
 from wraparc.drive import CREEP_LIMIT, Lagging, Pulley
+from wraparc.drive.pitch import thin_belt
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
@@ -48,6 +49,9 @@ DEFAULTS: Mapping[str, float | None] = {
     "recovery": 1.0,
     "creep_limit": CREEP_LIMIT,
     "belt_speed": nan,
+    "pitch_offset": 0.0,
+    "cover_compliance": 0.0,
+    "centrifugal_force": 0.0,
 }
 COLUMNS = (*REQUIRED, *DEFAULTS)
 LAGGING = "lagging"
@@ -85,6 +89,12 @@ class Arcs:
         Creep that is accepted [m].
     belt_speed
         v [m/s], nan if unknown.
+    pitch_offset
+        Offset e of the tension member over the lagging, 0 where it is not known [m].
+    cover_compliance
+        h_b/G_b of the belt cover on the pulley, in series with the lagging [m/Pa].
+    centrifugal_force
+        m v^2, 0 where the mass of the belt is not known [N].
     """
 
     laws: LawBank
@@ -103,6 +113,9 @@ class Arcs:
     recovery: Array
     creep_limit: Array
     belt_speed: Array
+    pitch_offset: Array
+    cover_compliance: Array
+    centrifugal_force: Array
 
     def __len__(self) -> int:
         return len(self.law)
@@ -139,6 +152,9 @@ class Arcs:
             creep_limit=one["creep_limit"],
             belt_speed=known("belt_speed"),
             wear_coefficient=known("wear_coefficient"),
+            pitch_offset=one["pitch_offset"],
+            cover_compliance=one["cover_compliance"],
+            centrifugal=one["centrifugal_force"],
         )
 
     def with_laws(self, used: Integers) -> Arcs:
@@ -164,27 +180,54 @@ class Arcs:
 
     @property
     def shear_compliance(self) -> Array:
-        """h/G [m/Pa]."""
-        return self.lagging_thickness / self.shear_modulus
+        """h/G + h_b/G_b, without what the slip of the laws includes [m/Pa]."""
+        apart = ~self.laws.with_shear[self.law]
+        return apart * (self.lagging_thickness / self.shear_modulus) + self.cover_compliance
+
+    @property
+    def traction_width(self) -> Array:
+        """Width of the same arc without thickness, B R/(R + e) [m]."""
+        return self._thin()[2]
+
+    @property
+    def traction_wrap(self) -> Array:
+        """Wrap angle of the same arc without thickness, phi R/(R + e) [rad]."""
+        return self._thin()[1]
+
+    def light(self) -> Arcs:
+        """Return the same arcs without mass, of the tensions above m v^2."""
+        lift = self.centrifugal_force
+        return replace(
+            self,
+            entry_tension=self.entry_tension - lift,
+            exit_tension=self.exit_tension - lift,
+            centrifugal_force=np.zeros(len(self)),
+        )
+
+    def _thin(self) -> tuple[Array, Array, Array]:
+        return thin_belt(
+            0.5 * self.diameter, self.wrap_angle, self.belt_width, self.pitch_offset
+        )
 
     def inputs(self) -> Array:
         """Numbers of every arc that a kernel reads, in the order of `row.INPUTS`, shape (n, 16)."""
         radius = 0.5 * self.diameter
         squeeze = self.lagging_thickness / self.compression_modulus
-        by_formula = np.isnan(self.overrun)
+        by_formula, lift = np.isnan(self.overrun), self.centrifugal_force
+        pitch, wrap, width = self._thin()
         tested = self.laws.tested[self.law]
         columns = (
             np.where(self.entry_tension >= self.exit_tension, 1.0, -1.0),
-            radius,
-            self.wrap_angle,
-            self.belt_width,
+            pitch,
+            wrap,
+            width,
             self.compliance,
             self.shear_compliance,
             np.where(by_formula, 0.0, self.overrun),
             np.where(by_formula, overrun_coefficient(squeeze, radius), 0.0),
             self.laws.onset_compliance[self.law],
-            self.entry_tension,
-            self.exit_tension,
+            self.entry_tension - lift,
+            self.exit_tension - lift,
             self.creep_limit,
             tested[:, 0],
             tested[:, 1],

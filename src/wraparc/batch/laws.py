@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.traction import Laws, laws_of
-from wraparc.friction import FrictionLaw
+from wraparc.drive.pitch import counts_shear
+from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.friction.compact import CompactLaw
 
 Array = NDArray[np.float64]
@@ -39,6 +40,8 @@ class LawBank:
         shape (m, 3) [Pa, Pa, m].
     tested_speed
         Slip speed of the tests, nan where it is not stated, shape (m,) [m/s].
+    with_shear
+        Whether the slip of each law includes the shear of its lagging, shape (m,).
     """
 
     kind: Integers
@@ -48,6 +51,7 @@ class LawBank:
     steepest_fall: Array
     tested: Array
     tested_speed: Array
+    with_shear: NDArray[np.bool_]
 
     def __len__(self) -> int:
         return len(self.kind)
@@ -65,6 +69,7 @@ class LawBank:
             steepest_fall=np.array([law.steepest_fall() for law in laws], dtype=float),
             tested=np.array([tested_ends(law) for law in laws], dtype=float).reshape(-1, 3),
             tested_speed=np.array([_tested_speed(law) for law in laws], dtype=float),
+            with_shear=np.array([counts_shear(law, LAGGING_SHEAR) is True for law in laws], bool),
         )
 
     def traction(self, law: Integers) -> Laws:
@@ -92,6 +97,7 @@ class LawBank:
             steepest_fall=self.steepest_fall[index],
             tested=self.tested[index],
             tested_speed=self.tested_speed[index],
+            with_shear=self.with_shear[index],
         )
 
 

@@ -123,7 +123,7 @@ def _recovery_share(r: BatchResult) -> tuple[Array, Array, Array]:
     """Share of the recovery in 1/EA', creep by what is distributed, and the overrun."""
     given = r.arcs.inputs()
     a = r.arcs
-    pressure = a.entry_tension / (a.belt_width * 0.5 * a.diameter)
+    pressure = (a.entry_tension - a.centrifugal_force) / (a.belt_width * 0.5 * a.diameter)
     overrun = given[:, 6] + given[:, 7] * pressure**1.5
     compliance = a.compliance
     share = np.divide(
@@ -164,22 +164,31 @@ def _surface_speed(r: BatchResult) -> Array:
 def _efficiency(r: BatchResult) -> Array:
     pull = _pull(r.arcs)
     loaded = np.abs(pull) > 1e-6 * r.arcs.entry_tension
-    loss = r.arcs.belt_width * (r.found[:, row.WORK] + _shear_energy(r))
+    loss = r.arcs.traction_width * (r.found[:, row.WORK] + _shear_energy(r))
     part = loss / np.where(loaded, np.abs(pull), np.nan)
     return np.where(pull > 0.0, 1.0 - part, 1.0 / (1.0 + part))
 
 
 def _power(energy: Callable[[BatchResult], Array]) -> Callable[[BatchResult], Array]:
     """Power of an energy per area and pass [J/m2]."""
-    return lambda r: _surface_speed(r) * r.arcs.belt_width * energy(r)
+    return lambda r: _surface_speed(r) * r.arcs.traction_width * energy(r)
+
+
+def _carried(r: BatchResult, place: int) -> Array:
+    """Ln of a capacity, tight over slack side, by that of the tensions above m v^2."""
+    carried, lift = r.found[:, place], r.arcs.centrifugal_force
+    tight = np.maximum(r.arcs.entry_tension, r.arcs.exit_tension)
+    with np.errstate(all="ignore"):
+        heavy = -np.log((1.0 - lift / tight) * np.exp(-carried) + lift / tight)
+    return np.where(lift == 0.0, carried, heavy)
 
 
 def _ratio(place: int) -> Callable[[BatchResult], Array]:
-    return lambda r: np.exp(r.found[:, place])
+    return lambda r: np.exp(_carried(r, place))
 
 
 def _margin(place: int) -> Callable[[BatchResult], Array]:
-    return lambda r: np.exp(r.found[:, place] - _log_actual(r.arcs))
+    return lambda r: np.exp(_carried(r, place) - _log_actual(r.arcs))
 
 
 _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
@@ -204,8 +213,8 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "stuck_arc": lambda r: r.found[:, row.STUCK_LENGTH] / (0.5 * r.arcs.diameter),
     "creep_limit_capacity": _ratio(row.CREEP_CAPACITY),
     "creep_limit_margin": _margin(row.CREEP_CAPACITY),
-    "equivalent_friction": lambda r: r.found[:, row.CREEP_CAPACITY] / r.arcs.wrap_angle,
-    "least_exit_tension": _place(row.LEAST_SLACK),
+    "equivalent_friction": lambda r: _carried(r, row.CREEP_CAPACITY) / r.arcs.wrap_angle,
+    "least_exit_tension": lambda r: r.found[:, row.LEAST_SLACK] + r.arcs.centrifugal_force,
     "largest_effective_tension": _place(row.MOST_PULL),
     "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
     "tested_slip_margin": _margin(row.SLIP_CAPACITY),

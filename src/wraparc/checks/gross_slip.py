@@ -120,7 +120,8 @@ def sliding(result: ArcResult, rise: Rise) -> Sliding:
     arc = result.arc
     tight = max(arc.entry_tension, arc.exit_tension)
     slack = min(arc.entry_tension, arc.exit_tension)
-    line, known = Line(tight, slack, rise.tight, rise.slack), _slidings.setdefault(result, {})
+    line = Line(tight - arc.centrifugal, slack - arc.centrifugal, rise.tight, rise.slack)
+    known = _slidings.setdefault(result, {})
     if line not in known:  # it is asked for every table, in both systems of units
         known[line] = pull_at_sliding(loaded(result), line)
     return known[line]

@@ -192,12 +192,12 @@ def _pressures(
 ) -> Iterator[Figure]:
     belt, tested, area = drive.belt, arc.law.tested, arc.width * arc.radius
     if tested is not None:
-        low, high = tested.pressure_min * area, tested.pressure_max * area
+        low, high = (p * area + arc.centrifugal for p in (tested.pressure_min, tested.pressure_max))
         yield Figure("tested_pressure_min", "Least wrap pressure, tested", of_slack + low, place)
         title = "Largest wrap pressure, tested"
         yield Figure("tested_pressure_max", title, of_tight + high, place, at_least=False)
     if belt.largest_wrap_pressure is not None:
-        title, most = "Pressure on the pulley face", belt.largest_wrap_pressure * area
+        title, most = "Pressure on the pulley face", belt.largest_wrap_pressure * area + arc.centrifugal
         yield Figure("face_pressure", title, of_tight + most, place, at_least=False)
     if belt.rating is not None:
         most = of_tight + tension_factor(belt, case.kind) * belt.rating * belt.width
@@ -225,11 +225,12 @@ def _slip(arc: WrapArc, offset: float, place: Place) -> Iterator[Figure]:
 
 def _least_for_slip(arc: WrapArc, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
-    return least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
+    found = least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
+    return found + arc.centrifugal
 
 
 def _pull_of(arc: WrapArc) -> Pull:
-    tight, tested = max(arc.entry_tension, arc.exit_tension), arc.law.tested
+    tight, tested = max(arc.entry_tension, arc.exit_tension) - arc.centrifugal, arc.law.tested
     largest = math.nan if tested is None else tested.pressure_max
     top = highest_tight(largest, arc.width * arc.radius, tight)
     return Pull(abs(arc.effective_tension), tight, top)

@@ -275,11 +275,6 @@ def pull_against(pulls: Sequence[float]) -> float:
     return min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
 
 
-def wrap_pressure_of(tension: float, width: float, diameter: float) -> float:
-    """Pressure of the belt on the pulley, 2 T/(B D) [Pa]."""
-    return 2.0 * tension / (width * diameter)
-
-
 def asked_slack(factor: float, start: float, pull: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     return factor * start * abs(pull)

@@ -16,6 +16,7 @@ from wraparc.checks.rules import (
     wrap_pressure,
 )
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.pitch import centrifugal_of
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension, meant_by
 
@@ -227,7 +228,8 @@ def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         why = "the largest wrap pressure of the belt is not given"
         return not_checked("face_pressure", title, why, place)
     tensions = case.tensions[pulley.name]
-    value = wrap_pressure(max(tensions.entry, tensions.exit), belt.width, pulley.diameter)
+    tight = max(tensions.entry, tensions.exit)
+    value = wrap_pressure(tight, belt.width, pulley.diameter, centrifugal_of(belt))
     return judged(
         RULES["face_pressure"],
         title,
@@ -265,7 +267,9 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
         yield judged(
             RULES[name],
             title,
-            wrap_pressure(tension, drive.belt.width, pulley.diameter),
+            wrap_pressure(
+                tension, drive.belt.width, pulley.diameter, centrifugal_of(drive.belt)
+            ),
             limit,
             "pressure",
             source=tests_of(pulley),

@@ -309,13 +309,15 @@ def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Arr
     yield "creep", np.abs(solved["exit_creep"]), _where(solved.solved, arcs.creep_limit)
     yield "belt_tension", tight, held.belt_tension
     yield "momentary_tension", tight, held.momentary_tension
-    pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter)
+    pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter, arcs.centrifugal_force)
     yield "face_pressure", pressure, held.face_pressure
     stress = solved["peak_shear_stress"]
     yield "bond_stress", stress, _where(solved.solved, held.bond_stress)
     yield "fatigue_stress", stress, _where(solved.solved, held.fatigue_stress)
     yield "tested_pressure_max", pressure, high
-    yield "tested_pressure_min", wrap_pressure(slack, arcs.belt_width, arcs.diameter), low
+    yield "tested_pressure_min", wrap_pressure(
+        slack, arcs.belt_width, arcs.diameter, arcs.centrifugal_force
+    ), low
     yield "tested_slip", solved.largest_slip, _where(solved.solved, slip_max)
     slips = solved.slip_speed
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)

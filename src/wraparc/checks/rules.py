@@ -128,6 +128,8 @@ def start_factor(criteria: Criteria, kind: str) -> float:
     return criteria.standard.start_factor if kind == "running" else 1.0
 
 
-def wrap_pressure(tension: _Number, width: _Number, diameter: _Number) -> _Number:
+def wrap_pressure(
+    tension: _Number, width: _Number, diameter: _Number, centrifugal: _Number
+) -> _Number:
     """Pressure of the belt on the pulley, 2 T/(B D) [Pa]."""
-    return 2.0 * tension / (width * diameter)
+    return 2.0 * (tension - centrifugal) / (width * diameter)

@@ -63,7 +63,8 @@ class LoadedRows:
 
     @classmethod
     def of(cls, arcs: Arcs, **more: Any) -> LoadedRows:
-        """Return arcs of which nothing more is known."""
+        """Return arcs of which nothing more is known; tensions are those above m v^2."""
+        arcs = arcs.light()
         one = np.ones(len(arcs))
         falls = arcs.laws.steepest_fall[arcs.law] < 0.0
         return cls(
@@ -93,7 +94,7 @@ class LoadedRows:
     def plateau(self, tight: Array) -> Array:
         """ln(tight/slack) with the largest friction everywhere, shape (n,) [-]."""
         # the plateau of f mu over an angle is that of mu over f times the angle
-        wrap = self.arcs.wrap_angle * self.friction_factor
+        wrap = self.arcs.traction_wrap * self.friction_factor
         with np.errstate(all="ignore"):  # rows without a tension become nan
             return self._of_laws(tight, lambda laws, p, at: ratio_at_gross_slip(laws, p, wrap[at]))
 
@@ -171,7 +172,7 @@ def pulls_at_sliding(of: LoadedRows, rises: tuple[Array, Array]) -> tuple[Array,
 
 
 def tight_at_sliding(of: LoadedRows, pull: Array) -> Array:
-    """Least tension of each tight side with which a pull does not slide the belt [N], (n,).
+    """Least tension above m v^2 of each tight side that slides no belt of a pull [N], (n,).
 
     As `checks.sliding.tight_at_sliding`.
     """

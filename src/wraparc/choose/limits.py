@@ -160,6 +160,7 @@ def _of_arc(
 def _of_pressure(parts: list[tuple[Array, Array]], arcs: Arcs) -> None:
     low, high, _ = arcs.laws.tested[arcs.law].T
     area = arcs.belt_width * arcs.diameter
+    arcs = arcs.light()
     most = 2.0 * np.maximum(arcs.entry_tension, arcs.exit_tension) / area
     least = 2.0 * np.minimum(arcs.entry_tension, arcs.exit_tension) / area
     above, below = most / high - 1.0, low / least - 1.0

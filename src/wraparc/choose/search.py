@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.choose.cost import Costing, price_problems
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag
 from wraparc.drive.conditions import DRY, Condition
+from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
+from wraparc.friction import FrictionLaw
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -240,6 +243,12 @@ class Grid:
         moduli: Array = np.stack(table)[self.places[0], self.places[1]]
         return moduli
 
+    def _of_belts(self, of: Callable[[Belt, FrictionLaw], float]) -> Array:
+        """A number of every design by its belt and its law."""
+        s = self.search
+        table = np.array([[of(b, lagging.law) for b in s.belts] for lagging in s.laggings])
+        return np.asarray(table[self.places[0], self.places[2]])
+
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
         s = self.search
@@ -261,5 +270,10 @@ class Grid:
             "belt_speed": speed[self.places[2]],
             "overrun": np.nan if base.overrun is None else base.overrun,
             "recovery": float(base.recovery),
+            "pitch_offset": self._of_belts(lambda belt, law: pitch_offset(belt, base.side) or 0.0),
+            "cover_compliance": self._of_belts(
+                lambda belt, law: of_belt(belt, base.side, law)["cover_compliance"]
+            ),
+            "centrifugal_force": self._of_belts(lambda belt, law: centrifugal_of(belt)),
         }
         return arcs_of_table(columns, s.conditioned())

@@ -39,8 +39,9 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
     rise = rises_of(pulls, names.index(search.pulley), lost)[0][0]
     lifted = tight - search.drive.slack_end(case) + (factor - 1.0) * float(rise)
     own = replace(grid, slack=np.full(len(grid), np.nan))  # each by the tensions of the drive
-    of = LoadedRows.of(own.arcs(case, condition), setting=Setting.PRECISE)
-    found = tight_at_sliding(of, np.full(len(grid), factor * pull)) - lifted
+    arcs = own.arcs(case, condition)
+    of = LoadedRows.of(arcs, setting=Setting.PRECISE)
+    found = tight_at_sliding(of, np.full(len(grid), factor * pull)) + arcs.centrifugal_force - lifted
     return np.where(np.isnan(found), np.inf, found)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_lagging
-from wraparc.friction import SLIP_INCLUDES
+from wraparc.friction import COVER_SHEAR
 from wraparc.provenance import Kind
 from wraparc.saving import save_file, unwritable
 from wraparc.schema.emit import document_text
@@ -19,7 +19,6 @@ from wraparc.shear_test import DIALECTS, Dialect, VirtualRig, run_virtual_test
 from wraparc.shear_test.plan_keys import PLAN
 from wraparc.units import parse_number
 
-COVER_SHEAR = SLIP_INCLUDES[1]
 _AREA = 0.04
 _HEAD = "# Virtual tests, made by `wraparc rig` from a known law: no machine wrote these files.\n"
 _TEXT_DIALECTS = tuple(name for name in DIALECTS if name != "excel")

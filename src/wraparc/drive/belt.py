@@ -3,10 +3,21 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, Literal
 
+from wraparc.errors import Problem
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
+from wraparc.units import display
+
+Side = Literal["pulley", "carry"]
+#: Sides of a belt: that of the return idlers and most drive pulleys, and that of the load.
+SIDES: tuple[Side, ...] = ("pulley", "carry")
+#: Shear modulus of a belt cover where none is given [Pa], an estimate, and what it lies between.
+COVER_SHEAR_MODULUS, COVER_SHEAR_BAND = 1.0e6, (0.8e6, 1.5e6)
+MOST_THICKNESS = 0.06  # of a belt [m]
+#: Layers of a belt, by key, and the key of their sum.
+LAYERS, THICKNESS = ("pulley_cover", "carry_cover", "carcass"), "thickness"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -39,6 +50,16 @@ class Belt:
     in_plane_shear_stiffness
         G_b t_b, shear force per width over shear strain in the plane of the belt [N/m], or None to
         estimate it from the carcass; only a belt that is uneven across its width needs it.
+    pulley_cover, carry_cover
+        Cover on the side of the pulley, and on the side that carries the load [m], or None.
+    carcass
+        Thickness of the carcass, or diameter of the cords [m], or None.
+    thickness
+        Of the whole belt [m], or None: what is not given of the layers follows from it.
+    cover_shear_modulus
+        Shear modulus of the covers [Pa], or None for an estimate.
+    mass
+        Per length of belt [kg/m], or None.
     provenance
         Where the numbers came from.
     sources
@@ -60,6 +81,12 @@ class Belt:
         "least_pulley_diameter": Limit("length", open=True),
         "largest_wrap_pressure": Limit("pressure", open=True),
         "in_plane_shear_stiffness": Limit("force_per_width", least=1.0, most=1e9),
+        "pulley_cover": Limit("length", most=MOST_THICKNESS),
+        "carry_cover": Limit("length", most=MOST_THICKNESS),
+        "carcass": Limit("length", open=True, most=MOST_THICKNESS),
+        "thickness": Limit("length", open=True, most=MOST_THICKNESS),
+        "cover_shear_modulus": Limit("pressure", least=1e5, most=1e8, rigid=True),
+        "mass": Limit("mass_per_length", open=True, most=1e6),
     }
 
     name: str
@@ -73,11 +100,41 @@ class Belt:
     least_pulley_diameter: float | None = None
     largest_wrap_pressure: float | None = None
     in_plane_shear_stiffness: float | None = None
+    pulley_cover: float | None = None
+    carry_cover: float | None = None
+    carcass: float | None = None
+    thickness: float | None = None
+    cover_shear_modulus: float | None = None
+    mass: float | None = None
     provenance: Provenance = field(default_factory=Provenance)
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
-        raise_all(name_problems("name", self.name) + limit_problems(self, self.LIMITS))
+        problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
+        raise_all(problems or self._layer_problems())
+
+    def _layer_problems(self) -> list[Problem]:
+        """Return what is wrong with the layers together."""
+        given = {key: getattr(self, key) for key in LAYERS if getattr(self, key) is not None}
+        total, whole = sum(given.values()), self.thickness
+        short, key, remedy = total <= MOST_THICKNESS, THICKNESS, ""
+        if whole is None:
+            key = next(iter(given), THICKNESS)
+            message = f"more than {display(MOST_THICKNESS, 'length')}, the thickest belt"
+            remedy = "Check their units."
+        else:
+            rounding = 1e-9 * whole
+            # a cover may be nothing, a carcass may not
+            short = total <= whole + (rounding if self.carcass is not None else -rounding)
+            message = f"too much for a belt of {display(whole, 'length')}"
+            remedy = "Give the thickness of the whole belt, or leave it out."
+            if len(given) == len(LAYERS) and total < 0.98 * whole:
+                short, message = False, f"and the belt is {display(whole, 'length')} thick"
+                remedy = "Leave out the one of the four that is not known."
+        if short:
+            return []
+        message = f"{' + '.join(given)} = {display(total, 'length')}, {message}"
+        return [Problem(message=message, remedy=remedy, key=key)]
 
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the belt's."""

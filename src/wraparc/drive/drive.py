@@ -7,18 +7,21 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar, Protocol, Self, TypeVar
 
 from wraparc.conveyor import Conveyor
-from wraparc.drive.belt import Belt
+from wraparc.drive.belt import LAYERS, THICKNESS, Belt
 from wraparc.drive.criteria import Criteria
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.load_case import LoadCase
+from wraparc.drive.pitch import centrifugal_of, layers_of, touching_cover
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, no_such, shown
 from wraparc.schema.limits import Limit, limit_problems, raise_all
+from wraparc.units import display
 from wraparc.views import Viewable
 
 #: Conservative limit of creep, 1/4 inch [m] (B. DeVries, "A model of lagging friction").
 CREEP_LIMIT = 6.35e-3
 MOST_PULLEYS = 10
+SAME_MASS = 0.005  # by which the mass of the belt may differ in two places [-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,11 +78,34 @@ class Drive(Viewable):
             if case.tensions.keys() != names:
                 problems.append(_wrong_pulleys(case, names))
             problems += condition_problems(case.name, case.condition, self.pulleys)
+        problems += side_problems(self.belt, self.pulleys)
+        problems += self._mass_problems()
         for pulley in self.pulleys:
             if pulley.across is not None:
                 key = f"pulley.{pulley.name}.across"
                 problems += pulley.across.problems(key, self.belt.width)
         raise_all(problems)
+
+    def _mass_problems(self) -> list[Problem]:
+        """Return what is wrong with the mass of the belt: two masses, a belt that flies."""
+        problems: list[Problem] = []
+        mass = self.belt.mass
+        if mass is None:
+            return problems
+        if self.conveyor is not None and abs(self.conveyor.belt_mass / mass - 1.0) > SAME_MASS:
+            other = display(self.conveyor.belt_mass, "mass_per_length")
+            problems.append(
+                Problem(
+                    message=f"the belt of [conveyor] has belt_mass = {other}",
+                    remedy="Both are the mass of a metre of belt: give one, or the same twice.",
+                    key="belt.mass",
+                    value=display(mass, "mass_per_length"),
+                )
+            )
+        for case in self.load_cases:
+            least = min((min(t.entry, t.exit) for t in case.tensions.values()), default=math.inf)
+            problems += flying_problems(self.belt, f"load_case.{case.name}", least)
+        return problems
 
     def pulley(self, name: str | None = None) -> Pulley:
         """Return a pulley by name, the first for None.
@@ -135,6 +161,51 @@ def laggings_of(pulleys: Sequence[Pulley], conditions: Iterable[str]) -> tuple[L
             lagging = pulley.lagging_in(condition)
             found.setdefault((lagging.name, lagging.condition), lagging)
     return tuple(found.values())
+
+
+def side_problems(belt: Belt, pulleys: Iterable[Pulley]) -> list[Problem]:
+    """Return a problem for every pulley that meets a side of the belt without a known cover.
+
+    A belt of which no layer is given is one whose thickness is not known, on either side.
+    """
+    if all(getattr(belt, key) is None for key in (*LAYERS, THICKNESS)):
+        return []
+    return [
+        Problem(
+            message="the pulley meets the carry side, and carry_cover of the belt is not given",
+            remedy='Give carry_cover = "5 mm" in [belt], or thickness with the other layers.',
+            key=f"pulley.{pulley.name}.side",
+            value=shown(pulley.side),
+        )
+        for pulley in pulleys
+        if pulley.side == "carry" and math.isnan(touching_cover(layers_of(belt), True))
+    ]
+
+
+def flying_problems(belt: Belt, key: str, least: float) -> list[Problem]:
+    """Return a problem where the belt is so heavy and fast that it leaves its pulley.
+
+    Parameters
+    ----------
+    belt
+        The belt.
+    key
+        Where its tensions are.
+    least
+        The least of them [N].
+    """
+    force = centrifugal_of(belt)
+    if force < least:
+        return []
+    return [
+        Problem(
+            message=f"the belt presses on no pulley: m v^2 = {display(force, 'force')}, with a mass of "
+            f"{display(belt.mass or 0.0, 'mass_per_length')}, and its least tension is "
+            f"{display(least, 'force')}",
+            remedy="Give the mass of a metre of belt, not that of the whole belt.",
+            key=key,
+        )
+    ]
 
 
 def condition_problems(case: str, condition: str, pulleys: Iterable[Pulley]) -> list[Problem]:

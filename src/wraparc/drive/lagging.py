@@ -12,7 +12,7 @@ from wraparc.drive.compression import Block, compression_modulus
 from wraparc.drive.factors import ConditionFactor, Factors
 from wraparc.drive.fit import Fit
 from wraparc.errors import Problem, shown
-from wraparc.friction import SLIP_INCLUDES, FrictionLaw
+from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.views import Viewable
@@ -114,8 +114,7 @@ class Lagging(Viewable):
     Raises
     ------
     InputError
-        With every number outside its limit, and where shear that is in the slip of the law would
-        be added to it.
+        With every number outside its limit.
     """
 
     LIMITS: ClassVar[Mapping[str, Limit]] = {
@@ -158,12 +157,16 @@ class Lagging(Viewable):
         if self.surface and self.surface not in SURFACES:
             message = f"must be one of {', '.join(SURFACES)}"
             problems.append(Problem(key="surface", value=shown(self.surface), message=message))
-        problems += _slip_problems(self)
         raise_all(problems)
 
     @property
     def shear_compliance(self) -> float:
-        """h/G, shear displacement per shear stress [m/Pa]."""
+        """h/G, shear displacement per shear stress beside the slip of the law [m/Pa].
+
+        0 where the slip includes it.
+        """
+        if LAGGING_SHEAR in (self.law.slip_includes or ()):
+            return 0.0
         return self.thickness / self.shear_modulus
 
     @property
@@ -202,18 +205,3 @@ class Lagging(Viewable):
     def source_of(self, part: str) -> Provenance:
         """Return where one number came from: its own source, else the lagging's."""
         return self.sources.get(part, self.provenance)
-
-
-def _slip_problems(lagging: Lagging) -> list[Problem]:
-    """Return what a law cannot say of its slip: shear that the lagging would add once more."""
-    parts = lagging.law.slip_includes or ()
-    if any(part not in SLIP_INCLUDES for part in parts):
-        message = f"must be any of {', '.join(SLIP_INCLUDES)}"
-        return [Problem(key="slip_includes", value=shown(list(parts)), message=message)]
-    if SLIP_INCLUDES[0] not in parts or lagging.shear_compliance == 0.0:
-        return []
-    message = (
-        "the lagging shear is in the slip, and thickness with shear modulus would add it again"
-    )
-    remedy = 'Write shear_modulus = "rigid", or take "lagging shear" out of slip_includes.'
-    return [Problem(key="slip_includes", value=shown(list(parts)), message=message, remedy=remedy)]

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar, Self
 
 from wraparc.drive.across import Across
+from wraparc.drive.belt import SIDES, Side
+from wraparc.drive.criteria import choice_problems
 from wraparc.drive.lagging import Lagging
 from wraparc.errors import Problem
 from wraparc.provenance import Provenance
@@ -37,6 +39,9 @@ class Pulley:
         Whether the lagging, recovering as the pressure changes along the arc, adds creep.
     creep_limit
         Largest creep accepted on this pulley [m], or None for the limit of the drive.
+    side
+        Side of the belt that meets the pulley: ``pulley``, or ``carry`` where the belt is bent the
+        other way, as on one pulley of an S-wrap.
     across
         What is uneven across the width, or None for an even pulley under an even belt.
     sources
@@ -64,12 +69,14 @@ class Pulley:
     overrun: float | None = None
     recovery: bool = True
     creep_limit: float | None = None
+    side: Side = "pulley"
     across: Across | None = None
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     conditions: tuple[Lagging, ...] = ()
 
     def __post_init__(self) -> None:
         problems = name_problems("name", self.name) + limit_problems(self, self.LIMITS)
+        problems += choice_problems(self, {"side": SIDES})
         worn = self.across.worn_depth if self.across else None
         if worn is not None and worn.largest >= self.lagging.thickness:
             problems.append(

@@ -80,7 +80,7 @@ class Equation:
 
 
 #: What the slip of a law may hold besides the sliding, where its tests did not take it out.
-SLIP_INCLUDES = ("lagging shear", "cover shear")
+SLIP_INCLUDES = LAGGING_SHEAR, COVER_SHEAR = ("lagging shear", "cover shear")
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -103,13 +103,14 @@ def _draw_tension(ax: "Axes", results: Sequence[ArcResult], system: System) -> N
     ax.set_title("Belt tension")
     arc = results[0].arc
     force, pressure = (display_unit(GLOSSARY[n].dimension, system)[1] for n in _PAIR)
-    scale = arc.wrap_pressure(force) / pressure
+    lift = arc.centrifugal
+    scale = arc.wrap_pressure(force + lift) / pressure
 
     def to_pressure(tension: Any) -> Any:
-        return tension * scale
+        return (tension - lift / force) * scale
 
     def to_tension(pressure: Any) -> Any:
-        return pressure / scale
+        return pressure / scale + lift / force
 
     right = ax.secondary_yaxis("right", functions=(to_pressure, to_tension))
     right.set_ylabel(heading("wrap_pressure", system))

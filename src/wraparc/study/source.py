@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import held_by
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
+from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.drive.tension_rules import LoadGiven
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
@@ -214,6 +216,9 @@ class DriveSource:
             if field in values:
                 columns[column] = np.asarray(values[field], dtype=float)
         drives = [b.drive for b in known]
+        mass = np.array([d.belt.mass or 0.0 for d in drives])[which]
+        lift = np.nan_to_num(centrifugal_force(mass, columns["belt_speed"]))
+        columns["centrifugal_force"] = lift
         divided: Divided | None = None
         for name in self._wear:
             if name in values:
@@ -231,9 +236,9 @@ class DriveSource:
         index, most = self._names.index(self.pulley), Tensions.LIMITS["entry"].most
         entry, leaving = entries[index], exits[index]
         for tension in (entry, leaving):
-            valid &= (tension > 0.0) & (tension <= most)
-        columns["entry_tension"] = np.where(valid, entry, 2.0)
-        columns["exit_tension"] = np.where(valid, leaving, 1.0)
+            valid &= (tension > lift) & (tension <= most)
+        columns["entry_tension"] = np.where(valid, entry, lift + 2.0)
+        columns["exit_tension"] = np.where(valid, leaving, lift + 1.0)
         laws, law = self._laws([b.law for b in known], which, values, size)
         arcs = Arcs(laws=LawBank.of(laws), law=law, **columns)
         ones = np.ones(size)
@@ -307,7 +312,7 @@ class DriveSource:
     def _base(self, drive: Drive) -> _Base:
         pulley = drive.pulley(self.pulley)
         lagging: Lagging = pulley.lagging
-        nan = float("nan")
+        nan, of = float("nan"), of_belt(drive.belt, pulley.side, lagging.law)
         speed, wear = drive.belt.speed, lagging.wear_coefficient
         columns = {
             "diameter": pulley.diameter,
@@ -322,6 +327,9 @@ class DriveSource:
             "recovery": float(pulley.recovery),
             "creep_limit": drive.creep_limit_of(pulley),
             "belt_speed": nan if speed is None else speed,
+            "pitch_offset": of["pitch_offset"] or 0.0,
+            "cover_compliance": of["cover_compliance"],
+            "centrifugal_force": of["centrifugal"],
         }
         return _Base(columns, lagging.law, drive)
 
@@ -333,6 +341,9 @@ class DriveSource:
         for record in self._pulleys:
             name = record["name"]
             diameter: Any = at.get(("pulley", name, "diameter"), record["diameter"])
+            diameter = diameter + 2.0 * (
+                pitch_offset(self.drive.belt, self.drive.pulley(name).side) or 0.0
+            )
             numbers = _numbers(record, ("pulley", name), at)
             given.append(Given(name, (), LoadGiven(**numbers), {}, diameter))
         if load_case in self._cases:

@@ -107,17 +107,18 @@ class Equations:
         self.count = len(rows.names)
         self.followers = [i for i, m in enumerate(rows.motors) if isinstance(m, Followers)]
         self.turned = [i for i in range(self.count) if i not in self.followers]
-        self.entry, self.exit = rows.whole["entry_tension"], rows.whole["exit_tension"]
+        lift = rows.lift  # tensions are those above m v^2
+        self.entry, self.exit = (rows.whole[f"{end}_tension"] - lift for end in ("entry", "exit"))
         self.largest = np.maximum(self.entry, self.exit)
         drums = rows.drums
         area = rows.whole["belt_width"][:, None] * drums["diameter"]
-        self.radius = 0.5 * drums["diameter"]
+        self.radius = 0.5 * drums["diameter"] + rows.offsets  # R + e
         self.squeeze = 2.0 * drums["lagging_thickness"] / (drums["compression_modulus"] * area)
 
     @property
     def rests(self) -> bool:
         """Whether a belt rests on a drum whatever the load: no speed tells its tensions."""
-        stiff = self.rows.drums["lagging_thickness"] / self.rows.drums["shear_modulus"] == 0.0
+        stiff = self.arcs.shear_compliance.reshape(-1, self.count) == 0.0
         laws = self.rows.bank
         return any(
             jumps(laws.compact(i)) and laws.onset_compliance[i] == 0.0 and stiff[:, i].any()
@@ -147,7 +148,7 @@ class Equations:
         drums = np.array(self.turned)
         at, a = np.ix_(which, drums), entries[:, drums]
         finite = np.isfinite(ratios)
-        level = np.log1p(a / self.rows.stiffness[which, None])
+        level = np.log1p(a / self.rows.light_stiffness[which, None])
         level -= np.log1p(-self.squeeze[at] * a / self.radius[at])
         level -= np.log1p(-np.where(finite, np.minimum(ratios, 0.99), 0.0))
         speeds = self.drum_speeds(which, self.torques(which, entries, exits))[:, drums]

@@ -13,6 +13,7 @@ from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.solve import share_chunks
+from wraparc.drive.pitch import centrifugal_of
 from wraparc.errors import InputError
 from wraparc.train.balance import Balanced, Equations, Start, balance
 from wraparc.train.batch_result import (
@@ -170,7 +171,8 @@ def _located(rows: TrainRows, balanced: Balanced) -> _Located:
             continue
         found.status[i] = _CODES[solved.status]
         found.reasons[i] = solved.reason or solved.status.value
-        found.between[i] = [m.arc.exit_tension for m in solved.members[:-1]]
+        lift = centrifugal_of(train.belt)
+        found.between[i] = [m.arc.exit_tension - lift for m in solved.members[:-1]]
     return found
 
 
@@ -205,7 +207,7 @@ def _tensioned(equations: Equations, between: Array, belt_speed: Array) -> Arcs:
     """Return the arcs of all drums at their tensions; belt speeds at the first entry nip."""
     rows = equations.rows
     entries, exits = equations.tensions(np.arange(len(rows)), between)
-    stretch = 1.0 + entries / rows.stiffness[:, None]
+    stretch = 1.0 + entries / rows.light_stiffness[:, None]
     speeds = belt_speed[:, None] * stretch / stretch[:, :1]
     return replace(
         equations.arcs,
@@ -232,8 +234,15 @@ def _result(rows: TrainRows, located: _Located, found: Array, setting: Setting) 
         error = np.maximum(misses, torques)
         status[(status == SOLVED) & ~(error <= _WRONG)] = UNSOLVED
         if rows.absolute or rows.motors:
-            speed = np.exp(-levels[:, 0]) * (1.0 + entries[:, 0] / rows.stiffness)
+            speed = np.exp(-levels[:, 0]) * (1.0 + entries[:, 0] / rows.light_stiffness)
     arcs = _tensioned(equations, located.between, speed)
+    lift = np.repeat(rows.lift, count)
+    arcs = replace(
+        arcs,
+        entry_tension=arcs.entry_tension + lift,
+        exit_tension=arcs.exit_tension + lift,
+        centrifugal_force=lift,
+    )
     drums = [BatchResult(arcs.rows(slice(i, None, count)), found[i::count]) for i in range(count)]
     columns = drum_columns(rows, drums, speed, balanced)
     for i, motor in enumerate(rows.motors):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch import STATUSES, BatchResult
+from wraparc.drive.pitch import pitch_radius
 from wraparc.errors import library
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.result import TrainStatus
@@ -157,10 +158,11 @@ def drum_columns(
     stiffness, total = rows.stiffness, rows.total
     entry = [r.arcs.entry_tension for r in arcs]
     ratio = [r["entry_creep_ratio"] for r in arcs]
-    radius = [0.5 * r.arcs.diameter for r in arcs]
+    radius, offset = ([0.5 * r.arcs.diameter for r in arcs], [r.arcs.pitch_offset for r in arcs])
     pressed = [
         2.0 * r.arcs.lagging_thickness / (r.arcs.compression_modulus * r.arcs.belt_width
-                                          * r.arcs.diameter) * r.arcs.entry_tension
+                                          * r.arcs.diameter)
+        * (r.arcs.entry_tension - r.arcs.centrifugal_force)
         for r in arcs
     ]  # fmt: skip
     nominal = rows.drums["nominal_diameter"]
@@ -169,7 +171,7 @@ def drum_columns(
         pull = np.where(found, drum["effective_tension"], np.nan)
         stretch = (1.0 + entry[i] / stiffness) / (1.0 + entry[0] / stiffness)
         speed_ratio = stretch * (1.0 - ratio[0]) / (1.0 - ratio[i])
-        arm, first = radius[i] - pressed[i], radius[0] - pressed[0]
+        arm, first = (pitch_radius(radius[k], pressed[k], offset[k]) for k in (i, 0))
         surface = belt_speed * stretch / (1.0 - ratio[i])
         columns = {
             "share": np.where(total != 0.0, pull / np.where(total != 0.0, total, 1.0), np.nan),
@@ -177,6 +179,7 @@ def drum_columns(
             "contraction_term": np.where(found, (entry[i] - entry[0]) / stiffness, np.nan),
             "creep_term": ratio[i] - ratio[0],
             "compression_term": pressed[i] / radius[i] - pressed[0] / radius[0],
+            "thickness_term": offset[0] / radius[0] - offset[i] / radius[i],
             "drum_ratio": speed_ratio * first / arm * radius[i] / radius[0],
             "surface_speed": surface,
             "rotation_speed": surface / arm,

@@ -38,17 +38,3 @@ def solution(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[
             rest -= rows[k][j] * found[j]
         found[k] = rest / rows[k][k]
     return found
-
-
-def corrected(
-    matrix: Sequence[Sequence[float]], step: Sequence[float], change: Sequence[float]
-) -> Matrix:
-    """Return slopes that give a change over a step, and others as before (Broyden)."""
-    square = sum(s * s for s in step)
-    if square == 0.0:
-        return [[*row] for row in matrix]
-    made = []
-    for row, found in zip(matrix, change, strict=True):
-        missing = found - sum(a * s for a, s in zip(row, step, strict=True))
-        made.append([a + missing * s / square for a, s in zip(row, step, strict=True)])
-    return made

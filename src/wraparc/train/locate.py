@@ -9,7 +9,7 @@ from math import isnan, log, log1p
 from wraparc.train.member import COARSE, FINE, SHARP, Passage
 from wraparc.train.newton import Settled, settle
 from wraparc.train.result import TrainStatus
-from wraparc.train.system import Search, System
+from wraparc.train.system import Search, System, guessed
 
 #: Difference between two ways to the same speed that is left alone [-].
 _CORRECTED = 1e-12
@@ -59,10 +59,14 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     softening
         Whether friction falls anywhere with slip, so that there may be several states.
     """
+    fine = FINE if softening else SHARP
+    passages, level = guessed(system)
+    state = None if softening else settle(system, passages, level, fine)
+    if state is not None:
+        return _corrected(system, _chosen(system, names, [state]))
     eased = _eased(system, _GIVE)
-    fine = FINE if softening or eased is not system else SHARP
-    for steps in (COARSE, SHARP, FINE):  # close to breakaway a coarse mesh misses the solution
-        search = Search(eased, steps)
+    for tol in (COARSE, SHARP):  # close to breakaway a coarse mesh misses the solution
+        search = Search(eased, tol)
         levels, states, failed = _states(eased, search, softening, fine)
         if len(levels) > 0 and len(failed) == 0:
             break
@@ -71,18 +75,19 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         states = [s for s in stiff if s is not None]
     if len(levels) == 0:
         level = search.level(search.strongest())
-        return _broken(system, names, tuple(search.follow(level)), level)
+        return _broken(system, names, tuple(search.follow(level).passages), level)
     if len(states) == 0:
-        start = failed[0] if len(failed) > 0 else tuple(search.follow(search.level(levels[0])))
-        return _broken(system, names, start, search.level(levels[0]))
-    return _corrected(system, _chosen(system, names, states), fine)
+        level = search.level(levels[0])
+        start = failed[0] if len(failed) > 0 else tuple(search.follow(level).passages)
+        return _broken(system, names, start, level)
+    return _corrected(system, _chosen(system, names, states))
 
 
-def _corrected(system: System, located: Located, steps: int) -> Located:
+def _corrected(system: System, located: Located) -> Located:
     """Return the tensions at which the arcs, solved for their tensions, meet the speeds.
 
-    Followed from effort to tension and solved from tension to effort, an arc has truncation
-    errors that differ by a little: what differs is added to the equations.
+    Followed from creep to tension and solved from tension to creep, on meshes of their own, an arc
+    has errors that differ by a little: what differs is added to the equations.
     """
     for _ in range(4):
         state = located.settled
@@ -99,7 +104,7 @@ def _corrected(system: System, located: Located, steps: int) -> Located:
         if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
             break
         system = replace(system, corrections=tuple(offsets))
-        better = settle(system, state.passages, state.level, steps, near=state)
+        better = settle(system, state.passages, state.level, COARSE)
         if better is None:
             break
         located = replace(located, settled=better, passages=better.passages, level=better.level)
@@ -140,7 +145,7 @@ def _stiffened(system: System, state: Settled) -> Settled | None:
 
 
 def _states(
-    system: System, search: Search, softening: bool, steps: int
+    system: System, search: Search, softening: bool, tol: float
 ) -> tuple[list[float], list[Settled], list[tuple[Passage, ...]]]:
     """Return the levels found by a search, the states there, and starts that led to none."""
     if softening:
@@ -151,8 +156,8 @@ def _states(
     states: list[Settled] = []
     failed: list[tuple[Passage, ...]] = []
     for w in levels:
-        start = tuple(search.follow(search.level(w)))
-        found = settle(system, start, search.level(w), steps)
+        start = tuple(search.follow(search.level(w)).passages)
+        found = settle(system, start, search.level(w), tol)
         if found is None:
             failed.append(start)
         elif not any(_same(found, other) for other in states):
@@ -186,11 +191,11 @@ def _broken(
     fallen, exact = [], []
     for i, (member, p) in enumerate(zip(system.members, passages, strict=True)):
         known: Passage | None = p
-        if isnan(p.effort):
+        if isnan(p.place):
             known = member.between(p.entry, p.exit)
             if known is None:
                 fallen.append(i)
-        elif member.slopes(p, FINE).exit_by_effort >= 0.0:
+        elif not member.rises(p):
             fallen.append(i)
         exact.append(p if known is None else known)
     status = TrainStatus.BREAKAWAY

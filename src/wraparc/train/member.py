@@ -1,36 +1,48 @@
 """One pulley of a train as numbers: what goes in at the entry nip, what comes out.
 
-The unknown of a pulley is its *effort* y, a number of order one that grows with the creep towards
-the slack side. For laws that rise from zero friction the entry creep ratio is g = 1e-5 sinh(y); for
-laws that hold the belt without slip, y is the effort of :mod:`wraparc.arc.kernel.effort`, with its
-sign.
-Both are continuous where the pulley changes from driving to braking.
+The unknown of a pulley is its *place* on the way from braking to driving, in metres: the creep at
+its exit, c. Exit tension and entry creep ratio follow from it and the entry tension, for every law
+and on both sides. Where the belt rests without any creep, the tension falls like the root of c, and
+the place x is that: c = x |x|/1 mm.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import asinh, copysign, cosh, exp, isfinite, log1p, nan, sinh
+from dataclasses import dataclass, replace
+from math import copysign, exp, log1p, nan, sqrt
+from typing import NamedTuple
 
 from wraparc.arc import WrapArc
 from wraparc.arc.answer import operating_point
-from wraparc.arc.kernel.effort import CREEP_SCALE, effort_of, largest_effort, shoot_from
-from wraparc.arc.kernel.quantities import NO_SHOT, Parameters, Shot, parameters_at
-from wraparc.arc.kernel.stick import zone_end
-from wraparc.arc.profile import Range, Read, read
+from wraparc.arc.collocation import MESH
+from wraparc.arc.meet import Met
+from wraparc.arc.passage import NO_MESH, SLIDE, Passed, passed, slide_slope
+from wraparc.arc.profile import entry_ratio, traction_of
 from wraparc.arc.quantities import SOLVED, Geometry, jumps
 from wraparc.friction import CompactLaw
 
-# mesh steps: to search, to search among pieces of a law, and those of `Distributed`
-COARSE, SHARP, FINE = 8, 16, 24
-#: Entry creep ratio where the scale of efforts turns from linear to logarithmic.
-RATIO_SCALE = 1e-5
-_LARGEST_EFFORT = asinh(0.9 / RATIO_SCALE)  # of laws that rise from zero friction
+#: Misfit of the arcs that is let stand: of a search, of curves, of what is told.
+COARSE, SHARP, FINE = NO_MESH, 1e-3, MESH
+#: Largest entry creep ratio that is considered, either way.
+LARGEST_RATIO = 0.5
+REST_SCALE = 1e-3  # creep of a slide behind a rest arc where its root is a place of the same size
+_LEAST_RISE = 1e-9  # of tension, over a creep as long as the wrap: less is none
 _BEYOND = 30.0  # logarithm of the tension ratio that stands for one too large for numbers
-_STEP = 1e-4  # of effort and of ln(tension), for differences
 
 
-@dataclass(frozen=True)
+class Response(NamedTuple):
+    """How a passage answers to its entry tension a and its place x: exit tension b and ratio g."""
+
+    exit_by_entry: float
+    exit_by_place: float
+    ratio_by_entry: float
+    ratio_by_place: float
+
+
+UNKNOWN = Response(nan, nan, nan, nan)
+
+
+@dataclass(frozen=True, eq=False)
 class Passage:
     """One pulley passed by the belt.
 
@@ -38,33 +50,29 @@ class Passage:
     ----------
     entry, exit
         Tensions [N].
-    effort
-        y [-].
+    place
+        x [m]; nan where only the tensions are known.
     ratio
         Entry creep ratio g [-].
     creep, slip
         At the exit [m].
     held
         Whether the belt still sticks somewhere on the wrap.
+    slopes
+        How it answers.
+    met
+        The arc, to begin the next one with; or None.
     """
 
     entry: float
     exit: float
-    effort: float
-    ratio: float
-    creep: float
-    slip: float
-    held: bool
-
-
-@dataclass(frozen=True)
-class Slopes:
-    """How a passage answers to its entry tension a and its effort y: exit tension b and ratio g."""
-
-    exit_by_entry: float
-    exit_by_effort: float
-    ratio_by_entry: float
-    ratio_by_effort: float
+    place: float = nan
+    ratio: float = nan
+    creep: float = nan
+    slip: float = nan
+    held: bool = False
+    slopes: Response = UNKNOWN
+    met: Met | None = None
 
 
 @dataclass(frozen=True)
@@ -74,11 +82,12 @@ class Member:
     Attributes
     ----------
     law, geometry
-        As the kernel of :mod:`wraparc.arc` reads them.
+        As the solver of :mod:`wraparc.arc` reads them.
     radius
-        R over the unloaded lagging [m].
+        R + e of the tension member over the unloaded lagging [m].
     stretch
-        1/EA of the belt [1/N].
+        1/(EA + m v^2) of the belt [1/N]: tensions are those above m v^2, and 1 + T/EA goes with
+        1 + (T - m v^2)/(EA + m v^2).
     squeeze
         Compression of the lagging at the entry per tension there, 2 h/(E_c B D) [m/N].
     """
@@ -93,8 +102,9 @@ class Member:
     def of(cls, arc: WrapArc) -> Member:
         """Return the member of an arc, whose tensions do not matter."""
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
-        stretch = 1.0 / arc.axial_stiffness
-        return cls(arc.law.compact(), arc.geometry(), arc.radius, stretch, squeeze)
+        stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
+        radius = arc.radius + arc.offset
+        return cls(arc.law.compact(), arc.geometry(), radius, stretch, squeeze)
 
     @property
     def holds(self) -> bool:
@@ -104,113 +114,106 @@ class Member:
     @property
     def rests(self) -> bool:
         """Whether the belt can rest without any creep (a held belt, nothing that shears)."""
-        par = parameters_at(1.0, self.geometry)
-        return self.holds and par.shear + par.onset == 0.0
+        return self.holds and self.geometry.shear == 0.0
 
     @property
     def compliance(self) -> float:
         """1/EA' [1/N]."""
         return self.geometry.compliance
 
-    def parameters(self, entry: float, side: float) -> Parameters:
-        """Return the numbers of the march at an entry tension [N] and a side (+1, -1)."""
-        return parameters_at(entry, self.geometry._replace(side=side))
+    @property
+    def length(self) -> float:
+        """Length of the wrap [m]."""
+        return self.geometry.radius * self.geometry.wrap_angle
+
+    @property
+    def largest_place(self) -> float:
+        """Largest place that is considered, either way [m]."""
+        return self.place_of(LARGEST_RATIO * self.length)
 
     def arm(self, entry: float) -> float:
-        """R - delta, the lever of the belt on the shaft [m]."""
+        """R - delta + e, the lever of the belt on the shaft [m]."""
         return self.radius - self.squeeze * entry
 
     def stretch_log(self, entry: float) -> float:
-        """ln(1 + T1/EA) - ln(1 - delta/R): surface speed over belt speed without creep [-]."""
+        """ln(1 + T1/EA) - ln(1 - delta/(R + e)): surface over belt speed without creep [-]."""
         return log1p(entry * self.stretch) - log1p(-self.squeeze * entry / self.radius)
 
     def stretch_slope(self, entry: float) -> float:
         """Change of `stretch_log` with tension, about 1/EA + delta/(R T1) [1/N]."""
         return self.stretch / (1.0 + entry * self.stretch) + self.squeeze / self.arm(entry)
 
-    def effort_at(self, ratio: float) -> float:
-        """Effort of an entry creep ratio; for laws that rise from zero friction."""
-        return asinh(ratio / RATIO_SCALE)
+    def rises(self, at: Passage) -> bool:
+        """Whether the pulley pulls more if it creeps more; where not, it is past its peak."""
+        return at.slopes.exit_by_place * self.length < -_LEAST_RISE * at.exit
 
-    def passage(self, entry: float, effort: float, steps: int) -> Passage:
-        """Send the belt over the pulley at an effort."""
-        side = 1.0 if effort >= 0.0 else -1.0
-        if self.holds:
-            par = self.parameters(entry, side)
-            z = abs(effort) - (0.0 if self.rests else 1.0)
-            z = min(z, largest_effort(self.law, par))
-        else:
-            effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT)
-            if self.parameters(entry, 1.0).kick != 0.0:
-                side = 1.0
-            par = self.parameters(entry, side)
-            z = effort_of(par, RATIO_SCALE * sinh(effort))
-        shot = shoot(self.law, par, z, steps)
-        if not isfinite(shot.log_tension):  # a trial far beyond any sense
-            gone = copysign(_BEYOND, effort)
-            return Passage(entry, entry * exp(-gone), effort, 0.01 * gone, gone, gone, False)
-        ratio = shot.creep_ratio if self.holds else RATIO_SCALE * sinh(effort)
-        return Passage(
-            entry,
-            entry * exp(shot.log_tension),
-            effort,
-            ratio,
-            shot.creep,
-            shot.slip,
-            shot.stuck_length > 0.0,
+    def place_of(self, creep: float) -> float:
+        """Place of a creep at the exit [m]."""
+        return copysign(sqrt(abs(creep) * REST_SCALE), creep) if self.rests else creep
+
+    def passage(self, entry: float, place: float, near: Met | None, tol: float) -> Passage:
+        """Send the belt over the pulley at a place.
+
+        Parameters
+        ----------
+        entry, place
+            Tension [N] and x [m].
+        near
+            An arc nearly the same, to begin with.
+        tol
+            Misfit that is let stand: `COARSE`, `SHARP` or `FINE`.
+        """
+        arc = self._driven(place >= 0.0)
+        if not self.rests:
+            found = passed(self.law, arc, entry, place, near, tol)
+            return self._told(arc, entry, place, place, 1.0, found)
+        fall = slide_slope(self.law, arc, entry) / sqrt(REST_SCALE)
+        creep = place * abs(place) / REST_SCALE
+        if abs(fall * place) <= SLIDE * entry:
+            slopes = Response(1.0, -fall, 0.0, 0.0)
+            return Passage(entry, entry - fall * place, place, 0.0, creep, creep, True, slopes)
+        found = passed(self.law, arc, entry, creep, near, tol)
+        return self._told(arc, entry, place, creep, 2.0 * abs(place) / REST_SCALE, found)
+
+    def _driven(self, driving: bool) -> Geometry:
+        return self.geometry._replace(side=1.0 if driving else -1.0)
+
+    def _told(
+        self, arc: Geometry, entry: float, place: float, creep: float, by_place: float, at: Passed
+    ) -> Passage:
+        """Return what an arc says; `by_place` is the slope of its creep."""
+        met = at.met
+        if not met.done:  # a trial far beyond any sense
+            gone = copysign(_BEYOND, place)
+            ratio = copysign(LARGEST_RATIO, place)
+            return Passage(entry, entry * exp(-gone), place, ratio, creep, creep)
+        slopes = Response(
+            at.leaving_by_entry,
+            at.leaving_by_creep * by_place,
+            at.ratio_by_entry,
+            at.ratio_by_creep * by_place,
         )
+        slip = traction_of(arc, met, at.leaving, creep).slip
+        held = self.holds and (met.rest > 0.0 or not self.rests)
+        return Passage(entry, at.leaving, place, at.ratio, creep, slip, held, slopes, met)
 
     def between(self, entry: float, exit_: float) -> Passage | None:
-        """Send the belt over the pulley between two tensions; None if friction cannot."""
-        side = 1.0 if entry >= exit_ else -1.0
-        geometry = self.geometry._replace(side=side)
-        found = operating_point(self.law, geometry, entry, exit_)
+        """Send the belt over the pulley between two tensions; None if friction cannot.
+
+        How it answers is not told.
+        """
+        arc = self._driven(entry >= exit_)
+        found = operating_point(self.law, arc, entry, exit_)
         if found.outcome != SOLVED:
             return None
-        told = read(geometry, found.met, Range(nan, nan, nan))
-        effort = self.effort_at(told.creep_ratio)
-        if self.holds:
-            effort = self._effort_of(self.parameters(entry, side), told)
-        held = told.stuck > 0.0
-        return Passage(entry, exit_, effort, told.creep_ratio, told.creep, told.slip, held)
+        met = found.met
+        creep = met.course.creep[-1]
+        slip, ratio = traction_of(arc, met, exit_, creep).slip, entry_ratio(arc, met)
+        held = self.holds and (met.rest > 0.0 or not self.rests)
+        place = self.place_of(creep)
+        return Passage(entry, exit_, place, ratio, creep, slip, held, UNKNOWN, met)
 
-    def _effort_of(self, par: Parameters, told: Read) -> float:
-        """Effort of a law that holds the belt, by its rest arc; see `effort.shoot_from`."""
-        length, zone = par.length, told.stuck
-        if self.rests:
-            slide = par.side * told.creep_ratio * length / CREEP_SCALE
-            return par.side * (1.0 - zone / length if zone > 0.0 else 1.0 + max(slide, 0.0))
-        end = zone_end(self.law, par, length)[1]
-        if zone >= length:
-            return par.side * told.creep / end  # an overrun may turn the creep of a light load
-        zone = zone if zone > 0.0 else min(end / told.creep_ratio, length)
-        return par.side * length / zone
-
-    def slopes(self, at: Passage, steps: int = FINE) -> Slopes:
-        """Slopes of a passage, by differences."""
-        rise = at.entry * _STEP
-        sign = 1.0 if at.effort >= 0.0 else -1.0
-        further = self.passage(at.entry, at.effort + sign * _STEP, steps)
-        tighter = self.passage(at.entry + rise, at.effort, steps)
-        here = self.passage(at.entry, at.effort, steps)
-        if self.holds:
-            by_effort = (further.ratio - here.ratio) / (sign * _STEP)
-        else:
-            by_effort = RATIO_SCALE * cosh(at.effort)
-        return Slopes(
-            exit_by_entry=(tighter.exit - here.exit) / rise,
-            exit_by_effort=(further.exit - here.exit) / (sign * _STEP),
-            ratio_by_entry=(tighter.ratio - here.ratio) / rise if self.holds else 0.0,
-            ratio_by_effort=by_effort,
-        )
-
-
-def shoot(law: CompactLaw, par: Parameters, z: float, steps: int) -> Shot:
-    """March one arc to its exit at an effort; see `wraparc.arc.kernel.effort.shoot_from`.
-
-    Where tension grows beyond all numbers, that of the shot is not finite.
-    """
-    try:
-        return shoot_from(law, par, z, steps)
-    except OverflowError:
-        return NO_SHOT
+    def at(self, entry: float, exit_: float, creep: float) -> Passage:
+        """Return the passage of an arc that is solved, its slopes good to some digits."""
+        found = self.passage(entry, self.place_of(creep), None, SHARP)
+        return replace(found, exit=exit_)

@@ -6,20 +6,24 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, isfinite, isnan, log, nan
 
-from wraparc.train.linear import Matrix, Row, corrected, solution
-from wraparc.train.member import FINE, Passage, Slopes
+from wraparc.arc.meet import Met
+from wraparc.train.linear import Matrix, Row, solution
+from wraparc.train.member import COARSE, FINE, Passage
 from wraparc.train.system import System
 
 #: Miss of a speed equation and of the logarithm of the last tension that counts as none.
-TOLERANCE = 1e-13
+TOLERANCE = 1e-14
 #: Weight of a speed equation beside that of the last tension, for comparing misses only.
 _SPEED_WEIGHT = 1e3
-_LARGEST_STEP = 1.5  # of an effort
+#: Longest step of a place: of itself, and of the wrap.
+_OF_ITSELF, _OF_WRAP = 2.0, 0.02
+_MOST, _HALVINGS = 30, 15  # steps
+_NEAR = 1e-5  # size from which on a step helps at once, or not at all
 
 
 @dataclass(frozen=True, eq=False)
 class Linear:
-    """The equations near a state: unknowns are the efforts and the level.
+    """The equations near a state: unknowns are the places and the level.
 
     Attributes
     ----------
@@ -83,61 +87,47 @@ class Settled:
         return all(self.rising)
 
 
-def linearized(
-    system: System, passages: Sequence[Passage], steps: int = FINE
-) -> tuple[Linear, tuple[bool, ...]]:
+def linearized(system: System, passages: Sequence[Passage]) -> tuple[Linear, tuple[bool, ...]]:
     """Return the equations near a state, and whether each drive rises with its creep."""
     count = len(passages)
     matrix: Matrix = [[0.0] * (count + 1) for _ in range(count + 1)]
     pulls: Matrix = []
     torques: Matrix = []
     entry = [0.0] * (count + 1)  # slopes of the entry tension
-    slopes = [m.slopes(at, steps) for m, at in zip(system.members, passages, strict=True)]
-    for i, (at, s) in enumerate(zip(passages, slopes, strict=True)):
+    for i, at in enumerate(passages):
         member = system.members[i]
-        leaving = [s.exit_by_entry * x for x in entry]
-        leaving[i] += s.exit_by_effort
+        leaving = [at.slopes.exit_by_entry * x for x in entry]
+        leaving[i] += at.slopes.exit_by_place
         pull = [x - y for x, y in zip(entry, leaving, strict=True)]
         arm, lost = member.arm(at.entry), (at.entry - at.exit) * member.squeeze
         pulls.append(pull)
         torques.append([x * arm - lost * y for x, y in zip(pull, entry, strict=True)])
         if not system.lines[i].follows:
-            matrix[i] = _speed_row(system, i, at, s, entry, torques[i])
+            by_entry, by_place = system.speed_slopes(i, at)
+            matrix[i] = [by_entry * x for x in entry]
+            matrix[i][i] += by_place
+            matrix[i][count] -= 1.0
         entry = leaving
     for i, line in enumerate(system.lines):
         if line.follows:
             pairs = zip(torques[i], torques[line.master], strict=True)
             matrix[i] = [(x - line.ratio * y) / system.torque_scale for x, y in pairs]
     matrix[count] = [x / passages[-1].exit for x in entry]
-    rising = tuple(s.exit_by_effort <= 0.0 for s in slopes)
+    rising = tuple(m.rises(at) for m, at in zip(system.members, passages, strict=True))
     return Linear(matrix, pulls, tuple(line.follows for line in system.lines)), rising
-
-
-def _speed_row(system: System, i: int, at: Passage, s: Slopes, entry: Row, torque: Row) -> Row:
-    creep = [s.ratio_by_entry * x for x in entry]
-    creep[i] += s.ratio_by_effort
-    stretch = system.members[i].stretch_slope(at.entry)
-    slope = system.lines[i].log_speed_slope(system.torque(i, at.entry, at.exit))
-    row = [
-        c / (1.0 - at.ratio) + stretch * x - slope * t
-        for c, x, t in zip(creep, entry, torque, strict=True)
-    ]
-    row[len(row) - 1] -= 1.0
-    return row
 
 
 def settle(
     system: System,
     passages: Sequence[Passage],
     level: float,
-    steps: int = FINE,
-    near: Settled | None = None,
+    tol: float = FINE,
     tolerance: float = TOLERANCE,
 ) -> Settled | None:
     """Meet all equations from a state nearby; None if that fails.
 
-    Slopes serve for several steps, corrected by what each step shows, as long as the misses shrink
-    fast.
+    Each step of the train is one of every arc, from the course that it had and on its mesh; the
+    meshes are judged at the end.
 
     Parameters
     ----------
@@ -145,40 +135,30 @@ def settle(
         The equations.
     passages, level
         The state to start from.
-    steps
-        Mesh steps of the arcs.
-    near
-        A state met before, whose slopes may do.
+    tol
+        Misfit of the arcs that is let stand [-].
     tolerance
         Largest miss of a speed equation [-].
     """
-    efforts = _efforts(system, passages)
-    if efforts is None:
+    starts = _starts(system, passages)
+    if starts is None:
         return None
-    at = _point(system, efforts, level, steps)
-    for i in range(30):
-        if i == 0 and near is not None:
-            linear, rising = near.linear, near.rising
-        else:
-            linear, rising = linearized(system, at.state, steps)
-        first, matrix = at, linear.matrix
-        for k in range(10):
-            if at.size <= tolerance * _SPEED_WEIGHT:
-                if near is None and not _near(first.state, at.state):
-                    linear, rising = linearized(system, at.state, steps)
-                return Settled(at.state, at.level, linear, rising)
-            new = _stepped(at, system, matrix, k == 0)
-            if new is None or new.size >= at.size:
-                break
-            matrix = _learned(matrix, at, new)
-            slow = new.size > 0.3 * at.size
-            at = new
-            if slow:
-                break
-        if at is first and (
-            i > 0 or near is None
-        ):  # no step is any better: rounding, or no solution
-            done = at.size <= 1e3 * tolerance * _SPEED_WEIGHT
+    enough, meshed, again = tolerance * _SPEED_WEIGHT, tol == COARSE, False
+    places, arcs = [at.place for at in starts], [at.met for at in starts]
+    at = _point(system, places, arcs, level, COARSE)
+    for _ in range(_MOST):
+        linear, rising = linearized(system, at.state)
+        new = _stepped(at, system, linear.matrix) if at.size > enough else None
+        if new is not None:
+            at, again = new, False
+        elif not meshed:
+            meshed = True
+            at = _point(system, _places(at), _arcs(at), at.level, tol)
+        elif at.size > enough and not again:  # what the arcs still lacked was more than the miss
+            again = True
+            at = _point(system, _places(at), _arcs(at), at.level, COARSE)
+        else:  # no step is any better: rounding, or no solution
+            done = at.size <= 1e3 * enough
             return Settled(at.state, at.level, linear, rising) if done else None
     return None
 
@@ -187,11 +167,9 @@ def settle(
 class _Point:
     """A point of the iteration."""
 
-    efforts: tuple[float, ...]
     level: float
     state: tuple[Passage, ...]
     misses: Row
-    steps: int
 
     @property
     def size(self) -> float:
@@ -202,53 +180,54 @@ class _Point:
         return max(_SPEED_WEIGHT * speeds, abs(self.misses[-1]))
 
 
-def _point(system: System, efforts: Sequence[float], level: float, steps: int) -> _Point:
-    state = _state(system, efforts, steps)
-    return _Point(tuple(efforts), level, state, _misses(system, state, level), steps)
+def _point(
+    system: System, places: Sequence[float], arcs: Sequence[Met | None], level: float, tol: float
+) -> _Point:
+    entry, state = system.entry, []
+    for member, place, near, run in zip(system.members, places, arcs, system.runs, strict=True):
+        at = member.passage(max(entry, 1e-6 * system.entry), place, near, tol)
+        state.append(at)
+        entry = at.exit + run
+    return _Point(level, tuple(state), _misses(system, state, level))
 
 
-def _stepped(at: _Point, system: System, matrix: Matrix, search: bool) -> _Point | None:
-    """Take the step of the linear equations, shortened until it helps if `search`."""
+def _stepped(at: _Point, system: System, matrix: Matrix) -> _Point | None:
+    """Take the step of the linear equations, shortened until it helps."""
     step = solution(matrix, [-miss for miss in at.misses])
     if step is None or not all(isfinite(change) for change in step):
         return None
-    longest = max(abs(change) for change in step[:-1])
-    scale = min(1.0, _LARGEST_STEP / max(longest, 1e-300))
-    for _ in range(15 if search else 1):
-        efforts = [e + scale * d for e, d in zip(at.efforts, step[:-1], strict=True)]
-        new = _point(system, efforts, at.level + scale * step[-1], at.steps)
+    scale = 1.0
+    for member, passage, change in zip(system.members, at.state, step[:-1], strict=True):
+        most = _OF_ITSELF * abs(passage.place) + member.place_of(_OF_WRAP * member.length)
+        scale = min(scale, most / max(abs(change), 1e-300))
+    for _ in range(_HALVINGS if at.size > _NEAR else 2):
+        places = [x + scale * d for x, d in zip(_places(at), step[:-1], strict=True)]
+        new = _point(system, places, _arcs(at), at.level + scale * step[-1], COARSE)
         if new.size < at.size:
             return new
         scale *= 0.5
     return None
 
 
-def _learned(matrix: Matrix, a: _Point, b: _Point) -> Matrix:
-    """Return slopes that are true between two points (Broyden), little changed otherwise."""
-    step = [y - x for x, y in zip((*a.efforts, a.level), (*b.efforts, b.level), strict=True)]
-    return corrected(matrix, step, [y - x for x, y in zip(a.misses, b.misses, strict=True)])
+def _places(at: _Point) -> list[float]:
+    return [passage.place for passage in at.state]
 
 
-def _efforts(system: System, passages: Sequence[Passage]) -> list[float] | None:
-    """Efforts of passages; those known by their tensions only are solved for them."""
-    efforts = []
+def _arcs(at: _Point) -> list[Met | None]:
+    return [passage.met for passage in at.state]
+
+
+def _starts(system: System, passages: Sequence[Passage]) -> list[Passage] | None:
+    """Passages with their places; those known by their tensions only are solved for them."""
+    starts = []
     for member, at in zip(system.members, passages, strict=True):
         known: Passage | None = at
-        if isnan(at.effort):
+        if isnan(at.place):
             known = member.between(at.entry, at.exit)
         if known is None:
             return None
-        efforts.append(known.effort)
-    return efforts
-
-
-def _state(system: System, efforts: Sequence[float], steps: int) -> tuple[Passage, ...]:
-    entry, state = system.entry, []
-    for member, effort, run in zip(system.members, efforts, system.runs, strict=True):
-        at = member.passage(max(entry, 1e-6 * system.entry), effort, steps)
-        state.append(at)
-        entry = at.exit + run
-    return tuple(state)
+        starts.append(known)
+    return starts
 
 
 def _misses(system: System, state: Sequence[Passage], level: float) -> Row:
@@ -260,8 +239,3 @@ def _misses(system: System, state: Sequence[Passage], level: float) -> Row:
         for i, line in enumerate(system.lines)
     ]
     return [*misses, log(state[-1].exit / system.exit)]
-
-
-def _near(a: Sequence[Passage], b: Sequence[Passage]) -> bool:
-    """Whether two states are so near that slopes of one serve for the other."""
-    return all(abs(x.exit / y.exit - 1.0) < 1e-3 for x, y in zip(a, b, strict=True))

@@ -96,26 +96,29 @@ class MemberResult:
     share
         Part of the total effective tension [-]; nan where the total is 0.
     speed_ratio
-        v_i/v_1 of the loaded lagging surfaces at the entry nips, exactly [-].
+        v_i/v_1 at the entry nips, of the loaded drums at the tension member, exactly [-].
     contraction_term
         -(T_1 - T_i)/EA: the belt is shorter where its tension is lower [-].
     creep_term
         g_i - g_1: this pulley creeps more than the first [-].
     compression_term
         delta_i/R_i - delta_1/R_1: a less compressed lagging makes a larger drum [-].
+    thickness_term
+        e_1/R_1 - e_i/R_i: the tension member farther out makes a larger drum [-]; 0 where the
+        thickness of the belt is not known.
     drum_ratio
         omega_i R_i/(omega_1 R_1), the ratio of the drum speeds of equal drums, exactly [-]; 1 +
-        contraction_term + creep_term + compression_term to first order.
+        contraction_term + creep_term + compression_term + thickness_term to first order.
     surface_speed
-        v_i [m/s].
+        v_i, at the radius of the tension member [m/s].
     rotation_speed
-        omega_i = v_i/(R_i - delta_i) of the drum [rad/s].
+        omega_i = v_i/(R_i - delta_i + e_i) of the drum [rad/s].
     speed_trim
         omega_i D_i/(omega_1 D_1) with the nominal diameters [-].
     drum_torque
-        (T1 - T2)(R - delta), the power of the surface over the speed of the drum [N m].
+        (T1 - T2)(R - delta + e), the power of the surface over the speed of the drum [N m].
     drum_power
-        Power at the lagging surface, v_i (T1 - T2) [W].
+        Power to the belt, v_i (T1 - T2) [W].
     motor
         Where its motors work, or None.
     """
@@ -126,6 +129,7 @@ class MemberResult:
     contraction_term: float
     creep_term: float
     compression_term: float
+    thickness_term: float
     drum_ratio: float
     surface_speed: float
     rotation_speed: float

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+_MOST = 80  # steps
+
 
 def rising_root(
     f: Callable[[float], float],
@@ -92,3 +94,46 @@ def bracketed_root(
             kept = -1
     at_a, at_b = f(a), f(b)
     return (a, at_a) if abs(at_a) <= abs(at_b) else (b, at_b)
+
+
+def sloped_root(
+    f: Callable[[float], tuple[float, float]], x: float, low: float, high: float, tolerance: float
+) -> tuple[float, float]:
+    """Return x with |f(x)| <= tolerance, and f(x), of a rising function that tells its slope.
+
+    Newton's method, and halving where it leaves the bracket or is slow. Where f does not change
+    its sign between the limits, the limit is returned.
+
+    Parameters
+    ----------
+    f
+        Value and slope.
+    x
+        First guess.
+    low, high
+        Limits of x.
+    tolerance
+        Of f.
+    """
+    x, before = min(max(x, low), high), 0.0
+    below = above = False  # whether the limits are known to enclose the root
+    value = 0.0
+    for _ in range(_MOST):
+        value, slope = f(x)
+        if abs(value) <= tolerance or (x == high and value < 0.0) or (x == low and value > 0.0):
+            break
+        if value < 0.0:
+            low, below = x, True
+        else:
+            high, above = x, True
+        new = high if value < 0.0 else low
+        if slope > 0.0:
+            new = x - value / slope
+        if below and above and (not low < new < high or abs(value) > 0.5 * abs(before) > 0.0):
+            new = 0.5 * (low + high)
+        before = value
+        new = min(max(new, low), high)
+        if new == x:
+            break
+        x = new
+    return x, value

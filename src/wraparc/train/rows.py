@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank
+from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.motors import TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, Train
@@ -109,18 +111,38 @@ class TrainRows:
         return np.asarray(ends + self.runs.sum(axis=1))
 
     @property
+    def lift(self) -> Array:
+        """M v^2 of the belt, 0 where its mass or its speed is not known, shape (n,) [N]."""
+        mass = np.full(len(self), self.train.belt.mass or 0.0)
+        return np.nan_to_num(centrifugal_force(mass, self.whole["belt_speed"]))
+
+    @property
+    def light_stiffness(self) -> Array:
+        """EA + m v^2, which goes with tensions above m v^2, shape (n,) [N]."""
+        return self.stiffness + self.lift
+
+    @property
+    def offsets(self) -> Array:
+        """Offset e of the tension member at every drum, 0 where not known, shape (drums,) [m]."""
+        belt = self.train.belt
+        return np.array([pitch_offset(belt, p.side) or 0.0 for p in self.train.pulleys])
+
+    @property
     def stiffness(self) -> Array:
         """EA of the belt, shape (n,) [N]."""
         return self.whole["belt_modulus"] * self.whole["belt_width"]
 
     def arcs(self) -> Arcs:
-        """Return their arcs, drum by drum of row by row, at the entry tension everywhere."""
+        """Return their arcs, drum by drum of row by row, at the entry tension everywhere.
+
+        Tensions are those above m v^2.
+        """
         n, count = len(self), len(self.names)
 
         def spread(value: Array) -> Array:
             return np.repeat(value, count)
 
-        entry = spread(self.whole["entry_tension"])
+        entry = spread(self.whole["entry_tension"] - self.lift)
         flat: dict[str, Any] = {
             name: self.drums[name].ravel()
             for name in (
@@ -128,6 +150,10 @@ class TrainRows:
                 "compression_modulus", "wear_coefficient", "overrun", "creep_limit",
             )
         }  # fmt: skip
+        covers = [
+            of_belt(self.train.belt, p.side, p.lagging.law)["cover_compliance"]
+            for p in self.train.pulleys
+        ]
         recovery = np.array([float(p.recovery) for p in self.train.pulleys])
         return Arcs(
             laws=self.bank,
@@ -138,6 +164,9 @@ class TrainRows:
             belt_modulus=spread(self.whole["belt_modulus"]),
             belt_speed=np.full(n * count, np.nan),
             recovery=np.tile(recovery, n),
+            pitch_offset=np.tile(self.offsets, n),
+            cover_compliance=np.tile(np.array(covers), n),
+            centrifugal_force=np.zeros(n * count),
             **flat,
         )
 

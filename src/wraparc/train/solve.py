@@ -7,8 +7,10 @@ from dataclasses import dataclass
 from math import exp, nan
 
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.arc.wrap_arc import of_belt
 from wraparc.drive import Pulley
 from wraparc.drive.load_case import exit_behind
+from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import BreakawayError, ConvergenceError, InputError, Problem
 from wraparc.train.locate import Located, away, locate
 from wraparc.train.member import Member, Passage
@@ -71,8 +73,8 @@ def solve_train(
         v_2/v_1 = (1 + T2/EA)(1 - g_1) / ((1 + T1/EA)(1 - g_2)),
 
     to first order v_2/v_1 - 1 = (g_2 - g_1) - (T1 - T2)/EA, with the entry tensions T1 and T2 and
-    the entry creep ratios g. Shafts turn at v/(R - delta), delta the compression of the lagging at
-    the entry.
+    the entry creep ratios g. Shafts turn at v/(R - delta + e), delta the compression of the lagging
+    at the entry, e the offset of the tension member.
     """
     solver = method or Distributed()
     result = TrainResult(train, tuple(solve_case(train, case, solver) for case in train.cases))
@@ -98,7 +100,8 @@ def solve_case(train: Train, case: TrainCase, method: Distributed) -> CaseResult
         return _reported(setup, method, setup.given_tensions(), None)
     softening = any(p.lagging.law.steepest_fall() < 0.0 for p in train.pulleys)
     located = locate(setup.system, [p.name for p in train.pulleys], softening)
-    pairs = [Pair(p.entry, p.exit) for p in located.passages]
+    lift = centrifugal_of(train.belt)
+    pairs = [Pair(p.entry + lift, p.exit + lift) for p in located.passages]
     if located.status.solved:
         pairs = rounded(pairs, case.exit_tension, setup.system.runs)
     elif located.status is TrainStatus.BREAKAWAY:
@@ -131,12 +134,12 @@ class Setup:
         train = train.in_case(case)
         arcs = [arc_of(train, case, p, (case.entry_tension,) * 2) for p in train.pulleys]
         lines, reference = _lines(train, case)
-        count = len(arcs)
+        count, lift = len(arcs), centrifugal_of(train.belt)
         system = System(
             members=tuple(Member.of(arc) for arc in arcs),
             lines=lines,
-            entry=case.entry_tension,
-            exit=case.exit_tension,
+            entry=case.entry_tension - lift,
+            exit=case.exit_tension - lift,
             runs=(*(case.run(i) for i in range(count - 1)), 0.0),
         )
         return cls(train, case, system, reference)
@@ -171,6 +174,7 @@ def arc_of(
     lagging = pulley.lagging
     return WrapArc(
         law=lagging.law,
+        **of_belt(train.belt, pulley.side, lagging.law),
         entry_tension=tensions[0],
         exit_tension=exit_behind(*tensions),
         diameter=pulley.diameter,
@@ -193,8 +197,9 @@ def arc_of(
 def _lines(train: Train, case: TrainCase) -> tuple[tuple[Line, ...], float]:
     """Return what turns each drum, and the reference speed."""
     division, pulleys = case.division, train.pulleys
+    radii = [p.radius + (pitch_offset(train.belt, p.side) or 0.0) for p in pulleys]
     if isinstance(division, Speeds):
-        speeds, radii = division.rotation_speeds, [p.radius for p in pulleys]
+        speeds = division.rotation_speeds
         lines = tuple(Line(speed=at) for at in held_speeds(speeds, radii))
         return lines, (surface_of_first(speeds, radii) if division.absolute else nan)
     if not isinstance(division, Motors):
@@ -205,7 +210,7 @@ def _lines(train: Train, case: TrainCase) -> tuple[tuple[Line, ...], float]:
         [m if isinstance(m, Motor) else None for m in division.motors],
         [names.index(name) if name else -1 for name in follows],
         [m.ratio if isinstance(m, TorqueFollower) else 1.0 for m in division.motors],
-        [p.radius for p in pulleys],
+        radii,
     )
     return tuple(found.lines), found.reference
 
@@ -218,10 +223,11 @@ def _reported(
 ) -> CaseResult:
     """Solve the arcs for their tensions and put everything together."""
     train, case, system = setup.train, setup.case, setup.system
-    stretch = train.belt.axial_stiffness
+    stretch, lift = train.belt.axial_stiffness, centrifugal_of(train.belt)
     at_first = train.belt.speed or nan
     if located is not None and setup.reference == setup.reference:
-        at_first = setup.reference * exp(-located.level) * (1.0 + pairs[0][0] / stretch)
+        light = 1.0 + (pairs[0][0] - lift) / (stretch + lift)
+        at_first = setup.reference * exp(-located.level) * light
     speeds = [at_first * (1.0 + a / stretch) / (1.0 + pairs[0][0] / stretch) for a, _ in pairs]
     arcs = [
         method.solve(arc_of(train, case, p, pair, v if v == v else None))
@@ -239,6 +245,7 @@ def _reported(
             creep_ratio=arc.entry_creep_ratio,
             radius=arc.arc.radius,
             compression=arc.arc.compression,
+            offset=arc.arc.offset,
             nominal=nominal,
         )
         for arc, nominal in zip(arcs, train.nominal, strict=True)
@@ -271,7 +278,7 @@ def _reported(
         tension_error=_tension_error(setup, arcs) if not located or located.settled else nan,
         speed_error=0.0
         if located is None
-        else speed_error(system, nips, torques, located.level)
+        else speed_error(system, nips, torques, located.level, lift)
         if settled
         else nan,
     )
@@ -300,18 +307,15 @@ def _sensitivity(
 ) -> tuple[tuple[float, ...], ...]:
     passages: list[Passage | None] = [None] * len(arcs)
     if all(a.status.solved for a in arcs):
-        passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]
+        passages = [
+            member.at(
+                arc.entry_tension - arc.arc.centrifugal,
+                arc.exit_tension - arc.arc.centrifugal,
+                arc.exit_creep,
+            )
+            for member, arc in zip(system.members, arcs, strict=True)
+        ]
     return tuple(tuple(row) for row in sensitivity(system, located, passages))
-
-
-def _passage(member: Member, arc: ArcResult) -> Passage | None:
-    if member.holds:
-        return member.between(arc.entry_tension, arc.exit_tension)
-    g = arc.entry_creep_ratio
-    effort = member.effort_at(g)
-    return Passage(
-        arc.entry_tension, arc.exit_tension, effort, g, arc.exit_creep, arc.exit_slip, False
-    )
 
 
 def _tension_error(setup: Setup, arcs: Sequence[ArcResult]) -> float:

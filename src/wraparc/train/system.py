@@ -13,22 +13,21 @@ whatever the number of pulleys.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from math import asinh, expm1, inf, isnan, log, log1p, nan, sinh
+from math import asinh, cosh, inf, isnan, log, log1p, nan, sinh
+from typing import NamedTuple
 
-from wraparc.arc.kernel.effort import CREEP_SCALE, largest_effort
-from wraparc.train.member import COARSE, Member, Passage
+from wraparc.train.member import COARSE, LARGEST_RATIO, Member, Passage
 from wraparc.train.motors import Motor
-from wraparc.train.roots import bracketed_root, rising_root
+from wraparc.train.roots import rising_root, sloped_root
 
-#: Largest entry creep ratio that is considered, either way.
-LARGEST_RATIO = 0.5
 _LEVEL_SCALE = 1e-5
 _LEVEL_END = asinh(LARGEST_RATIO / _LEVEL_SCALE)
 _SCAN = 18
-_TURNED = 1e-9  # miss of a drum that gives way, in a search
+_TURNED = 1e-9  # miss of the speed of a drum, in a search
+_FIRST_RATIO = 1.5e-3  # first guess of an entry creep ratio
+_TIP, _TIP_STEPS = 1e-4, 12  # of search variable: how near a turn of the curve is found, in steps
 
 
 @dataclass(frozen=True)
@@ -119,17 +118,74 @@ class System:
             left += self.corrections[i]
         return left - line.log_speed(self.torque(i, at.entry, at.exit)) - level
 
+    def speed_slopes(self, i: int, at: Passage) -> tuple[float, float]:
+        """Slopes of `speed_miss` by the entry tension [1/N] and by the place [1/m]."""
+        member, slopes = self.members[i], at.slopes
+        arm, leaves = member.arm(at.entry), 1.0 - min(at.ratio, 0.99)
+        by_torque = self.lines[i].log_speed_slope(self.torque(i, at.entry, at.exit))
+        torque_by_entry = (1.0 - slopes.exit_by_entry) * arm - (at.entry - at.exit) * member.squeeze
+        by_entry = slopes.ratio_by_entry / leaves + member.stretch_slope(at.entry)
+        return (
+            by_entry - by_torque * torque_by_entry,
+            slopes.ratio_by_place / leaves + by_torque * slopes.exit_by_place * arm,
+        )
+
+
+def mean_level(system: System) -> float:
+    """Level at which the drives together creep about nothing."""
+    tension, share = 0.5 * (system.entry + system.exit), system.pull / len(system.members)
+    levels = [
+        member.stretch_log(tension) - line.log_speed(share * member.arm(system.entry))
+        for member, line in zip(system.members, system.lines, strict=True)
+        if not line.follows
+    ]
+    return sum(levels) / len(levels)
+
+
+def first_place(system: System, i: int) -> float:
+    """Where a pulley may be, before anything is known [m]."""
+    member = system.members[i]
+    place = member.place_of(_FIRST_RATIO * member.length)
+    return place if system.pull >= 0.0 else -place
+
+
+def guessed(system: System) -> tuple[list[Passage], float]:
+    """Passages of a train of which nothing is known but their places, and a level."""
+    places = [first_place(system, i) for i in range(len(system.members))]
+    return [Passage(system.entry, system.exit, x) for x in places], mean_level(system)
+
+
+class Followed(NamedTuple):
+    """The belt followed at a level.
+
+    Attributes
+    ----------
+    passages
+        One for each pulley.
+    by_level
+        Slope of the last exit tension by the level [N].
+    """
+
+    passages: list[Passage]
+    by_level: float
+
+
+class Node(NamedTuple):
+    """A place of the curve that a search goes along: w, the miss there and its slope [-]."""
+
+    w: float
+    miss: float
+    slope: float
+
 
 class Search:
     """Follows the belt at one level after the other, each time starting from the last answers."""
 
-    def __init__(self, system: System, steps: int = COARSE) -> None:
+    def __init__(self, system: System, tol: float = COARSE) -> None:
         self._system = system
-        self._steps = steps
-        count = len(system.members)
-        self._efforts = [nan] * count
-        self._slopes = [0.0] * count  # of the speed equations, by effort
-        share = system.pull / count
+        self._tol = tol
+        self._last: list[Passage | None] = [None for _ in system.members]
+        share = system.pull / len(system.members)
         self._torques = [share * member.arm(system.entry) for member in system.members]
         leads = [
             line.master for i, line in enumerate(system.lines) if line.follows and i < line.master
@@ -137,91 +193,67 @@ class Search:
         self._early = [
             lead for i, lead in enumerate(leads) if not any(lead == other for other in leads[:i])
         ]
-        self._center = self._mean_level()
+        self._center = mean_level(system)
         self._w = nan  # search variable found last
-
-    def _mean_level(self) -> float:
-        """Level at which the drives together creep about nothing."""
-        system = self._system
-        tension = 0.5 * (system.entry + system.exit)
-        levels = [
-            member.stretch_log(tension) - line.log_speed(torque)
-            for member, line, torque in zip(
-                system.members, system.lines, self._torques, strict=True
-            )
-            if not line.follows
-        ]
-        return sum(levels) / len(levels)
 
     def level(self, w: float) -> float:
         """Level of the search variable w."""
         return self._center + _LEVEL_SCALE * sinh(w)
 
-    def follow(self, level: float) -> list[Passage]:
+    def follow(self, level: float) -> Followed:
         """Send the belt over all pulleys at a level."""
-        system, entry = self._system, self._system.entry
+        system, entry, rise = self._system, self._system.entry, 0.0
         passages: list[Passage] = []
+        torques: list[float] = []  # slopes by the level
         for i, (line, run) in enumerate(zip(system.lines, system.runs, strict=True)):
+            member = system.members[i]
+            arm = member.arm(entry)
             if line.follows:
-                lead = line.master
-                torque = self._torques[lead]
+                lead, torque, turns = line.master, self._torques[line.master], 0.0
                 if lead < i:
                     torque = system.torque(lead, passages[lead].entry, passages[lead].exit)
-                pull = line.ratio * torque / system.members[i].arm(entry)
+                    turns = torques[lead]
                 # how it creeps does not matter here
-                out = max(entry - pull, 1e-6 * entry)
-                passages.append(Passage(entry, out, nan, nan, nan, nan, False))
+                out = max(entry - line.ratio * torque / arm, 1e-6 * entry)
+                at, grows = Passage(entry, out), rise - line.ratio * turns / arm
             else:
-                passages.append(self._turned(i, entry, level))
-            entry = max(passages[-1].exit + run, 1e-6 * system.entry)
-        return passages
+                at = self._turned(i, entry, level)
+                by_entry, by_place = system.speed_slopes(i, at)
+                moved = (1.0 - by_entry * rise) / by_place if by_place > 0.0 else 0.0
+                grows = at.slopes.exit_by_entry * rise + at.slopes.exit_by_place * moved
+                self._last[i] = at
+            torques.append((rise - grows) * arm - (entry - at.exit) * member.squeeze * rise)
+            passages.append(at)
+            entry, rise = max(at.exit + run, 1e-6 * system.entry), grows
+        return Followed(passages, rise)
 
     def _turned(self, i: int, entry: float, level: float) -> Passage:
         """Return a pulley whose speed is known, perhaps as a function of its torque."""
-        system, member, line = self._system, self._system.members[i], self._system.lines[i]
-        if line.motor is None and line.give == 0.0 and not member.holds:
-            ratio = -expm1(member.stretch_log(entry) - line.speed - level)
-            ratio = min(max(ratio, -LARGEST_RATIO), LARGEST_RATIO)
-            return member.passage(entry, member.effort_at(ratio), self._steps)
-        found: list[tuple[float, Passage]] = []
-        steps = self._steps
+        system, member, last = self._system, self._system.members[i], self._last[i]
+        end = member.largest_place
+        found: list[Passage] = [] if last is None else [last]
 
-        def miss(effort: float) -> float:
-            at = member.passage(entry, effort, steps)
-            found.append((effort, at))
-            return system.speed_miss(i, at, level)
+        def miss(place: float) -> tuple[float, float]:
+            near = found[len(found) - 1].met if len(found) > 0 else None
+            at = member.passage(entry, place, near, self._tol)
+            found.append(at)
+            return system.speed_miss(i, at, level), system.speed_slopes(i, at)[1]
 
-        end = self._largest_effort(i, entry)
-        guess = self._efforts[i]
-        if isnan(guess):
-            guess = 0.5 if member.holds else member.effort_at(1e-3)
-            guess = guess if system.pull >= 0.0 else -guess
-        effort, _ = rising_root(miss, guess, 0.3, -end, end, _TURNED, self._slopes[i])
-        self._efforts[i] = effort
-        self._slopes[i] = self._slope(i, [at for _, at in found[-2:]], level)
-        return next((at for tried, at in found if tried == effort), found[-1][1])
+        if last is None:
+            place = first_place(system, i)
+        else:
+            by_entry, by_place = system.speed_slopes(i, last)
+            short = system.speed_miss(i, last, level) + by_entry * (entry - last.entry)
+            place = last.place - short / by_place if by_place > 0.0 else last.place
+        sloped_root(miss, place, -end, end, _TURNED)
+        return found[len(found) - 1]
 
-    def _slope(self, i: int, two: list[Passage], level: float) -> float:
-        """Slope of a speed equation by effort between two passages, 0 where it cannot be told."""
-        if len(two) < 2 or two[0].effort == two[1].effort:
-            return 0.0
-        a = self._system.speed_miss(i, two[0], level)
-        b = self._system.speed_miss(i, two[1], level)
-        return max((b - a) / (two[1].effort - two[0].effort), 0.0)
-
-    def _largest_effort(self, i: int, entry: float) -> float:
-        member = self._system.members[i]
-        if not member.holds:
-            return member.effort_at(LARGEST_RATIO)
-        par = member.parameters(entry, 1.0)
-        top = largest_effort(member.law, par)
-        if member.rests:
-            return 1.0 + LARGEST_RATIO * par.length / CREEP_SCALE
-        return 1.0 + top
-
-    def miss(self, w: float) -> float:
+    def miss(self, w: float) -> Node:
         """ln(given / reached exit tension): rises with the level."""
-        return log(self._system.exit / self.follow(self.level(w))[-1].exit)
+        found = self.follow(self.level(w))
+        last = found.passages[len(found.passages) - 1].exit
+        slope = -found.by_level / last * _LEVEL_SCALE * cosh(w)
+        return Node(w, log(self._system.exit / last), slope)
 
     def solution(self, tolerance: float = 1e-5) -> tuple[float, float]:
         """Search variable of the solution, and the miss there (not small: there is none)."""
@@ -248,23 +280,23 @@ class Search:
     def _solution(self, tolerance: float) -> tuple[float, float]:
         guess = self._w
         if isnan(guess):
-            guess = asinh(1.5e-3 / _LEVEL_SCALE)
+            guess = asinh(_FIRST_RATIO / _LEVEL_SCALE)
             guess = guess if self._system.pull >= 0.0 else -guess
-        w, miss = rising_root(self._of_level(), guess, 0.3, -_LEVEL_END, _LEVEL_END, tolerance)
-        self._w = w
-        return w, miss
+        self._w, miss = self._root(guess, -_LEVEL_END, _LEVEL_END, tolerance)
+        return self._w, miss
 
-    def _of_level(self) -> Callable[[float], float]:
-        def miss(w: float) -> float:
-            return self.miss(w)
+    def _root(self, w: float, low: float, high: float, tolerance: float) -> tuple[float, float]:
+        def miss(x: float) -> tuple[float, float]:
+            at = self.miss(x)
+            return at.miss, at.slope
 
-        return miss
+        return sloped_root(miss, w, low, high, tolerance)
 
     def _torque_miss(self, lead: int, tolerance: float, torque: float) -> float:
         """Assumed less found torque of a drive that another one ahead of it follows [N m]."""
         self._torques[lead] = torque
         w, _ = self._solution(tolerance)
-        at = self.follow(self.level(w))[lead]
+        at = self.follow(self.level(w)).passages[lead]
         return torque - self._system.torque(lead, at.entry, at.exit)
 
     def all_solutions(self, tolerance: float = 1e-6) -> list[float]:
@@ -274,48 +306,62 @@ class Search:
         """
         if len(self._early) > 0:
             self.solution(tolerance)
-        points = [(w, self.miss(w)) for w in self._nodes()]
-        for (a, fa), (b, fb), (c, fc) in zip(points[:-2], points[1:-1], points[2:], strict=True):
-            if abs(fb) < min(abs(fa), abs(fc)) and (fa > 0.0) == (fb > 0.0) == (fc > 0.0):
-                points.append(self._tip(a, (b, fb), c))
-        miss = self._of_level()
-        return [
-            bracketed_root(miss, a, fa, b, fb, tolerance)[0]
-            for (a, fa), (b, fb) in pairwise(sorted(points, key=lambda point: point[0]))
-            if (fa < 0.0) != (fb < 0.0)
-        ]
+        nodes = [self.miss(w) for w in self._levels()]
+        tips = [self._tip(a, b) for a, b in pairwise(nodes) if _turns(a, b)]
+        nodes = sorted([*nodes, *tips], key=lambda node: node.w)
+        found = []
+        for a, b in pairwise(nodes):
+            if (a.miss < 0.0) != (b.miss < 0.0):
+                found.append(self._crossing(a, b, tolerance))
+        return found
 
-    def _nodes(self) -> list[float]:
+    def _crossing(self, a: Node, b: Node, tolerance: float) -> float:
+        """Where the curve crosses zero between two nodes, either way."""
+        way = 1.0 if a.miss < 0.0 else -1.0
+
+        def miss(w: float) -> tuple[float, float]:
+            at = self.miss(w)
+            return way * at.miss, way * at.slope
+
+        share = a.miss / (a.miss - b.miss)
+        return sloped_root(miss, a.w + share * (b.w - a.w), a.w, b.w, tolerance)[0]
+
+    def _levels(self) -> list[float]:
         """Levels to look at, from that of no creep towards more pull, and beyond it if needed."""
         sign = 1.0 if self._system.pull >= 0.0 else -1.0
         nodes = [sign * _LEVEL_END * k / _SCAN for k in range(_SCAN + 1)]
-        if sign * self.miss(0.0) > 0.0:
+        if sign * self.miss(0.0).miss > 0.0:
             nodes = [*nodes, *[-w for w in nodes[1:]]]
         return sorted(nodes)
 
-    def _tip(self, a: float, at: tuple[float, float], c: float) -> tuple[float, float]:
-        """Where the curve comes nearest to zero between a and c, or has crossed it."""
-        for _ in range(40):
-            b, fb = at
-            w = 0.62 * b + 0.38 * (a if b - a > c - b else c)
-            f = self.miss(w)
-            if (f > 0.0) != (fb > 0.0):
-                return w, f
-            if abs(f) < abs(fb):
-                a, c = (b, c) if w > b else (a, b)
-                at = w, f
-            else:
-                a, c = (a, w) if w > b else (w, c)
-            if c - a < 1e-4:
+    def _tip(self, a: Node, b: Node) -> Node:
+        """Where the curve comes nearest to zero between a and b, or has crossed it."""
+        way = 1.0 if a.miss > 0.0 else -1.0
+        best = a if way * a.miss < way * b.miss else b
+        for _ in range(_TIP_STEPS):
+            at = self.miss((a.w * b.slope - b.w * a.slope) / (b.slope - a.slope))
+            if way * at.miss < way * best.miss:
+                best = at
+            if way * at.miss < 0.0 or b.w - a.w < _TIP:
                 break
-        return at
+            if way * at.slope < 0.0:
+                a = at
+            else:
+                b = at
+        return best
 
     def strongest(self) -> float:
         """Search variable of the level at which the train pulls (or brakes) most."""
         sign = 1.0 if self._system.pull >= 0.0 else -1.0
         best, best_value = 0.0, -inf
-        for w in sorted(self._nodes(), key=abs):
-            value = sign * self.miss(w)
+        for w in sorted(self._levels(), key=abs):
+            value = sign * self.miss(w).miss
             if sign * w >= 0.0 and value > best_value + 1e-9:
                 best, best_value = w, value
         return best
+
+
+def _turns(a: Node, b: Node) -> bool:
+    """Whether the curve turns between two nodes on one side of zero, towards it and away."""
+    way = 1.0 if a.miss > 0.0 else -1.0
+    return way * b.miss > 0.0 and way * a.slope < 0.0 < way * b.slope

@@ -25,7 +25,7 @@ from wraparc.drive import (
     laggings_of,
     repeated,
 )
-from wraparc.drive.drive import named
+from wraparc.drive.drive import flying_problems, named, side_problems
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
 from wraparc.train.motors import Motor, TorqueFollower
@@ -211,6 +211,9 @@ class Train:
         for case in self.cases:
             problems += _case_problems(case, names)
             problems += condition_problems(case.name, case.condition, self.pulleys)
+            least = min(case.entry_tension, case.exit_tension)
+            problems += flying_problems(self.belt, f"load_case.{case.name}", least)
+        problems += side_problems(self.belt, self.pulleys)
         raise_all(problems)
 
     @classmethod

@@ -7,6 +7,7 @@ from dataclasses import replace
 from math import log, log1p, nan
 from typing import NamedTuple
 
+from wraparc.drive.pitch import pitch_radius
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located
 from wraparc.train.member import Passage
@@ -63,6 +64,7 @@ class Nip(NamedTuple):
     creep_ratio: float  # g [-]
     radius: float  # over the unloaded lagging [m]
     compression: float  # of the lagging [m]
+    offset: float  # of the tension member over the lagging [m]
     nominal: float  # nominal diameter [m]
 
 
@@ -74,6 +76,7 @@ class Turning(NamedTuple):
     contraction_term: float
     creep_term: float
     compression_term: float
+    thickness_term: float
     drum_ratio: float
     surface_speed: float
     rotation_speed: float
@@ -99,7 +102,8 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     a, a1, g, g1 = at.entry, first.entry, at.creep_ratio, first.creep_ratio
     leaves = 1.0 - g if g < 1.0 else nan  # a drum that slides as much as it can moves no belt
     ratio = (1.0 + a / stiffness) * (1.0 - g1) / ((1.0 + a1 / stiffness) * leaves)
-    arm, arm1 = at.radius - at.compression, first.radius - first.compression
+    arm = pitch_radius(at.radius, at.compression, at.offset)
+    arm1 = pitch_radius(first.radius, first.compression, first.offset)
     surface = belt_speed / leaves
     pull = at.pull if g == g else nan  # what slides carries nothing that is known
     return Turning(
@@ -108,6 +112,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
         contraction_term=(a - a1) / stiffness,
         creep_term=g - g1,
         compression_term=at.compression / at.radius - first.compression / first.radius,
+        thickness_term=first.offset / first.radius - at.offset / at.radius,
         drum_ratio=ratio * arm1 / arm * at.radius / first.radius,
         surface_speed=surface,
         rotation_speed=surface / arm,
@@ -142,7 +147,7 @@ def motor_point(motor: Motor, torque: float, rotation: float) -> MotorPoint:
 
 
 def surface_of_first(speeds: Sequence[float], radii: Sequence[float]) -> float:
-    """Return the surface speed of the first drum, without compression [m/s]."""
+    """Return the speed of the first drum at R + e, without compression [m/s]."""
     return speeds[0] * radii[0]
 
 
@@ -174,7 +179,7 @@ def driven(
     masters, ratios
         Which drum it follows (-1 for none), and the ratio of torques [-].
     radii
-        Of the drums [m].
+        R + e of the drums [m].
     """
     speeds = [
         motor.drum_speed(0.0) * radius
@@ -258,15 +263,16 @@ def tension_error(
 
 
 def speed_error(
-    system: System, nips: Sequence[Nip], torques: Sequence[float], level: float
+    system: System, nips: Sequence[Nip], torques: Sequence[float], level: float, lift: float
 ) -> float:
-    """Largest miss of the speeds or torques asked for, from the arcs alone [-]."""
+    """Largest miss of the speeds or torques asked for, from the arcs alone [-]; lift is m v^2."""
     misses = []
     for i, line in enumerate(system.lines):
         if line.follows:
             asked = line.ratio * torques[line.master]
             misses.append(abs(torques[i] - asked) / system.torque_scale)
         else:
-            left = -log1p(-nips[i].creep_ratio) + system.members[i].stretch_log(nips[i].entry)
+            entry = nips[i].entry - lift
+            left = -log1p(-nips[i].creep_ratio) + system.members[i].stretch_log(entry)
             misses.append(abs(left - line.log_speed(torques[i]) - level))
     return max(misses)

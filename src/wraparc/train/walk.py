@@ -126,14 +126,13 @@ class Walk:
         state = self._past[-1][1]
         weights = _extrapolation([at for at, _ in self._past], value)
         old = [past for _, past in self._past]
-        efforts = [
-            sum(w * s.passages[i].effort for w, s in zip(weights, old, strict=True))
+        places = [
+            sum(w * s.passages[i].place for w, s in zip(weights, old, strict=True))
             for i in range(len(state.passages))
         ]
         level = sum(w * s.level for w, s in zip(weights, old, strict=True))
-        passages = [replace(p, effort=e) for p, e in zip(state.passages, efforts, strict=True)]
-        near = None if self._softening else state
-        return settle(system, passages, level, steps=SHARP, near=near, tolerance=_TOLERANCE)
+        passages = [replace(p, place=x) for p, x in zip(state.passages, places, strict=True)]
+        return settle(system, passages, level, SHARP, _TOLERANCE)
 
     def shares(self, state: Settled, value: float) -> list[float]:
         """Shares of a state [-]."""

@@ -22,6 +22,7 @@ from wraparc.arc.summary import (
     columns_of,
     geometry_of,
     kicked_loose,
+    pressure_of,
     solved_arc,
     stretches_outside,
     summary_of,
@@ -41,7 +42,6 @@ from wraparc.checks.numbers import (
     rise_alone,
     steepest,
     usual_sizes,
-    wrap_pressure_of,
 )
 from wraparc.checks.sliding import (
     NOT_CARRIED,
@@ -60,6 +60,7 @@ from wraparc.drive.load_case import (
     pull_of_torque,
     resultant,
 )
+from wraparc.drive.pitch import centrifugal_force
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -85,6 +86,10 @@ class Given(NamedTuple):
     wear_coefficient: float
     creep_limit: float
     steepest_fall: float
+    pitch_offset: float
+    cover_compliance: float
+    mass: float
+    slip_with_shear: bool
 
 
 def described(given: Given) -> tuple[float, float]:
@@ -171,7 +176,17 @@ def description_of(given: Given) -> Description:
         recovery=given.recovery,
         belt_speed=given.speed,
         wear_coefficient=given.wear_coefficient,
+        shear_compliance=(0.0 if given.slip_with_shear else given.thickness / given.shear_modulus)
+        + given.cover_compliance,
+        pitch_offset=given.pitch_offset,
+        centrifugal=lift_of(given),
     )
+
+
+def lift_of(given: Given) -> float:
+    """M v^2 of a belt [N]; 0 where its mass or its speed is not known."""
+    force = centrifugal_force(given.mass, given.speed)
+    return force if force == force else 0.0
 
 
 def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
@@ -179,8 +194,10 @@ def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
     entry, leaving = arc.entry_tension, arc.exit_tension
     if not (min(entry, leaving) >= LEAST_TENSION and max(entry, leaving) <= MOST_TENSION):
         return True
+    if arc.centrifugal >= min(entry, leaving):
+        return True
     geometry = geometry_of(arc, law.onset_compliance)
-    pressure = 2.0 * entry / (arc.width * arc.diameter)
+    pressure = pressure_of(arc, entry)
     return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
 
 
@@ -190,7 +207,8 @@ def load_of(given: Given, arc: Description, tested: TestedRange | None) -> Load:
     if tested is not None:
         low, high, slip = tested.pressure_min, tested.pressure_max, tested.slip_max
     limit, fall = given.creep_limit, given.steepest_fall
-    return Load(arc.entry_tension, arc.exit_tension, limit, low, high, slip, fall)
+    lift = arc.centrifugal
+    return Load(arc.entry_tension - lift, arc.exit_tension - lift, limit, low, high, slip, fall)
 
 
 def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int) -> Quick | None:
@@ -274,7 +292,7 @@ def judged(
     solved = found.outcome == SOLVED
     limits = limits_of(given, arc, tested, criteria)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
-    tight, slack = max(entry, leaving), min(entry, leaving)
+    tight, slack = max(entry, leaving) - arc.centrifugal, min(entry, leaving) - arc.centrifugal
     sliding = pull_at_sliding(loaded, Line(tight, slack, others.tight_rise, others.slack_rise))
     if sliding.place != sliding.place:
         return None
@@ -284,16 +302,16 @@ def judged(
         creep=abs(summary.exit_creep),
         belt_tension=max(entry, leaving),
         momentary_tension=max(entry, leaving),
-        face_pressure=wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+        face_pressure=pressure_of(arc, max(entry, leaving)),
         bond_stress=summary.peak_shear_stress,
         fatigue_stress=summary.peak_shear_stress,
-        tested_pressure_max=wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
-        tested_pressure_min=wrap_pressure_of(min(entry, leaving), arc.width, arc.diameter),
+        tested_pressure_max=pressure_of(arc, max(entry, leaving)),
+        tested_pressure_min=pressure_of(arc, min(entry, leaving)),
         tested_slip=largest(profile.slip, count),
         tested_slip_speed=arc.belt_speed
         * steepest(
-            profile.position, profile.slip, count, geometry.radius,
-            geometry.radius * arc.wrap_angle,
+            profile.position, profile.slip, count, 0.5 * arc.diameter,
+            0.5 * arc.diameter * arc.wrap_angle,
         ),
         balance=balance_miss(
             summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
@@ -307,11 +325,11 @@ def judged(
     return Judged(
         solved,
         summary,
-        capacity_numbers(entry, leaving, arc.wrap_angle, carried),
+        capacity_numbers(arc, carried),
         values,
         limits,
         others.held,
-        asked_of(loaded, arc, carried.least_slack, limits, given, criteria.safety, others),
+        asked_of(loaded, arc, carried.least_slack + arc.centrifugal, limits, given, criteria.safety, others),
         resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
@@ -340,20 +358,20 @@ def asked_of(
     """What the checks of an arc ask of the take-up, its pull held."""
     entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
     tight, slack = max(entry, leaving), min(entry, leaving)
-    area = arc.width * (0.5 * arc.diameter)
-    top = highest_tight(limits.tested_pressure_max, area, tight)
-    of, by_slip = Pull(abs(entry - leaving), tight, top), nan
+    area, lift = arc.width * (0.5 * arc.diameter), arc.centrifugal
+    top = highest_tight(limits.tested_pressure_max, area, tight - lift)
+    of, by_slip = Pull(abs(entry - leaving), tight - lift, top), nan
     if limits.tested_slip < given.creep_limit:
-        by_slip = least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
+        by_slip = lift + least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
     lift = lift_for_safety(loaded, factor, among.tight_rise)
     return Asked(
         creep=end - slack + (least if least == least else inf),
         tested_slip=end - slack + by_slip,
         design_standard=end - slack + limits.design_standard,
         gross_slip=end + (lift if lift == lift else inf),
-        tested_pressure_min=end - slack + limits.tested_pressure_min * area,
-        tested_pressure_max=end - tight + limits.tested_pressure_max * area,
-        face_pressure=end - tight + limits.face_pressure * area,
+        tested_pressure_min=end - slack + limits.tested_pressure_min * area + lift,
+        tested_pressure_max=end - tight + limits.tested_pressure_max * area + lift,
+        face_pressure=end - tight + limits.face_pressure * area + lift,
         belt_tension=end - tight + limits.belt_tension,
         sag=limits.sag + end - among.slack_end,
         given=end,

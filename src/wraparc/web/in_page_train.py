@@ -72,7 +72,8 @@ def member_of(law: CompactLaw, given: Given) -> Member:
     arc = description_of(given)
     squeeze = 2.0 * (arc.thickness / arc.compression_modulus) / (arc.width * arc.diameter)
     geometry = geometry_of(arc, law.onset_compliance)
-    return Member(law, geometry, 0.5 * arc.diameter, 1.0 / arc.axial_stiffness, squeeze)
+    stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
+    return Member(law, geometry, 0.5 * arc.diameter + arc.pitch_offset, stretch, squeeze)
 
 
 class Divided(NamedTuple):
@@ -174,7 +175,10 @@ def told(
     stuck = [i for i, arc in enumerate(arcs) if not arc.solved or i in fallen]
     passages: list[Passage | None] = [None for _ in arcs]
     if len(stuck) == 0:
-        passages = [_passage(m, arc) for m, arc in zip(system.members, arcs, strict=True)]
+        passages = [
+            m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep)
+            for m, arc in zip(system.members, arcs, strict=True)
+        ]
     torques = [at.drum_torque for at in turnings]
     tension_miss = nan
     if len(stuck) == 0 and (located is None or located.settled is not None):
@@ -228,15 +232,6 @@ def _nip(member: Member, arc: Quick, nominal: float) -> Nip:
         compression=member.squeeze * found.entry_tension,
         nominal=nominal,
     )
-
-
-def _passage(member: Member, arc: Quick) -> Passage | None:
-    found = arc.summary
-    entry, leaving, g = found.entry_tension, found.exit_tension, found.entry_creep_ratio
-    if member.holds:
-        return member.between(entry, leaving)
-    creep, slip = found.exit_creep, found.exit_slip
-    return Passage(entry, leaving, member.effort_at(g), g, creep, slip, False)
 
 
 def among(pairs: Sequence[Pair], index: int, fixed: bool, after: int) -> Among:

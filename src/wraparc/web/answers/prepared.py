@@ -104,6 +104,9 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
         "modulus": drive.belt.modulus,
         "speed": math.nan if drive.belt.speed is None else drive.belt.speed,
         "creep_limit": arc.creep_limit,
+        "cover_compliance": arc.cover_compliance,
+        "mass": math.nan if drive.belt.mass is None else drive.belt.mass,
+        "slip_with_shear": float(arc.slip_with_shear),
         "steepest_fall": arc.law.steepest_fall(),
     }
     inputs = list(_inputs(document, drive, pulley, case, tensions))

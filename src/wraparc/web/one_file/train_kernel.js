@@ -2,21 +2,37 @@
 // Made from the Python source by `make kernel`: change that, not this.
 import {
   Among,
-  Range,
+  Course,
+  Ends,
+  Guess,
+  Met,
+  Pulls,
+  Slopes,
   answer__operating_point,
-  compact__branch_of,
-  compact__cell_of,
-  compact__friction_at,
-  compact__peak,
-  compact__plateau_at,
-  compact__segment_of,
-  compact__tail,
+  capacity__stress_about,
+  collocation__compliance_of,
+  collocation__converged,
+  collocation__entry_of_rest,
+  collocation__lag_length,
+  collocation__meshed,
+  collocation__misfits,
+  collocation__overrun_at,
+  collocation__start_at,
   in_page__description_of,
+  meet__by_growth,
+  meet__interface,
+  meet__meet,
   numbers__idles,
   numbers__usual,
-  profile__read,
+  profile__entry_ratio,
+  profile__traction_of,
+  pulls__families,
+  pulls__overridden,
+  pulls__pull_given,
+  pulls__pulls,
   quantities__jumps,
   summary__geometry_of,
+  traction__held_stress,
 } from "../static/kernel.js";
 import { display, term } from "./told.js";
 const max = (a, b) => (b > a ? b : a);
@@ -50,6 +66,17 @@ const $text = (x) => {
   return x;
 };
 
+export class Pair {
+  constructor(entry, exit) {
+    this.entry = entry;
+    this.exit = exit;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.exit;
+  }
+}
+
 export class Member {
   constructor(law, geometry, radius, stretch, squeeze) {
     this.law = law;
@@ -61,116 +88,89 @@ export class Member {
   get holds() {
     return quantities__jumps(this.law);
   }
+  get length() {
+    return this.geometry.radius * this.geometry.wrap_angle;
+  }
   arm(entry) {
     return this.radius - this.squeeze * entry;
   }
   stretch_log(entry) {
     return Math.log1p(entry * this.stretch) - Math.log1p((-this.squeeze * entry) / this.radius);
   }
-  stretch_slope(entry) {
-    return this.stretch / (1.0 + entry * this.stretch) + this.squeeze / this.arm(entry);
+  rises(at) {
+    return at.slopes.exit_by_place * this.length < -_LEAST_RISE * at.exit;
   }
-  effort_at(ratio) {
-    return Math.asinh(ratio / RATIO_SCALE);
+  place_of(creep) {
+    return this.rests ? copysign(Math.sqrt(Math.abs(creep) * REST_SCALE), creep) : creep;
   }
-  passage(entry, effort, steps) {
-    let gone, par, z;
-    let side = effort >= 0.0 ? 1.0 : -1.0;
-    if (this.holds) {
-      par = this.parameters(entry, side);
-      z = Math.abs(effort) - (this.rests ? 0.0 : 1.0);
-      z = min(z, effort__largest_effort(this.law, par));
-    } else {
-      effort = min(max(effort, -_LARGEST_EFFORT), _LARGEST_EFFORT);
-      if (this.parameters(entry, 1.0).kick !== 0.0) {
-        side = 1.0;
-      }
-      par = this.parameters(entry, side);
-      z = effort__effort_of(par, RATIO_SCALE * Math.sinh(effort));
+  passage(entry, place, near, tol) {
+    let found, slopes;
+    let arc = this._driven(place >= 0.0);
+    if (!this.rests) {
+      found = passage__passed(this.law, arc, entry, place, near, tol);
+      return this._told(arc, entry, place, place, 1.0, found);
     }
-    let shot = effort__shoot_from(this.law, par, z, steps);
-    if (!Number.isFinite(shot.log_tension)) {
-      gone = copysign(_BEYOND, effort);
-      return new Passage(entry, entry * Math.exp(-gone), effort, 0.01 * gone, gone, gone, false);
+    let fall = passage__slide_slope(this.law, arc, entry) / Math.sqrt(REST_SCALE);
+    let creep = (place * Math.abs(place)) / REST_SCALE;
+    if (Math.abs(fall * place) <= SLIDE * entry) {
+      slopes = new Response(1.0, -fall, 0.0, 0.0);
+      return new Passage(entry, entry - fall * place, place, 0.0, creep, creep, true, slopes);
     }
-    let ratio = this.holds ? shot.creep_ratio : RATIO_SCALE * Math.sinh(effort);
-    return new Passage(
-      entry,
-      entry * Math.exp(shot.log_tension),
-      effort,
-      ratio,
-      shot.creep,
-      shot.slip,
-      shot.stuck_length > 0.0,
+    found = passage__passed(this.law, arc, entry, creep, near, tol);
+    return this._told(arc, entry, place, creep, (2.0 * Math.abs(place)) / REST_SCALE, found);
+  }
+  _driven(driving) {
+    return Object.assign(Object.create(Object.getPrototypeOf(this.geometry)), this.geometry, {
+      side: driving ? 1.0 : -1.0,
+    });
+  }
+  _told(arc, entry, place, creep, by_place, at) {
+    let gone, ratio;
+    let met = at.met;
+    if (!met.done) {
+      gone = copysign(_BEYOND, place);
+      ratio = copysign(LARGEST_RATIO, place);
+      return new Passage(entry, entry * Math.exp(-gone), place, ratio, creep, creep);
+    }
+    let slopes = new Response(
+      at.leaving_by_entry,
+      at.leaving_by_creep * by_place,
+      at.ratio_by_entry,
+      at.ratio_by_creep * by_place,
     );
+    let slip = profile__traction_of(arc, met, at.leaving, creep).slip;
+    let held = this.holds && (met.rest > 0.0 || !this.rests);
+    return new Passage(entry, at.leaving, place, at.ratio, creep, slip, held, slopes, met);
   }
   between(entry, exit_) {
-    let side = entry >= exit_ ? 1.0 : -1.0;
-    let geometry = Object.assign(
-      Object.create(Object.getPrototypeOf(this.geometry)),
-      this.geometry,
-      { side: side },
-    );
-    let found = answer__operating_point(this.law, geometry, entry, exit_);
+    let arc = this._driven(entry >= exit_);
+    let found = answer__operating_point(this.law, arc, entry, exit_);
     if (found.outcome !== 0) {
       return null;
     }
-    let told = profile__read(geometry, found.met, new Range(NaN, NaN, NaN));
-    let effort = this.effort_at(told.creep_ratio);
-    if (this.holds) {
-      effort = this._effort_of(this.parameters(entry, side), told);
-    }
-    let held = told.stuck > 0.0;
-    return new Passage(entry, exit_, effort, told.creep_ratio, told.creep, told.slip, held);
+    let met = found.met;
+    let creep = met.course.creep.at(-1);
+    let slip = profile__traction_of(arc, met, exit_, creep).slip;
+    let ratio = profile__entry_ratio(arc, met);
+    let held = this.holds && (met.rest > 0.0 || !this.rests);
+    let place = this.place_of(creep);
+    return new Passage(entry, exit_, place, ratio, creep, slip, held, UNKNOWN, met);
   }
-  _effort_of(par, told) {
-    let slide;
-    let length = par.length;
-    let zone = told.stuck;
-    if (this.rests) {
-      slide = (par.side * told.creep_ratio * length) / CREEP_SCALE;
-      return par.side * (zone > 0.0 ? 1.0 - zone / length : 1.0 + max(slide, 0.0));
-    }
-    let end = stick__zone_end(this.law, par, length)[1];
-    if (zone >= length) {
-      return (par.side * told.creep) / end;
-    }
-    zone = zone > 0.0 ? zone : min(end / told.creep_ratio, length);
-    return (par.side * length) / zone;
-  }
-  slopes(at, steps = 24) {
-    let by_effort;
-    let rise = at.entry * _STEP;
-    let sign = at.effort >= 0.0 ? 1.0 : -1.0;
-    let further = this.passage(at.entry, at.effort + sign * _STEP, steps);
-    let tighter = this.passage(at.entry + rise, at.effort, steps);
-    let here = this.passage(at.entry, at.effort, steps);
-    if (this.holds) {
-      by_effort = (further.ratio - here.ratio) / (sign * _STEP);
-    } else {
-      by_effort = RATIO_SCALE * Math.cosh(at.effort);
-    }
-    return new Slopes(
-      (tighter.exit - here.exit) / rise,
-      (further.exit - here.exit) / (sign * _STEP),
-      this.holds ? (tighter.ratio - here.ratio) / rise : 0.0,
-      by_effort,
-    );
+  at(entry, exit_, creep) {
+    let found = this.passage(entry, this.place_of(creep), null, SHARP);
+    return Object.assign(Object.create(Object.getPrototypeOf(found)), found, { exit: exit_ });
   }
   get rests() {
-    let par = quantities__parameters_at(1.0, this.geometry);
-    return this.holds && par.shear + par.onset === 0.0;
+    return this.holds && this.geometry.shear === 0.0;
   }
   get compliance() {
     return this.geometry.compliance;
   }
-  parameters(entry, side) {
-    return quantities__parameters_at(
-      entry,
-      Object.assign(Object.create(Object.getPrototypeOf(this.geometry)), this.geometry, {
-        side: side,
-      }),
-    );
+  get largest_place() {
+    return this.place_of(LARGEST_RATIO * this.length);
+  }
+  stretch_slope(entry) {
+    return this.stretch / (1.0 + entry * this.stretch) + this.squeeze / this.arm(entry);
   }
 }
 
@@ -212,255 +212,35 @@ export class Driven {
   }
 }
 
-export class Pair {
-  constructor(entry, exit) {
+export class Passage {
+  constructor(
+    entry,
+    exit,
+    place = NaN,
+    ratio = NaN,
+    creep = NaN,
+    slip = NaN,
+    held = false,
+    slopes = new Response(NaN, NaN, NaN, NaN),
+    met = null,
+  ) {
     this.entry = entry;
     this.exit = exit;
-  }
-  *[Symbol.iterator]() {
-    yield this.entry;
-    yield this.exit;
-  }
-}
-
-export class Search {
-  constructor(system, steps = 8) {
-    this._system = system;
-    this._steps = steps;
-    let count = system.members.length;
-    this._efforts = $repeated([NaN], count);
-    this._slopes = $repeated([0.0], count);
-    let share = system.pull / count;
-    this._torques = [...system.members].map((member) => share * member.arm(system.entry));
-    let leads = [...$enumerate(system.lines)]
-      .filter(([i, line]) => line.follows && i < line.master)
-      .map(([i, line]) => line.master);
-    this._early = [...$enumerate(leads)]
-      .filter(([i, lead]) => ![...leads.slice(0, i)].some((other) => lead === other))
-      .map(([i, lead]) => lead);
-    this._center = this._mean_level();
-    this._w = NaN;
-  }
-  _mean_level() {
-    let system = this._system;
-    let tension = 0.5 * (system.entry + system.exit);
-    let levels = [...$zip(system.members, system.lines, this._torques)]
-      .filter(([member, line, torque]) => !line.follows)
-      .map(([member, line, torque]) => member.stretch_log(tension) - line.log_speed(torque));
-    return $sum(levels) / levels.length;
-  }
-  level(w) {
-    return this._center + _LEVEL_SCALE * Math.sinh(w);
-  }
-  follow(level) {
-    let i, lead, line, out, pull, run, torque;
-    let system = this._system;
-    let entry = this._system.entry;
-    let passages = [];
-    for (const each1 of $enumerate($zip(system.lines, system.runs))) {
-      [i, [line, run]] = each1;
-      if (line.follows) {
-        lead = line.master;
-        torque = this._torques[lead];
-        if (lead < i) {
-          torque = system.torque(lead, passages[lead].entry, passages[lead].exit);
-        }
-        pull = (line.ratio * torque) / system.members[i].arm(entry);
-        out = max(entry - pull, 1e-6 * entry);
-        passages.push(new Passage(entry, out, NaN, NaN, NaN, NaN, false));
-      } else {
-        passages.push(this._turned(i, entry, level));
-      }
-      entry = max(passages.at(-1).exit + run, 1e-6 * system.entry);
-    }
-    return passages;
-  }
-  _turned(i, entry, level) {
-    let ratio;
-    let system = this._system;
-    let member = this._system.members[i];
-    let line = this._system.lines[i];
-    if (line.motor === null && line.give === 0.0 && !member.holds) {
-      ratio = -Math.expm1(member.stretch_log(entry) - line.speed - level);
-      ratio = min(max(ratio, -0.5), 0.5);
-      return member.passage(entry, member.effort_at(ratio), this._steps);
-    }
-    let found = [];
-    let steps = this._steps;
-    const miss = (effort) => {
-      let at = member.passage(entry, effort, steps);
-      found.push([effort, at]);
-      return system.speed_miss(i, at, level);
-    };
-    let end = this._largest_effort(i, entry);
-    let guess = this._efforts[i];
-    if (Number.isNaN(guess)) {
-      guess = member.holds ? 0.5 : member.effort_at(0.001);
-      guess = system.pull >= 0.0 ? guess : -guess;
-    }
-    const found1 = roots__rising_root(miss, guess, 0.3, -end, end, _TURNED, this._slopes[i]);
-    let effort = found1[0];
-    this._efforts[i] = effort;
-    this._slopes[i] = this._slope(
-      i,
-      [...found.slice(-2)].map(([_, at]) => at),
-      level,
-    );
-    return $first(
-      [...found].filter(([tried, at]) => tried === effort).map(([tried, at]) => at),
-      found.at(-1)[1],
-    );
-  }
-  _slope(i, two, level) {
-    if (two.length < 2 || two[0].effort === two[1].effort) {
-      return 0.0;
-    }
-    let a = this._system.speed_miss(i, two[0], level);
-    let b = this._system.speed_miss(i, two[1], level);
-    return max((b - a) / (two[1].effort - two[0].effort), 0.0);
-  }
-  _largest_effort(i, entry) {
-    let member = this._system.members[i];
-    if (!member.holds) {
-      return member.effort_at(0.5);
-    }
-    let par = member.parameters(entry, 1.0);
-    let top = effort__largest_effort(member.law, par);
-    if (member.rests) {
-      return 1.0 + (0.5 * par.length) / CREEP_SCALE;
-    }
-    return 1.0 + top;
-  }
-  solution(tolerance = 1e-5) {
-    let before, lead;
-    let scale = this._system.torque_scale;
-    for (let each1 = 0, end1 = this._early.length > 0 ? 20 : 0; each1 < end1; each1++) {
-      before = [...this._torques];
-      for (const each2 of this._early) {
-        lead = each2;
-        this._lead(lead, before[lead], tolerance);
-      }
-      if ([...this._early].every((i) => Math.abs(this._torques[i] - before[i]) < 0.0001 * scale)) {
-        break;
-      }
-    }
-    return this._solution(tolerance);
-  }
-  _lead(lead, start, tolerance) {
-    let scale = this._system.torque_scale;
-    const miss = (torque) => {
-      return this._torque_miss(lead, tolerance, torque);
-    };
-    roots__rising_root(miss, start, 0.1 * scale, -scale, scale, 1e-5 * scale);
-  }
-  _solution(tolerance) {
-    let guess = this._w;
-    if (Number.isNaN(guess)) {
-      guess = Math.asinh(0.0015 / _LEVEL_SCALE);
-      guess = this._system.pull >= 0.0 ? guess : -guess;
-    }
-    const found1 = roots__rising_root(
-      this._of_level(),
-      guess,
-      0.3,
-      -_LEVEL_END,
-      _LEVEL_END,
-      tolerance,
-    );
-    let w = found1[0];
-    let miss = found1[1];
-    this._w = w;
-    return [w, miss];
-  }
-  _of_level() {
-    const miss = (w) => {
-      return this.miss(w);
-    };
-    return miss;
-  }
-  _torque_miss(lead, tolerance, torque) {
-    this._torques[lead] = torque;
-    let [w] = this._solution(tolerance);
-    let at = this.follow(this.level(w))[lead];
-    return torque - this._system.torque(lead, at.entry, at.exit);
-  }
-  all_solutions(tolerance = 1e-6) {
-    let a, b, c, fa, fb, fc;
-    if (this._early.length > 0) {
-      this.solution(tolerance);
-    }
-    let points = [...this._nodes()].map((w) => [w, this.miss(w)]);
-    for (const each1 of $zip(points.slice(0, -2), points.slice(1, -1), points.slice(2))) {
-      [[a, fa], [b, fb], [c, fc]] = each1;
-      if (
-        Math.abs(fb) < min(Math.abs(fa), Math.abs(fc)) &&
-        fa > 0.0 === fb > 0.0 &&
-        fb > 0.0 === fc > 0.0
-      ) {
-        points.push(this._tip(a, [b, fb], c));
-      }
-    }
-    let miss = this._of_level();
-    return [...$pairwise($sorted(points, (point) => point[0]))]
-      .filter(([[a, fa], [b, fb]]) => fa < 0.0 !== fb < 0.0)
-      .map(([[a, fa], [b, fb]]) => roots__bracketed_root(miss, a, fa, b, fb, tolerance)[0]);
-  }
-  _nodes() {
-    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
-    let nodes = [...$range(_SCAN + 1)].map((k) => (sign * _LEVEL_END * k) / _SCAN);
-    if (sign * this.miss(0.0) > 0.0) {
-      nodes = [...nodes, ...[...nodes.slice(1)].map((w) => -w)];
-    }
-    return $sorted(nodes);
-  }
-  _tip(a, at, c) {
-    let b, f, fb, w;
-    for (let each1 = 0, end1 = 40; each1 < end1; each1++) {
-      [b, fb] = at;
-      w = 0.62 * b + 0.38 * (b - a > c - b ? a : c);
-      f = this.miss(w);
-      if (f > 0.0 !== fb > 0.0) {
-        return [w, f];
-      }
-      if (Math.abs(f) < Math.abs(fb)) {
-        [a, c] = w > b ? [b, c] : [a, b];
-        at = [w, f];
-      } else {
-        [a, c] = w > b ? [a, w] : [w, c];
-      }
-      if (c - a < 0.0001) {
-        break;
-      }
-    }
-    return at;
-  }
-  strongest() {
-    let value, w;
-    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
-    let best = 0.0;
-    let best_value = -Infinity;
-    for (const each1 of $sorted(this._nodes(), Math.abs)) {
-      w = each1;
-      value = sign * this.miss(w);
-      if (sign * w >= 0.0 && value > best_value + 1e-9) {
-        best = w;
-        best_value = value;
-      }
-    }
-    return best;
-  }
-  miss(w) {
-    return Math.log(this._system.exit / this.follow(this.level(w)).at(-1).exit);
+    this.place = place;
+    this.ratio = ratio;
+    this.creep = creep;
+    this.slip = slip;
+    this.held = held;
+    this.slopes = slopes;
+    this.met = met;
   }
 }
 
 export class _Point {
-  constructor(efforts, level, state, misses, steps) {
-    this.efforts = efforts;
+  constructor(level, state, misses) {
     this.level = level;
     this.state = state;
     this.misses = misses;
-    this.steps = steps;
   }
   get size() {
     if (![...this.misses].every((miss) => Number.isFinite(miss))) {
@@ -518,6 +298,208 @@ export class Located {
     this.settled = settled;
     this.other_splits = other_splits;
     this.fallen = fallen;
+  }
+}
+
+export class Search {
+  constructor(system, tol = Infinity) {
+    this._system = system;
+    this._tol = tol;
+    this._last = [...system.members].map((_) => null);
+    let share = system.pull / system.members.length;
+    this._torques = [...system.members].map((member) => share * member.arm(system.entry));
+    let leads = [...$enumerate(system.lines)]
+      .filter(([i, line]) => line.follows && i < line.master)
+      .map(([i, line]) => line.master);
+    this._early = [...$enumerate(leads)]
+      .filter(([i, lead]) => ![...leads.slice(0, i)].some((other) => lead === other))
+      .map(([i, lead]) => lead);
+    this._center = system__mean_level(system);
+    this._w = NaN;
+  }
+  level(w) {
+    return this._center + _LEVEL_SCALE * Math.sinh(w);
+  }
+  follow(level) {
+    let arm, at, by_entry, by_place, grows, i, lead, line, member, moved, out, run, torque, turns;
+    let system = this._system;
+    let entry = this._system.entry;
+    let rise = 0.0;
+    let passages = [];
+    let torques = [];
+    for (const each1 of $enumerate($zip(system.lines, system.runs))) {
+      [i, [line, run]] = each1;
+      member = system.members[i];
+      arm = member.arm(entry);
+      if (line.follows) {
+        lead = line.master;
+        torque = this._torques[line.master];
+        turns = 0.0;
+        if (lead < i) {
+          torque = system.torque(lead, passages[lead].entry, passages[lead].exit);
+          turns = torques[lead];
+        }
+        out = max(entry - (line.ratio * torque) / arm, 1e-6 * entry);
+        at = new Passage(entry, out);
+        grows = rise - (line.ratio * turns) / arm;
+      } else {
+        at = this._turned(i, entry, level);
+        [by_entry, by_place] = system.speed_slopes(i, at);
+        moved = by_place > 0.0 ? (1.0 - by_entry * rise) / by_place : 0.0;
+        grows = at.slopes.exit_by_entry * rise + at.slopes.exit_by_place * moved;
+        this._last[i] = at;
+      }
+      torques.push((rise - grows) * arm - (entry - at.exit) * member.squeeze * rise);
+      passages.push(at);
+      entry = max(at.exit + run, 1e-6 * system.entry);
+      rise = grows;
+    }
+    return new Followed(passages, rise);
+  }
+  _turned(i, entry, level) {
+    let by_entry, by_place, place, short;
+    let system = this._system;
+    let member = this._system.members[i];
+    let last = this._last[i];
+    let end = member.largest_place;
+    let found = last === null ? [] : [last];
+    const miss = (place) => {
+      let near = found.length > 0 ? found[found.length - 1].met : null;
+      let at = member.passage(entry, place, near, this._tol);
+      found.push(at);
+      return [system.speed_miss(i, at, level), system.speed_slopes(i, at)[1]];
+    };
+    if (last === null) {
+      place = system__first_place(system, i);
+    } else {
+      [by_entry, by_place] = system.speed_slopes(i, last);
+      short = system.speed_miss(i, last, level) + by_entry * (entry - last.entry);
+      place = by_place > 0.0 ? last.place - short / by_place : last.place;
+    }
+    roots__sloped_root(miss, place, -end, end, _TURNED);
+    return found[found.length - 1];
+  }
+  solution(tolerance = 1e-5) {
+    let before, lead;
+    let scale = this._system.torque_scale;
+    for (let each1 = 0, end1 = this._early.length > 0 ? 20 : 0; each1 < end1; each1++) {
+      before = [...this._torques];
+      for (const each2 of this._early) {
+        lead = each2;
+        this._lead(lead, before[lead], tolerance);
+      }
+      if ([...this._early].every((i) => Math.abs(this._torques[i] - before[i]) < 0.0001 * scale)) {
+        break;
+      }
+    }
+    return this._solution(tolerance);
+  }
+  _lead(lead, start, tolerance) {
+    let scale = this._system.torque_scale;
+    const miss = (torque) => {
+      return this._torque_miss(lead, tolerance, torque);
+    };
+    roots__rising_root(miss, start, 0.1 * scale, -scale, scale, 1e-5 * scale);
+  }
+  _solution(tolerance) {
+    let miss;
+    let guess = this._w;
+    if (Number.isNaN(guess)) {
+      guess = Math.asinh(_FIRST_RATIO / _LEVEL_SCALE);
+      guess = this._system.pull >= 0.0 ? guess : -guess;
+    }
+    [this._w, miss] = this._root(guess, -_LEVEL_END, _LEVEL_END, tolerance);
+    return [this._w, miss];
+  }
+  _root(w, low, high, tolerance) {
+    const miss = (x) => {
+      let at = this.miss(x);
+      return [at.miss, at.slope];
+    };
+    return roots__sloped_root(miss, w, low, high, tolerance);
+  }
+  _torque_miss(lead, tolerance, torque) {
+    this._torques[lead] = torque;
+    let [w] = this._solution(tolerance);
+    let at = this.follow(this.level(w)).passages[lead];
+    return torque - this._system.torque(lead, at.entry, at.exit);
+  }
+  all_solutions(tolerance = 1e-6) {
+    let a, b;
+    if (this._early.length > 0) {
+      this.solution(tolerance);
+    }
+    let nodes = [...this._levels()].map((w) => this.miss(w));
+    let tips = [...$pairwise(nodes)]
+      .filter(([a, b]) => system___turns(a, b))
+      .map(([a, b]) => this._tip(a, b));
+    nodes = $sorted([...nodes, ...tips], (node) => node.w);
+    let found = [];
+    for (const each1 of $pairwise(nodes)) {
+      [a, b] = each1;
+      if (a.miss < 0.0 !== b.miss < 0.0) {
+        found.push(this._crossing(a, b, tolerance));
+      }
+    }
+    return found;
+  }
+  _crossing(a, b, tolerance) {
+    let way = a.miss < 0.0 ? 1.0 : -1.0;
+    const miss = (w) => {
+      let at = this.miss(w);
+      return [way * at.miss, way * at.slope];
+    };
+    let share = a.miss / (a.miss - b.miss);
+    return roots__sloped_root(miss, a.w + share * (b.w - a.w), a.w, b.w, tolerance)[0];
+  }
+  _levels() {
+    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
+    let nodes = [...$range(_SCAN + 1)].map((k) => (sign * _LEVEL_END * k) / _SCAN);
+    if (sign * this.miss(0.0).miss > 0.0) {
+      nodes = [...nodes, ...[...nodes.slice(1)].map((w) => -w)];
+    }
+    return $sorted(nodes);
+  }
+  _tip(a, b) {
+    let at;
+    let way = a.miss > 0.0 ? 1.0 : -1.0;
+    let best = way * a.miss < way * b.miss ? a : b;
+    for (let each1 = 0, end1 = _TIP_STEPS; each1 < end1; each1++) {
+      at = this.miss((a.w * b.slope - b.w * a.slope) / (b.slope - a.slope));
+      if (way * at.miss < way * best.miss) {
+        best = at;
+      }
+      if (way * at.miss < 0.0 || b.w - a.w < _TIP) {
+        break;
+      }
+      if (way * at.slope < 0.0) {
+        a = at;
+      } else {
+        b = at;
+      }
+    }
+    return best;
+  }
+  strongest() {
+    let value, w;
+    let sign = this._system.pull >= 0.0 ? 1.0 : -1.0;
+    let best = 0.0;
+    let best_value = -Infinity;
+    for (const each1 of $sorted(this._levels(), Math.abs)) {
+      w = each1;
+      value = sign * this.miss(w).miss;
+      if (sign * w >= 0.0 && value > best_value + 1e-9) {
+        best = w;
+        best_value = value;
+      }
+    }
+    return best;
+  }
+  miss(w) {
+    let found = this.follow(this.level(w));
+    let last = found.passages[found.passages.length - 1].exit;
+    let slope = (-found.by_level / last) * _LEVEL_SCALE * Math.cosh(w);
+    return new Node(w, Math.log(this._system.exit / last), slope);
   }
 }
 
@@ -615,18 +597,6 @@ export class MotorPoint {
     this.motor_loss = motor_loss;
     this.coupling_loss = coupling_loss;
     this.gear_loss = gear_loss;
-  }
-}
-
-export class Passage {
-  constructor(entry, exit, effort, ratio, creep, slip, held) {
-    this.entry = entry;
-    this.exit = exit;
-    this.effort = effort;
-    this.ratio = ratio;
-    this.creep = creep;
-    this.slip = slip;
-    this.held = held;
   }
 }
 
@@ -1024,6 +994,20 @@ export class System {
     }
     return left - line.log_speed(this.torque(i, at.entry, at.exit)) - level;
   }
+  speed_slopes(i, at) {
+    let member = this.members[i];
+    let slopes = at.slopes;
+    let arm = member.arm(at.entry);
+    let leaves = 1.0 - min(at.ratio, 0.99);
+    let by_torque = this.lines[i].log_speed_slope(this.torque(i, at.entry, at.exit));
+    let torque_by_entry =
+      (1.0 - slopes.exit_by_entry) * arm - (at.entry - at.exit) * member.squeeze;
+    let by_entry = slopes.ratio_by_entry / leaves + member.stretch_slope(at.entry);
+    return [
+      by_entry - by_torque * torque_by_entry,
+      slopes.ratio_by_place / leaves + by_torque * slopes.exit_by_place * arm,
+    ];
+  }
 }
 
 export class Motor {
@@ -1223,52 +1207,58 @@ export class FluidCoupling extends Induction {
   }
 }
 
-export class Sliding {
-  constructor(log_tension, slip, work, segment, branch, sign) {
-    this.log_tension = log_tension;
-    this.slip = slip;
-    this.work = work;
-    this.segment = segment;
-    this.branch = branch;
-    this.sign = sign;
-  }
-  *[Symbol.iterator]() {
-    yield this.log_tension;
-    yield this.slip;
-    yield this.work;
-    yield this.segment;
-    yield this.branch;
-    yield this.sign;
-  }
-}
-
-export class Shot {
-  constructor(log_tension, slip, creep, stress, work, creep_ratio, stuck_length) {
-    this.log_tension = log_tension;
-    this.slip = slip;
-    this.creep = creep;
-    this.stress = stress;
-    this.work = work;
-    this.creep_ratio = creep_ratio;
-    this.stuck_length = stuck_length;
-  }
-  *[Symbol.iterator]() {
-    yield this.log_tension;
-    yield this.slip;
-    yield this.creep;
-    yield this.stress;
-    yield this.work;
-    yield this.creep_ratio;
-    yield this.stuck_length;
-  }
-}
-
-export class Slopes {
-  constructor(exit_by_entry, exit_by_effort, ratio_by_entry, ratio_by_effort) {
-    this.exit_by_entry = exit_by_entry;
-    this.exit_by_effort = exit_by_effort;
+export class Passed {
+  constructor(
+    met,
+    leaving,
+    ratio,
+    leaving_by_entry,
+    leaving_by_creep,
+    ratio_by_entry,
+    ratio_by_creep,
+  ) {
+    this.met = met;
+    this.leaving = leaving;
+    this.ratio = ratio;
+    this.leaving_by_entry = leaving_by_entry;
+    this.leaving_by_creep = leaving_by_creep;
     this.ratio_by_entry = ratio_by_entry;
-    this.ratio_by_effort = ratio_by_effort;
+    this.ratio_by_creep = ratio_by_creep;
+  }
+  *[Symbol.iterator]() {
+    yield this.met;
+    yield this.leaving;
+    yield this.ratio;
+    yield this.leaving_by_entry;
+    yield this.leaving_by_creep;
+    yield this.ratio_by_entry;
+    yield this.ratio_by_creep;
+  }
+}
+
+export class Response {
+  constructor(exit_by_entry, exit_by_place, ratio_by_entry, ratio_by_place) {
+    this.exit_by_entry = exit_by_entry;
+    this.exit_by_place = exit_by_place;
+    this.ratio_by_entry = ratio_by_entry;
+    this.ratio_by_place = ratio_by_place;
+  }
+  *[Symbol.iterator]() {
+    yield this.exit_by_entry;
+    yield this.exit_by_place;
+    yield this.ratio_by_entry;
+    yield this.ratio_by_place;
+  }
+}
+
+export class Followed {
+  constructor(passages, by_level) {
+    this.passages = passages;
+    this.by_level = by_level;
+  }
+  *[Symbol.iterator]() {
+    yield this.passages;
+    yield this.by_level;
   }
 }
 
@@ -1299,59 +1289,39 @@ export class Resistance {
   }
 }
 
-export class Parameters {
-  constructor(
-    entry_tension,
-    entry_pressure,
-    radius,
-    length,
-    compliance,
-    shear,
-    kick,
-    width,
-    side,
-    onset,
-  ) {
-    this.entry_tension = entry_tension;
-    this.entry_pressure = entry_pressure;
-    this.radius = radius;
-    this.length = length;
-    this.compliance = compliance;
-    this.shear = shear;
-    this.kick = kick;
-    this.width = width;
-    this.side = side;
-    this.onset = onset;
+export class Node {
+  constructor(w, miss, slope) {
+    this.w = w;
+    this.miss = miss;
+    this.slope = slope;
   }
   *[Symbol.iterator]() {
-    yield this.entry_tension;
-    yield this.entry_pressure;
-    yield this.radius;
-    yield this.length;
-    yield this.compliance;
-    yield this.shear;
-    yield this.kick;
-    yield this.width;
-    yield this.side;
-    yield this.onset;
+    yield this.w;
+    yield this.miss;
+    yield this.slope;
   }
 }
 
 const SMALL_PULL = 0.001;
-const _GIVE = 0.01;
-const FINE = 24;
-const SHARP = 16;
-const COARSE = 8;
+const FINE = 3e-6;
+const SHARP = 0.001;
+const _FIRST_RATIO = 0.0015;
 const _SPEED_WEIGHT = 1000.0;
-const _LARGEST_STEP = 1.5;
-const _LEAST_GIVE = 1e-6;
+const COARSE = Infinity;
+const _MOST = 30;
+const _OF_ITSELF = 2.0;
+const _OF_WRAP = 0.02;
+const _NEAR = 1e-5;
+const _HALVINGS = 15;
+const SOLVED = "The drives carry the load.";
 const BREAKAWAY =
   "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.";
-const UNSOLVED =
-  "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.";
-const SOLVED = "The drives carry the load.";
 const _CORRECTED = 1e-12;
 const _SURE = 0.01;
+const _GIVE = 0.01;
+const _LEAST_GIVE = 1e-6;
+const UNSOLVED =
+  "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.";
 const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
@@ -1375,50 +1345,30 @@ const RESULT_DIGITS = 3;
 const _ROUNDING = 1e-9;
 const ATTENTION = "ATTENTION";
 const TRAIN_BALANCE = 1e-5;
-const RATIO_SCALE = 1e-5;
-const LARGEST_RATIO = 1.0;
-const SMALL_RATIO = 1e-7;
-const CREEP_SCALE = 0.00635;
-const LIMIT = 0;
-const PLASTIC = 1;
-const _LARGEST_EFFORT = 12.100712129903211;
-const TABLE = 3;
-const MOST_LAGS = 100.0;
-const LAGS_PER_MESH = 2.0;
-const FEWEST_CUT_STEPS = 16;
-const LARGEST_LOG = 50.0;
-const FARTHEST_SLIP = 1000.0;
-const MESH_POWER = 4;
-const LARGEST_LOG_STEP = 0.12;
-const KNOTS = 1;
-const PIECES = 2;
-const NEAREST = 1e-7;
-const STEEP = 0.5;
-const CELL_PARTS = 3.0;
-const FEW_STEPS = 0.05;
-const PART_OF_LAG = 0.3;
-const _MOST_TRIALS = 200;
-const WILD_LOG_STEP = 1.0;
-const WILD_SLIP = 10000.0;
-const MOST_CUTS = 200;
-const RISE = 0;
-const PREVIOUS_BRANCH = 3;
-const LOWER_EDGE = 0;
-const UPPER_EDGE = 1;
-const NO_SLIP = 2;
-const ELASTIC = 0;
-const NEXT_BRANCH = 4;
-const SMOOTH_CUT_TOLERANCE = 0.0003;
-const CUT_TOLERANCE = 1e-6;
-const SLIP_CUT_TOLERANCE = 1e-9;
-const LANDINGS = 40;
-const SMALLEST = 1e-16;
+const _LEAST_RISE = 1e-9;
+const REST_SCALE = 0.001;
+const CREEP = 1;
+const STIFF = 40.0;
+const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
+const NO_MESH = Infinity;
+const COARSELY = 0.0001;
+const SETTLED = 1e-6;
+const FIRST_STEPS = 15;
+const MOST_ROUNDS = 14;
+const LATER_STEPS = 20;
+const HELD = 20.0;
+const AFRESH = 0.01;
+const LARGEST_FALL = 6.0;
+const SLIDE = 1e-6;
 const _BEYOND = 30.0;
-const _STEP = 0.0001;
+const LARGEST_RATIO = 0.5;
+const UNKNOWN = new Response(NaN, NaN, NaN, NaN);
 const _LEVEL_SCALE = 1e-5;
 const _TURNED = 1e-9;
 const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
+const _TIP_STEPS = 12;
+const _TIP = 0.0001;
 const _ROWS = [
   [80.0, 1.92],
   [90.0, 1.86],
@@ -1453,12 +1403,54 @@ const INERTIA =
 const MOMENTARY = 1.6;
 const BEYOND = 10.0;
 const LOW_VOLTAGE = 0.81;
-const LEAST_COMPLIANCE = 1e-16;
 const USUAL_FRICTION = [0.016, 0.03];
+
+/** Tensions with the pull between the outer ones: what the runs between the pulleys add is off. */
+export function in_page_train__less_runs(of, runs, speed) {
+  let pull = pulls__pull_given(of, NaN, speed);
+  if (runs === 0.0 || pull !== pull) {
+    return of;
+  }
+  return new Pulls(of.entry_tension, of.exit_tension, pull - runs, NaN, NaN);
+}
+
+/** Entry and exit tension that are given; nan where they are not [N]. */
+export function in_page_train__ends_of(of, speed) {
+  let pull = pulls__pull_given(of, NaN, speed);
+  let entry = of.entry_tension;
+  let leaving = of.exit_tension;
+  let first = entry === entry ? entry : leaving + pull;
+  return new Pair(first, leaving === leaving ? leaving : entry - pull);
+}
+
+/** Tensions of a train with those of a load case put over them. */
+export function in_page_train__in_case(of, over, fixed, speed, runs) {
+  let pull = pulls__pull_given(over, NaN, speed);
+  if (pulls__families(over) >= 2 || !(fixed && pull === pull && pulls__pulls(over) === 1)) {
+    return pulls__overridden(of, over, false, NaN, speed);
+  }
+  let ends = in_page_train__ends_of(in_page_train__less_runs(of, runs.base, speed), speed);
+  let both = ends.entry + ends.exit;
+  let between = 0.5 * (pull - runs.case);
+  if (both !== both) {
+    return over;
+  }
+  return new Pulls(0.5 * both + between, 0.5 * both - between, NaN, NaN, NaN);
+}
 
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
+}
+
+/** Tensions of a load case that gives its pull alone, by a take-up between drives. */
+export function in_page_train__behind(of, over, after, before, speed) {
+  let now = in_page_train__ends_of(over, speed);
+  let first = in_page_train__ends_of(of, speed);
+  let pull = now.entry - now.exit;
+  let pull_0 = first.entry - first.exit;
+  let lost = after[0] * (pull + after[2]) - after[1] - before[0] * (pull_0 + before[2]) + before[1];
+  return new Pulls(first.exit - lost + pull, first.exit - lost, NaN, NaN, NaN);
 }
 
 /** Pull that powers of the drives make [N]. */
@@ -1595,54 +1587,51 @@ export function train__along(entry, exit_, runs, pulls) {
   return pairs;
 }
 
-/** Return the train with a little give in its held speeds, where laws hold the belt. */
-export function locate___eased(system, give) {
-  if (
-    ![...$zip(system.members, system.lines)].some(([m, line]) => m.holds && line.motor === null)
-  ) {
-    return system;
-  }
-  let lines = [
-    ...[...system.lines].map((line) =>
-      line.motor === null
-        ? Object.assign(Object.create(Object.getPrototypeOf(line)), line, {
-            give: give / system.torque_scale,
-          })
-        : line,
-    ),
-  ];
-  return Object.assign(Object.create(Object.getPrototypeOf(system)), system, { lines: lines });
+/** Where a pulley may be, before anything is known [m]. */
+export function system__first_place(system, i) {
+  let member = system.members[i];
+  let place = member.place_of(_FIRST_RATIO * member.length);
+  return system.pull >= 0.0 ? place : -place;
 }
 
-/** Efforts of passages; those known by their tensions only are solved for them. */
-export function newton___efforts(system, passages) {
+/** Level at which the drives together creep about nothing. */
+export function system__mean_level(system) {
+  let tension = 0.5 * (system.entry + system.exit);
+  let share = system.pull / system.members.length;
+  let levels = [...$zip(system.members, system.lines)]
+    .filter(([member, line]) => !line.follows)
+    .map(
+      ([member, line]) =>
+        member.stretch_log(tension) - line.log_speed(share * member.arm(system.entry)),
+    );
+  return $sum(levels) / levels.length;
+}
+
+/** Passages of a train of which nothing is known but their places, and a level. */
+export function system__guessed(system) {
+  let places = [...$range(system.members.length)].map((i) => system__first_place(system, i));
+  return [
+    [...places].map((x) => new Passage(system.entry, system.exit, x)),
+    system__mean_level(system),
+  ];
+}
+
+/** Passages with their places; those known by their tensions only are solved for them. */
+export function newton___starts(system, passages) {
   let at, known, member;
-  let efforts = [];
+  let starts = [];
   for (const each1 of $zip(system.members, passages)) {
     [member, at] = each1;
     known = at;
-    if (Number.isNaN(at.effort)) {
+    if (Number.isNaN(at.place)) {
       known = member.between(at.entry, at.exit);
     }
     if (known === null) {
       return null;
     }
-    efforts.push(known.effort);
+    starts.push(known);
   }
-  return efforts;
-}
-
-export function newton___state(system, efforts, steps) {
-  let at, effort, member, run;
-  let entry = system.entry;
-  let state = [];
-  for (const each1 of $zip(system.members, efforts, system.runs)) {
-    [member, effort, run] = each1;
-    at = member.passage(max(entry, 1e-6 * system.entry), effort, steps);
-    state.push(at);
-    entry = at.exit + run;
-  }
-  return [...state];
+  return starts;
 }
 
 export function newton___misses(system, state, level) {
@@ -1655,44 +1644,42 @@ export function newton___misses(system, state, level) {
   return [...misses, Math.log(state.at(-1).exit / system.exit)];
 }
 
-export function newton___point(system, efforts, level, steps) {
-  let state = newton___state(system, efforts, steps);
-  return new _Point([...efforts], level, state, newton___misses(system, state, level), steps);
-}
-
-export function newton___speed_row(system, i, at, s, entry, torque) {
-  let creep = [...entry].map((x) => s.ratio_by_entry * x);
-  creep[i] += s.ratio_by_effort;
-  let stretch = system.members[i].stretch_slope(at.entry);
-  let slope = system.lines[i].log_speed_slope(system.torque(i, at.entry, at.exit));
-  let row = [...$zip(creep, entry, torque)].map(
-    ([c, x, t]) => c / (1.0 - at.ratio) + stretch * x - slope * t,
-  );
-  row[row.length - 1] -= 1.0;
-  return row;
+export function newton___point(system, places, arcs, level, tol) {
+  let at, member, near, place, run;
+  let entry = system.entry;
+  let state = [];
+  for (const each1 of $zip(system.members, places, arcs, system.runs)) {
+    [member, place, near, run] = each1;
+    at = member.passage(max(entry, 1e-6 * system.entry), place, near, tol);
+    state.push(at);
+    entry = at.exit + run;
+  }
+  return new _Point(level, [...state], newton___misses(system, state, level));
 }
 
 /** Return the equations near a state, and whether each drive rises with its creep. */
-export function newton__linearized(system, passages, steps = 24) {
-  let arm, at, i, leaving, line, lost, member, pairs, pull, s;
+export function newton__linearized(system, passages) {
+  let arm, at, by_entry, by_place, i, leaving, line, lost, member, pairs, pull;
   let count = passages.length;
   let matrix = [...$range(count + 1)].map((_) => $repeated([0.0], count + 1));
   let pulls = [];
   let torques = [];
   let entry = $repeated([0.0], count + 1);
-  let slopes = [...$zip(system.members, passages)].map(([m, at]) => m.slopes(at, steps));
-  for (const each1 of $enumerate($zip(passages, slopes))) {
-    [i, [at, s]] = each1;
+  for (const each1 of $enumerate(passages)) {
+    [i, at] = each1;
     member = system.members[i];
-    leaving = [...entry].map((x) => s.exit_by_entry * x);
-    leaving[i] += s.exit_by_effort;
+    leaving = [...entry].map((x) => at.slopes.exit_by_entry * x);
+    leaving[i] += at.slopes.exit_by_place;
     pull = [...$zip(entry, leaving)].map(([x, y]) => x - y);
     arm = member.arm(at.entry);
     lost = (at.entry - at.exit) * member.squeeze;
     pulls.push(pull);
     torques.push([...$zip(pull, entry)].map(([x, y]) => x * arm - lost * y));
     if (!system.lines[i].follows) {
-      matrix[i] = newton___speed_row(system, i, at, s, entry, torques[i]);
+      [by_entry, by_place] = system.speed_slopes(i, at);
+      matrix[i] = [...entry].map((x) => by_entry * x);
+      matrix[i][i] += by_place;
+      matrix[i][count] -= 1.0;
     }
     entry = leaving;
   }
@@ -1704,13 +1691,8 @@ export function newton__linearized(system, passages, steps = 24) {
     }
   }
   matrix[count] = [...entry].map((x) => x / passages.at(-1).exit);
-  let rising = [...[...slopes].map((s) => s.exit_by_effort <= 0.0)];
+  let rising = [...[...$zip(system.members, passages)].map(([m, at]) => m.rises(at))];
   return [new Linear(matrix, pulls, [...[...system.lines].map((line) => line.follows)]), rising];
-}
-
-/** Whether two states are so near that slopes of one serve for the other. */
-export function newton___near(a, b) {
-  return [...$zip(a, b)].every(([x, y]) => Math.abs(x.exit / y.exit - 1.0) < 0.001);
 }
 
 /** Solve linear equations by elimination, the largest of each column for pivot. */
@@ -1755,9 +1737,17 @@ export function linear__solution(matrix, right) {
   return found;
 }
 
-/** Take the step of the linear equations, shortened until it helps if `search`. */
-export function newton___stepped(at, system, matrix, search) {
-  let efforts, new_;
+export function newton___places(at) {
+  return [...at.state].map((passage) => passage.place);
+}
+
+export function newton___arcs(at) {
+  return [...at.state].map((passage) => passage.met);
+}
+
+/** Take the step of the linear equations, shortened until it helps. */
+export function newton___stepped(at, system, matrix) {
+  let change, member, most, new_, passage, places;
   let step = linear__solution(
     matrix,
     [...at.misses].map((miss) => -miss),
@@ -1765,11 +1755,21 @@ export function newton___stepped(at, system, matrix, search) {
   if (step === null || ![...step].every((change) => Number.isFinite(change))) {
     return null;
   }
-  let longest = $maxOf([...step.slice(0, -1)].map((change) => Math.abs(change)));
-  let scale = min(1.0, _LARGEST_STEP / max(longest, 1e-300));
-  for (let each1 = 0, end1 = search ? 15 : 1; each1 < end1; each1++) {
-    efforts = [...$zip(at.efforts, step.slice(0, -1))].map(([e, d]) => e + scale * d);
-    new_ = newton___point(system, efforts, at.level + scale * step.at(-1), at.steps);
+  let scale = 1.0;
+  for (const each1 of $zip(system.members, at.state, step.slice(0, -1))) {
+    [member, passage, change] = each1;
+    most = _OF_ITSELF * Math.abs(passage.place) + member.place_of(_OF_WRAP * member.length);
+    scale = min(scale, most / max(Math.abs(change), 1e-300));
+  }
+  for (let each2 = 0, end2 = at.size > _NEAR ? _HALVINGS : 2; each2 < end2; each2++) {
+    places = [...$zip(newton___places(at), step.slice(0, -1))].map(([x, d]) => x + scale * d);
+    new_ = newton___point(
+      system,
+      places,
+      newton___arcs(at),
+      at.level + scale * step.at(-1),
+      COARSE,
+    );
     if (new_.size < at.size) {
       return new_;
     }
@@ -1778,173 +1778,49 @@ export function newton___stepped(at, system, matrix, search) {
   return null;
 }
 
-/** Return slopes that give a change over a step, and others as before (Broyden). */
-export function linear__corrected(matrix, step, change) {
-  let found, missing, row;
-  let square = $sum([...step].map((s) => s * s));
-  if (square === 0.0) {
-    return [...matrix].map((row) => [...row]);
-  }
-  let made = [];
-  for (const each1 of $zip(matrix, change)) {
-    [row, found] = each1;
-    missing = found - $sum([...$zip(row, step)].map(([a, s]) => a * s));
-    made.push([...$zip(row, step)].map(([a, s]) => a + (missing * s) / square));
-  }
-  return made;
-}
-
-/** Return slopes that are true between two points (Broyden), little changed otherwise. */
-export function newton___learned(matrix, a, b) {
-  let step = [...$zip([...a.efforts, a.level], [...b.efforts, b.level])].map(([x, y]) => y - x);
-  return linear__corrected(
-    matrix,
-    step,
-    [...$zip(a.misses, b.misses)].map(([x, y]) => y - x),
-  );
-}
-
 /** Meet all equations from a state nearby; None if that fails. */
-export function newton__settle(
-  system,
-  passages,
-  level,
-  steps = 24,
-  near = null,
-  tolerance = 1e-13,
-) {
-  let done, first, i, k, linear, matrix, new_, rising, slow;
-  let efforts = newton___efforts(system, passages);
-  if (efforts === null) {
+export function newton__settle(system, passages, level, tol = 3e-6, tolerance = 1e-14) {
+  let done, linear, new_, rising;
+  let starts = newton___starts(system, passages);
+  if (starts === null) {
     return null;
   }
-  let at = newton___point(system, efforts, level, steps);
-  for (let each1 = 0, end1 = 30; each1 < end1; each1++) {
-    i = each1;
-    if (i === 0 && near !== null) {
-      linear = near.linear;
-      rising = near.rising;
-    } else {
-      const found2 = newton__linearized(system, at.state, steps);
-      linear = found2[0];
-      rising = found2[1];
-    }
-    first = at;
-    matrix = linear.matrix;
-    for (let each3 = 0, end3 = 10; each3 < end3; each3++) {
-      k = each3;
-      if (at.size <= tolerance * _SPEED_WEIGHT) {
-        if (near === null && !newton___near(first.state, at.state)) {
-          const found4 = newton__linearized(system, at.state, steps);
-          linear = found4[0];
-          rising = found4[1];
-        }
-        return new Settled(at.state, at.level, linear, rising);
-      }
-      new_ = newton___stepped(at, system, matrix, k === 0);
-      if (new_ === null || new_.size >= at.size) {
-        break;
-      }
-      matrix = newton___learned(matrix, at, new_);
-      slow = new_.size > 0.3 * at.size;
+  let enough = tolerance * _SPEED_WEIGHT;
+  let meshed = tol === COARSE;
+  let again = false;
+  let places = [...starts].map((at) => at.place);
+  let arcs = [...starts].map((at) => at.met);
+  let at = newton___point(system, places, arcs, level, COARSE);
+  for (let each1 = 0, end1 = _MOST; each1 < end1; each1++) {
+    const found2 = newton__linearized(system, at.state);
+    linear = found2[0];
+    rising = found2[1];
+    new_ = at.size > enough ? newton___stepped(at, system, linear.matrix) : null;
+    if (new_ !== null) {
       at = new_;
-      if (slow) {
-        break;
-      }
-    }
-    if (at === first && (i > 0 || near === null)) {
-      done = at.size <= 1000.0 * tolerance * _SPEED_WEIGHT;
+      again = false;
+    } else if (!meshed) {
+      meshed = true;
+      at = newton___point(system, newton___places(at), newton___arcs(at), at.level, tol);
+    } else if (at.size > enough && !again) {
+      again = true;
+      at = newton___point(system, newton___places(at), newton___arcs(at), at.level, COARSE);
+    } else {
+      done = at.size <= 1000.0 * enough;
       return done ? new Settled(at.state, at.level, linear, rising) : null;
     }
   }
   return null;
 }
 
-export function locate___same(a, b) {
-  let pairs = $zip(a.passages, b.passages);
-  return [...pairs].every(([x, y]) => Math.abs(x.exit / y.exit - 1.0) < 1e-6);
-}
-
-/** Return the levels found by a search, the states there, and starts that led to none. */
-export function locate___states(system, search, softening, steps) {
-  let found, levels, miss, start, w;
-  if (softening) {
-    levels = search.all_solutions();
-  } else {
-    [w, miss] = search.solution(0.0001);
-    levels = Math.abs(miss) < 0.001 ? [w] : [];
-  }
-  let states = [];
-  let failed = [];
-  for (const each1 of levels) {
-    w = each1;
-    start = [...search.follow(search.level(w))];
-    found = newton__settle(system, start, search.level(w), steps);
-    if (found === null) {
-      failed.push(start);
-    } else if (![...states].some((other) => locate___same(found, other))) {
-      states.push(found);
-    }
-  }
-  return [levels, states, failed];
-}
-
-/** Return what becomes of a state of the eased train as the give goes. */
-export function locate___stiffened(system, state) {
-  let give = _GIVE;
-  let now = state;
-  while (now !== null && give > 0.0) {
-    give = give > _LEAST_GIVE ? give * 0.2 : 0.0;
-    now = newton__settle(locate___eased(system, give), now.passages, now.level);
-  }
-  return now;
+export function locate___shares(system, state) {
+  return [...[...state.passages].map((p) => (p.entry - p.exit) / system.pull)];
 }
 
 /** Return "a breaks" or "a and b break". */
 export function locate___listed(names, indices) {
   let verb = indices.length === 1 ? "breaks" : "break";
   return "" + $text([...indices].map((i) => names[i]).join(" and ")) + " " + $text(verb);
-}
-
-/** Say which drives break away. */
-export function locate__away(names, indices) {
-  return "" + $text(locate___listed(names, indices)) + " away: no creep makes enough friction.";
-}
-
-/** Return the failure of a train, with the drives that break away. */
-export function locate___broken(system, names, passages, level) {
-  let i, known, member, p;
-  let fallen = [];
-  let exact = [];
-  for (const each1 of $enumerate($zip(system.members, passages))) {
-    [i, [member, p]] = each1;
-    known = p;
-    if (Number.isNaN(p.effort)) {
-      known = member.between(p.entry, p.exit);
-      if (known === null) {
-        fallen.push(i);
-      }
-    } else if (member.slopes(p, FINE).exit_by_effort >= 0.0) {
-      fallen.push(i);
-    }
-    exact.push(known === null ? p : known);
-  }
-  let status = BREAKAWAY;
-  let reason = "";
-  if (fallen.length > 0) {
-    reason = locate__away(names, fallen);
-  } else if (Math.abs(passages.at(-1).exit / system.exit - 1.0) > 0.001) {
-    fallen = [...$range(names.length)];
-    reason =
-      "" + "The friction of " + $text(names.join(" and ")) + " together cannot carry the load.";
-  } else {
-    status = UNSOLVED;
-  }
-  return new Located(status, reason, [...exact], level, undefined, undefined, [...fallen]);
-}
-
-export function locate___shares(system, state) {
-  return [...[...state.passages].map((p) => (p.entry - p.exit) / system.pull)];
 }
 
 export function locate___them(indices) {
@@ -1981,7 +1857,7 @@ export function locate___chosen(system, names, states) {
 }
 
 /** Return the tensions at which the arcs, solved for their tensions, meet the speeds. */
-export function locate___corrected(system, located, steps) {
+export function locate___corrected(system, located) {
   let better, offsets, old, pairs, solved, state, step;
   for (let each1 = 0, end1 = 4; each1 < end1; each1++) {
     state = located.settled;
@@ -2003,7 +1879,7 @@ export function locate___corrected(system, located, steps) {
     system = Object.assign(Object.create(Object.getPrototypeOf(system)), system, {
       corrections: [...offsets],
     });
-    better = newton__settle(system, state.passages, state.level, steps, state);
+    better = newton__settle(system, state.passages, state.level, COARSE);
     if (better === null) {
       break;
     }
@@ -2024,18 +1900,121 @@ export function locate___corrected(system, located, steps) {
   return located;
 }
 
+/** Return the train with a little give in its held speeds, where laws hold the belt. */
+export function locate___eased(system, give) {
+  if (
+    ![...$zip(system.members, system.lines)].some(([m, line]) => m.holds && line.motor === null)
+  ) {
+    return system;
+  }
+  let lines = [
+    ...[...system.lines].map((line) =>
+      line.motor === null
+        ? Object.assign(Object.create(Object.getPrototypeOf(line)), line, {
+            give: give / system.torque_scale,
+          })
+        : line,
+    ),
+  ];
+  return Object.assign(Object.create(Object.getPrototypeOf(system)), system, { lines: lines });
+}
+
+export function locate___same(a, b) {
+  let pairs = $zip(a.passages, b.passages);
+  return [...pairs].every(([x, y]) => Math.abs(x.exit / y.exit - 1.0) < 1e-6);
+}
+
+/** Return the levels found by a search, the states there, and starts that led to none. */
+export function locate___states(system, search, softening, tol) {
+  let found, levels, miss, start, w;
+  if (softening) {
+    levels = search.all_solutions();
+  } else {
+    [w, miss] = search.solution(0.0001);
+    levels = Math.abs(miss) < 0.001 ? [w] : [];
+  }
+  let states = [];
+  let failed = [];
+  for (const each1 of levels) {
+    w = each1;
+    start = [...search.follow(search.level(w)).passages];
+    found = newton__settle(system, start, search.level(w), tol);
+    if (found === null) {
+      failed.push(start);
+    } else if (![...states].some((other) => locate___same(found, other))) {
+      states.push(found);
+    }
+  }
+  return [levels, states, failed];
+}
+
+/** Return what becomes of a state of the eased train as the give goes. */
+export function locate___stiffened(system, state) {
+  let give = _GIVE;
+  let now = state;
+  while (now !== null && give > 0.0) {
+    give = give > _LEAST_GIVE ? give * 0.2 : 0.0;
+    now = newton__settle(locate___eased(system, give), now.passages, now.level);
+  }
+  return now;
+}
+
+/** Say which drives break away. */
+export function locate__away(names, indices) {
+  return "" + $text(locate___listed(names, indices)) + " away: no creep makes enough friction.";
+}
+
+/** Return the failure of a train, with the drives that break away. */
+export function locate___broken(system, names, passages, level) {
+  let i, known, member, p;
+  let fallen = [];
+  let exact = [];
+  for (const each1 of $enumerate($zip(system.members, passages))) {
+    [i, [member, p]] = each1;
+    known = p;
+    if (Number.isNaN(p.place)) {
+      known = member.between(p.entry, p.exit);
+      if (known === null) {
+        fallen.push(i);
+      }
+    } else if (!member.rises(p)) {
+      fallen.push(i);
+    }
+    exact.push(known === null ? p : known);
+  }
+  let status = BREAKAWAY;
+  let reason = "";
+  if (fallen.length > 0) {
+    reason = locate__away(names, fallen);
+  } else if (Math.abs(passages.at(-1).exit / system.exit - 1.0) > 0.001) {
+    fallen = [...$range(names.length)];
+    reason =
+      "" + "The friction of " + $text(names.join(" and ")) + " together cannot carry the load.";
+  } else {
+    status = UNSOLVED;
+  }
+  return new Located(status, reason, [...exact], level, undefined, undefined, [...fallen]);
+}
+
 /** Return the stable state of a train whose drums turn as given. */
 export function locate__locate(system, names, softening) {
-  let failed, level, levels, search, start, states, steps, stiff;
+  let failed, levels, search, start, states, stiff, tol;
+  let fine = softening ? FINE : SHARP;
+  const found1 = system__guessed(system);
+  let passages = found1[0];
+  let level = found1[1];
+  let state = softening ? null : newton__settle(system, passages, level, fine);
+  if (state !== null) {
+    return locate___corrected(system, locate___chosen(system, names, [state]));
+  }
   let eased = locate___eased(system, _GIVE);
-  let fine = softening || eased !== system ? FINE : SHARP;
-  for (const each1 of [COARSE, SHARP, FINE]) {
-    steps = each1;
-    search = new Search(eased, steps);
-    const found2 = locate___states(eased, search, softening, fine);
-    levels = found2[0];
-    states = found2[1];
-    failed = found2[2];
+  for (const each2 of [COARSE, SHARP]) {
+    tol = each2;
+    search = new Search(eased, tol);
+    const found3 = locate___states(eased, search, softening, fine);
+    levels = found3[0];
+    states = found3[1];
+    failed = found3[2];
     if (levels.length > 0 && failed.length === 0) {
       break;
     }
@@ -2046,13 +2025,14 @@ export function locate__locate(system, names, softening) {
   }
   if (levels.length === 0) {
     level = search.level(search.strongest());
-    return locate___broken(system, names, [...search.follow(level)], level);
+    return locate___broken(system, names, [...search.follow(level).passages], level);
   }
   if (states.length === 0) {
-    start = failed.length > 0 ? failed[0] : [...search.follow(search.level(levels[0]))];
-    return locate___broken(system, names, start, search.level(levels[0]));
+    level = search.level(levels[0]);
+    start = failed.length > 0 ? failed[0] : [...search.follow(level).passages];
+    return locate___broken(system, names, start, level);
   }
-  return locate___corrected(system, locate___chosen(system, names, states), fine);
+  return locate___corrected(system, locate___chosen(system, names, states));
 }
 
 /** Return tensions that meet the last one exactly; what is idle but for rounding is idle. */
@@ -2177,19 +2157,6 @@ export function turning__motor_point(motor, torque, rotation) {
     motor.count * each * (speed - gear_speed) + 0.0,
     motor.count * each * gear_speed - torque * rotation,
   );
-}
-
-export function in_page_train___passage(member, arc) {
-  let found = arc.summary;
-  let entry = found.entry_tension;
-  let leaving = found.exit_tension;
-  let g = found.entry_creep_ratio;
-  if (member.holds) {
-    return member.between(entry, leaving);
-  }
-  let creep = found.exit_creep;
-  let slip = found.exit_slip;
-  return new Passage(entry, leaving, member.effort_at(g), g, creep, slip, false);
 }
 
 /** Largest relative miss between what leaves a pulley and what the next one takes [-]. */
@@ -2322,7 +2289,9 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     .map(([i, arc]) => i);
   let passages = [...arcs].map((_) => null);
   if (stuck.length === 0) {
-    passages = [...$zip(system.members, arcs)].map(([m, arc]) => in_page_train___passage(m, arc));
+    passages = [...$zip(system.members, arcs)].map(([m, arc]) =>
+      m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep),
+    );
   }
   let torques = [...turnings].map((at) => at.drum_torque);
   let tension_miss = NaN;
@@ -3053,1141 +3022,214 @@ export function arc_tables__capacity_rows(c, of, system) {
   return new Table("Capacity", [...rows], undefined, note);
 }
 
-/** Effort of an entry creep ratio, laws without a jump; the inverse of :func:`ratio_of`. */
-export function effort__effort_of(par, g) {
-  let r = (par.side * g) / SMALL_RATIO;
-  if (par.kick !== 0.0) {
-    return Math.asinh(r);
+/** An arc that is held all along, much longer than l; None where it is not. */
+export function passage___held(law, arc, ends) {
+  let lag = collocation__lag_length(arc);
+  let length = arc.radius * arc.wrap_angle;
+  let taken = (arc.width * lag) / arc.shear;
+  const found1 = collocation__overrun_at(arc, ends.tension);
+  let overrun = found1[0];
+  let by_tension = found1[1];
+  let leaving = ends.tension - taken * (overrun + ends.goal);
+  let most = traction__held_stress(law, max(leaving, 0.0) / (arc.width * arc.radius));
+  if (leaving <= 0.0 || Math.abs(ends.goal) > arc.shear * most) {
+    return null;
   }
-  return r > 0.0 ? Math.log(r) : -60.0;
+  let ratio = collocation__compliance_of(arc) * leaving + ends.goal / lag;
+  let course = new Course(
+    [0.0, 0.0],
+    $repeated([ends.goal], 2),
+    $repeated([leaving], 2),
+    $repeated([leaving], 3),
+    ratio,
+  );
+  let face = Object.assign(
+    Object.create(Object.getPrototypeOf(meet__interface(law, arc))),
+    meet__interface(law, arc),
+    { slides: arc.side, rests: true },
+  );
+  let met = new Met(true, course, NO_SLOPES, length, ends.tension, face);
+  return new Passed(
+    met,
+    leaving,
+    -overrun / lag,
+    1.0 - taken * by_tension,
+    -taken,
+    -by_tension / lag,
+    0.0,
+  );
 }
 
-/** Shear stress a law holds without slip [Pa] and its derivative by pressure [-]. */
-export function stick__onset_stress(law, pressure) {
-  let segment = compact__segment_of(law, pressure);
-  let branch = law.kind === LIMIT ? PLASTIC : 0;
-  const found1 = compact__friction_at(law, segment, branch, 0.0, pressure);
-  let mu = found1[0];
-  let mu_p = found1[2];
-  return [mu * pressure, mu + pressure * mu_p];
-}
-
-/** Effort at which the entry creep ratio is 1. */
-export function effort__largest_effort(law, par) {
-  if (!quantities__jumps(law)) {
-    return effort__effort_of(par, par.side * LARGEST_RATIO);
-  }
-  let compliance = par.shear + par.onset;
-  if (compliance === 0.0) {
-    return 1.0 + (LARGEST_RATIO * par.length) / CREEP_SCALE;
-  }
-  let u = compliance * stick__onset_stress(law, par.entry_pressure)[0];
-  return max(par.length / u, 10.0);
-}
-
-/** Shear-lag lengths in the arc [-]; 0 for a law without slip before its limit. */
-export function effort__lags(law, par) {
-  let mu, mu_pk, slip, slip_pk;
-  let p = par.entry_pressure;
-  let segment = compact__segment_of(law, p);
-  if (law.kind === LIMIT && law.coefficients[3] === 0.0) {
-    return 0.0;
-  }
-  if (law.kind === LIMIT) {
-    slip = law.coefficients[3];
-    mu = 1.0 / p;
-  } else if (law.kind === TABLE) {
-    const found1 = compact__friction_at(law, segment, 1, law.slips[1], p);
-    mu = found1[0];
-    slip = law.slips[1];
-  } else {
-    const found2 = compact__peak(law, segment, p);
-    slip_pk = found2[0];
-    mu_pk = found2[1];
-    slip = 0.18 * slip_pk;
-    mu = mu_pk;
-  }
-  let lag = Math.sqrt((par.shear + slip / (mu * p)) / (par.width * par.compliance));
-  return par.length / lag;
-}
-
-/** Mesh steps for an arc: more where the belt hands over its tension in a short exit part. */
-export function effort__mesh_steps(law, par, steps) {
-  return Math.trunc(steps * max(1.0, min(effort__lags(law, par), MOST_LAGS) / LAGS_PER_MESH));
-}
-
-/** Length l = sqrt(c_e EA' / B), over which a stuck belt hands over its tension [m]. */
-export function stick__shear_lag_length(par) {
-  return Math.sqrt((par.shear + par.onset) / (par.width * par.compliance));
-}
-
-/** Tension [N] and creep [m] at the end of a stuck zone of a given length, where slip begins. */
-export function stick__zone_end(law, par, length) {
-  let f, new_, slope, tau, tau_p, u;
-  let compliance = par.shear + par.onset;
-  if (compliance === 0.0) {
-    return [par.entry_tension, 0.0];
-  }
-  let lag = stick__shear_lag_length(par);
-  let e = Math.exp(-length / lag);
-  let rise = -Math.expm1(-length / lag);
-  let half = Math.tanh((0.5 * length) / lag);
-  let ease = lag * par.compliance;
-  let area = par.width * par.radius;
-  let low = 0.0;
-  let high = par.entry_tension * 1000000.0;
-  let t = par.entry_tension;
-  for (let each1 = 0, end1 = 200; each1 < end1; each1++) {
-    const found2 = stick__onset_stress(law, t / area);
-    tau = found2[0];
-    tau_p = found2[1];
-    u = par.side * compliance * tau;
-    f = t - par.entry_tension + (par.kick * rise + (u - par.kick * e) * half) / ease;
-    if (f > 0.0) {
-      high = t;
-    } else {
-      low = t;
+/** The arc found, or None where it has a rest arc and should not, or the other way round. */
+export function passage___checked(face, arc, found) {
+  let entry, rest;
+  let at = found.course;
+  if (face.rests) {
+    rest = arc.radius * arc.wrap_angle - at.place.at(-1);
+    if (rest < HELD * collocation__lag_length(arc) || rest < 0.0) {
+      return null;
     }
-    slope = 1.0 + (((par.side * compliance * tau_p) / area) * half) / ease;
-    new_ = slope > 0.0 ? t - f / slope : 0.5 * (low + high);
-    if (!(low < new_ && new_ < high)) {
+    entry = collocation__entry_of_rest(face, arc, at.tension[0]);
+    return new Met(true, at, found.slopes, rest, entry, face);
+  }
+  let met = new Met(true, at, found.slopes, 0.0, at.tension[0], face);
+  if (face.slides * profile__entry_ratio(arc, met) < 0.0) {
+    return null;
+  }
+  return met;
+}
+
+/** The arc from one nearly the same; None where it is another kind. */
+export function passage___again(law, arc, ends, near, tol) {
+  let finer, new_;
+  let length = arc.radius * arc.wrap_angle;
+  let at = near.course;
+  let rests = near.face.rests;
+  if (!near.done || at.place.at(-1) === 0.0 || near.face.slides * ends.goal < 0.0) {
+    return null;
+  }
+  let face = Object.assign(
+    Object.create(Object.getPrototypeOf(meet__interface(law, arc))),
+    meet__interface(law, arc),
+    { slides: near.face.slides, rests: rests },
+  );
+  if (!rests && at.place.at(-1) !== length) {
+    at = Object.assign(Object.create(Object.getPrototypeOf(at)), at, {
+      place: [...at.place].map((place) => (length / at.place.at(-1)) * place),
+    });
+  }
+  let enough = tol === NO_MESH ? COARSELY : SETTLED;
+  let found = collocation__converged(face, arc, ends, at, FIRST_STEPS, enough);
+  for (let each1 = 0, end1 = tol < NO_MESH ? MOST_ROUNDS : 0; each1 < end1; each1++) {
+    if (!found.done) {
+      return null;
+    }
+    if ($maxOf(collocation__misfits(face, arc, found.course, CREEP)) <= tol) {
+      break;
+    }
+    const found2 = collocation__meshed(face, arc, found.course, CREEP, tol);
+    finer = found2[0];
+    new_ = found2[1];
+    if (!finer) {
+      break;
+    }
+    found = collocation__converged(face, arc, ends, new_, LATER_STEPS, enough);
+  }
+  return found.done ? passage___checked(face, arc, found) : null;
+}
+
+/** The arc from a guess of its tensions. */
+export function passage___afresh(law, arc, ends, tol) {
+  let p = ends.tension / (arc.width * arc.radius);
+  let used = capacity__stress_about(meet__interface(law, arc), p, 0.6 * ends.goal);
+  let fall = min(((0.9 * used) / p) * arc.wrap_angle, LARGEST_FALL);
+  let guess = new Guess(ends.tension, ends.tension * Math.exp(-arc.side * fall), ends.goal);
+  let met = meet__meet(law, arc, ends, guess, null, tol);
+  return met.done ? met : meet__by_growth(law, arc, ends, guess, tol);
+}
+
+/** What an arc says, with its slopes. */
+export function passage___told(arc, met) {
+  let by_creep, end_slope, lag, overrun_slope, part, ratio, ratio_by_entry, taken;
+  let [first, last, first_goal, last_goal] = met.slopes;
+  let leaving = met.course.tension.at(-1);
+  if (met.rest > 0.0) {
+    overrun_slope = collocation__overrun_at(arc, met.entry)[1];
+    lag = collocation__lag_length(arc);
+    ratio_by_entry = lag === 0.0 ? 0.0 : -overrun_slope / lag;
+    if (arc.shear > 0.0) {
+      taken = (arc.width * lag) / arc.shear;
+      end_slope = collocation__start_at(met.face, arc, met.course.tension[0])[1];
+      part = (1.0 - taken * overrun_slope) / (1.0 + taken * end_slope);
+    } else {
+      part = 1.0;
+    }
+    by_creep = last_goal - (last * first_goal) / first;
+    ratio = profile__entry_ratio(arc, met);
+    return new Passed(met, leaving, ratio, (last / first) * part, by_creep, ratio_by_entry, 0.0);
+  }
+  by_creep = last_goal - (last * first_goal) / first;
+  ratio_by_entry = 1.0 / first - collocation__compliance_of(arc);
+  return new Passed(
+    met,
+    leaving,
+    profile__entry_ratio(arc, met),
+    last / first,
+    by_creep,
+    ratio_by_entry,
+    -first_goal / first,
+  );
+}
+
+/** Pass an arc with an entry tension [N] and an exit creep [m]. */
+export function passage__passed(law, arc, entry, creep, near, tol) {
+  let held;
+  let ends = new Ends(1.0, 0.0, entry, CREEP, creep);
+  if (
+    quantities__jumps(law) &&
+    arc.shear > 0.0 &&
+    STIFF * collocation__lag_length(arc) < arc.radius * arc.wrap_angle
+  ) {
+    held = passage___held(law, arc, ends);
+    if (held !== null) {
+      return held;
+    }
+  }
+  let met = near === null ? null : passage___again(law, arc, ends, near, tol);
+  if (met === null) {
+    met = passage___afresh(law, arc, ends, min(tol, AFRESH));
+  }
+  return passage___told(arc, met);
+}
+
+/** (T(0) - T(L))/sqrt(u(L)) of a short slide behind a rest arc where nothing shears [N/m^0.5]. */
+export function passage__slide_slope(law, arc, entry) {
+  let stress = traction__held_stress(law, entry / (arc.width * arc.radius));
+  return Math.sqrt((2.0 * arc.width * stress) / collocation__compliance_of(arc));
+}
+
+export function newton___dot(one, other) {
+  return $sum([...$zip(one, other)].map(([a, b]) => a * b));
+}
+
+/** Return x with |f(x)| <= tolerance, and f(x), of a rising function that tells its slope. */
+export function roots__sloped_root(f, x, low, high, tolerance) {
+  let above, before, below, new_, slope;
+  [x, before] = [min(max(x, low), high), 0.0];
+  below = above = false;
+  let value = 0.0;
+  for (let each1 = 0, end1 = 80; each1 < end1; each1++) {
+    [value, slope] = f(x);
+    if (Math.abs(value) <= tolerance || (x === high && value < 0.0) || (x === low && value > 0.0)) {
+      break;
+    }
+    if (value < 0.0) {
+      low = x;
+      below = true;
+    } else {
+      high = x;
+      above = true;
+    }
+    new_ = value < 0.0 ? high : low;
+    if (slope > 0.0) {
+      new_ = x - value / slope;
+    }
+    if (
+      below &&
+      above &&
+      (!(low < new_ && new_ < high) ||
+        (Math.abs(value) > 0.5 * Math.abs(before) && 0.5 * Math.abs(before) > 0.0))
+    ) {
       new_ = 0.5 * (low + high);
     }
-    if (Math.abs(new_ - t) <= 1e-15 * par.entry_tension) {
-      t = new_;
+    before = value;
+    new_ = min(max(new_, low), high);
+    if (new_ === x) {
       break;
     }
-    t = new_;
+    x = new_;
   }
-  return [t, par.side * compliance * stick__onset_stress(law, t / area)[0]];
-}
-
-/** Entry creep ratio g = (a - x_c) / l of a stuck zone [-]; may underflow to 0. */
-export function stick__zone_creep_ratio(par, length, end_creep) {
-  if (par.shear + par.onset === 0.0) {
-    return 0.0;
-  }
-  let lag = stick__shear_lag_length(par);
-  let e = Math.exp(-length / lag);
-  let a = (2.0 * (end_creep - par.kick * e) * e) / -Math.expm1((-2.0 * length) / lag);
-  return (a - par.kick) / lag;
-}
-
-/** Tension [N] and creep [m] at s inside a stuck zone of a given length and end creep. */
-export function stick__zone_point(par, s, length, end_creep) {
-  if (par.shear + par.onset === 0.0) {
-    return [par.entry_tension, 0.0];
-  }
-  let lag = stick__shear_lag_length(par);
-  let e = Math.exp(-s / lag);
-  let e_end = Math.exp(-length / lag);
-  let scale =
-    ((end_creep - par.kick * e_end) * Math.exp((s - length) / lag)) /
-    -Math.expm1((-2.0 * length) / lag);
-  let rise = -Math.expm1(-s / lag);
-  let creep = par.kick * e + scale * -Math.expm1((-2.0 * s) / lag);
-  let pull = par.kick * rise + scale * rise * rise;
-  return [max(par.entry_tension - pull / (lag * par.compliance), 1e-6 * par.entry_tension), creep];
-}
-
-/** dq/ds [1/m], dx/ds [-] and d(friction work)/ds = tau dx/ds [N/m2] of one piece of the law. */
-export function step__rates(law, par, g, segment, branch, sign, q, x) {
-  let e, lost, sp;
-  let radius = par.radius;
-  let shear = par.shear;
-  if (Math.abs(q) < 0.1) {
-    lost = -Math.expm1(q);
-    e = 1.0 - lost;
-  } else {
-    e = Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
-    lost = 1.0 - e;
-  }
-  let p = par.entry_pressure * e;
-  const found1 = compact__friction_at(law, segment, branch, x * sign, p);
-  let mu = found1[0];
-  let mu_x = found1[1];
-  let mu_p = found1[2];
-  let dq = -mu / radius;
-  let dx = g + par.entry_tension * lost * par.compliance;
-  if (shear > 0.0) {
-    sp = shear * p;
-    dx = (dx + (sp * (mu + p * mu_p) * mu) / radius) / (1.0 + sp * mu_x);
-  }
-  return [sign * dq, dx, sign * mu * p * dx];
-}
-
-/** Longest step near a point of no slip amid the mesh, where the slope of the law is infinite. */
-export function march___near_no_slip(away, s, nearest) {
-  if (away < 0.0) {
-    return max(-0.7 * away, nearest);
-  }
-  return away < 0.1 * s ? max(2.0 * away, nearest) : Infinity;
-}
-
-/** Wrap pressure [Pa] at ln(T/T1); a trial far off the solution may ask for any. */
-export function step__pressure_at(par, q) {
-  return par.entry_pressure * Math.exp(min(max(q, -LARGEST_LOG), LARGEST_LOG));
-}
-
-/** Longest step in a steep cell of a measured table [m], nan where the cell is not steep. */
-export function creep_step__cell_step(law, par, g, segment, branch, sign, q, x) {
-  if (branch >= law.slips.length - 1) {
-    return NaN;
-  }
-  let low = law.slips[branch];
-  let high = law.slips[branch + 1];
-  let p = step__pressure_at(par, q);
-  let change = compact__friction_at(law, segment, branch, high, p)[0];
-  change -= compact__friction_at(law, segment, branch, low, p)[0];
-  let shear = (par.shear * p * Math.abs(change)) / (high - low);
-  if (shear < STEEP) {
-    return NaN;
-  }
-  let first = low + par.shear * p * compact__friction_at(law, segment, branch, low, p)[0];
-  let last = high + par.shear * p * compact__friction_at(law, segment, branch, high, p)[0];
-  let here = sign * x + par.shear * p * compact__friction_at(law, segment, branch, sign * x, p)[0];
-  let rate = sign * (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance);
-  if (rate === 0.0) {
-    return Infinity;
-  }
-  let part = Math.abs(last - first) / (1.0 + CELL_PARTS * min(shear, 6.0));
-  let left = rate > 0.0 ? last - here : here - first;
-  return min(part, max(1.02 * left, 0.0) + 0.01 * part) / Math.abs(rate);
-}
-
-/** Shear-lag length sqrt(dx / (dmu p B C)) of what is ahead in a cell of a table [m]. */
-export function creep_step__cell_lag(law, par, segment, branch, q, slip, friction) {
-  let ahead = law.slips[branch + 1] - slip;
-  if (ahead <= 0.0) {
-    return Infinity;
-  }
-  let p = step__pressure_at(par, q);
-  let change = compact__friction_at(law, segment, branch, law.slips[branch + 1], p)[0] - friction;
-  let stiffness = Math.abs(change) * p * par.width * par.compliance;
-  return stiffness > 0.0 ? Math.sqrt(ahead / stiffness) : Infinity;
-}
-
-/** Friction mu [-] and slip x [m] with x + ease mu(x, p) = creep (Newton, inside a bracket). */
-export function table_slip__slip_under_table(law, segment, ease, pressure, creep, share) {
-  let a0, a1, a2, a3, change, found, i, j, miss, mu, mu_x, slope, start, t, trial;
-  let edges = law.edges;
-  let c = law.coefficients;
-  let slips = law.slips;
-  let last = edges.length - 1;
-  let cells = slips.length;
-  let row = 0;
-  let above = 0;
-  let weight = 0.0;
-  let factor = 1.0;
-  if (last >= 0 && segment >= last) {
-    row = last;
-    factor = edges[last] / pressure;
-  } else if (segment >= 0) {
-    row = segment;
-    above = 4 * cells;
-    weight = (pressure - edges[segment]) / (edges[segment + 1] - edges[segment]);
-  }
-  let o = 4 * row * cells;
-  ease *= factor;
-  let held = c[o] + weight * (c[o + above] - c[o]);
-  if (ease > 0.0 && creep <= ease * held) {
-    return [(factor * creep) / ease, 0.0];
-  }
-  let low = 0.0;
-  let high = creep;
-  let x = share > 0.0 ? share * creep : creep;
-  let cell = -1;
-  start = a0 = a1 = a2 = a3 = 0.0;
-  mu = mu_x = change = 0.0;
-  for (let each1 = 0, end1 = _MOST_TRIALS; each1 < end1; each1++) {
-    found = compact__cell_of(slips, x);
-    if (found !== cell) {
-      cell = found;
-      start = slips[found];
-      i = o + 4 * cell;
-      j = i + above;
-      a0 = c[i] + weight * (c[j] - c[i]);
-      a1 = c[i + 1] + weight * (c[j + 1] - c[i + 1]);
-      a2 = c[i + 2] + weight * (c[j + 2] - c[i + 2]);
-      a3 = c[i + 3] + weight * (c[j + 3] - c[i + 3]);
-    }
-    t = x - start;
-    mu = a0 + t * (a1 + t * (a2 + t * a3));
-    mu_x = a1 + t * (2.0 * a2 + 3.0 * t * a3);
-    miss = x + ease * mu - creep;
-    if (miss > 0.0) {
-      high = x;
-    } else {
-      low = x;
-    }
-    slope = 1.0 + ease * mu_x;
-    trial = slope > 0.0 ? x - miss / slope : low;
-    change = trial - x;
-    if (Math.abs(change) > 1e-15 * x && !(low < trial && trial < high)) {
-      trial = 0.5 * (low + high);
-      change = trial - x;
-    }
-    if (Math.abs(change) <= 1e-15 * x) {
-      break;
-    }
-    x = trial;
-  }
-  return [factor * (mu + mu_x * change), x + change];
-}
-
-/** Shear stress [Pa] and slip [m] that belong to a creep, with a guess of slip over creep. */
-export function creep_step___stress_of_creep(law, par, q, u, share) {
-  let size = Math.abs(u);
-  let p = step__pressure_at(par, q);
-  const found1 = table_slip__slip_under_table(
-    law,
-    compact__segment_of(law, p),
-    par.shear * p,
-    p,
-    size,
-    share,
-  );
-  let mu = found1[0];
-  let x = found1[1];
-  let tau = p * mu;
-  if (size - x > 1e-6 * size) {
-    tau = (size - x) / par.shear;
-  }
-  return u > 0.0 ? [tau, x] : [-tau, -x];
-}
-
-/** Changes of q, creep u and tau du over z of the arc, and slip over creep. */
-export function creep_step___creep_rates(law, par, g, z, q, u, share) {
-  let p = step__pressure_at(par, q);
-  const found1 = creep_step___stress_of_creep(law, par, q, u, share);
-  let tau = found1[0];
-  let x = found1[1];
-  share = u !== 0.0 ? x / u : 1.0;
-  let du = (g + par.entry_tension * (1.0 - p / par.entry_pressure) * par.compliance) * z;
-  return [(-tau / (p * par.radius)) * z, du, tau * du, share];
-}
-
-/** Increment to the second stage, at 1/3. */
-export function butcher__to_second(k1) {
-  return k1 / 3.0;
-}
-
-/** Increment to the third stage, at 2/3. */
-export function butcher__to_third(k2) {
-  return (k2 * 2.0) / 3.0;
-}
-
-/** Increment to the fourth stage, at 1/3. */
-export function butcher__to_fourth(k1, k2, k3) {
-  return (k1 + 4.0 * k2 - k3) / 12.0;
-}
-
-/** Increment to the fifth stage, at 1/2. */
-export function butcher__to_fifth(k1, k2, k3, k4) {
-  return (18.0 * k2 - k1 - 3.0 * k3 - 6.0 * k4) / 16.0;
-}
-
-/** Increment to the sixth stage, at 1/2. */
-export function butcher__to_sixth(k2, k3, k4, k5) {
-  return (9.0 * k2 - 3.0 * k3 - 6.0 * k4 + 4.0 * k5) / 8.0;
-}
-
-/** Increment to the seventh stage, at the end. */
-export function butcher__to_last(k1, k2, k3, k4, k6) {
-  return (9.0 * k1 - 36.0 * k2 + 63.0 * k3 + 72.0 * k4 - 64.0 * k6) / 44.0;
-}
-
-/** Increment over the whole step. */
-export function butcher__to_end(k1, k3, k4, k5, k6, k7) {
-  return (11.0 * (k1 + k7) + 81.0 * (k3 + k4) - 32.0 * (k5 + k6)) / 120.0;
-}
-
-/** `wraparc.arc.kernel.step.step` with creep as the state, and the table as it is throughout. */
-export function creep_step__creep_step(law, par, g, sign, q, x, span, xi, h) {
-  let a2, a3, a4, a5, a6, a7, b2, b3, b4, b5, b6, b7, mu, w3, w4, w5, w6, w7;
-  let f = MESH_POWER * span;
-  let z = xi ** 3 * f * h;
-  let p = step__pressure_at(par, q);
-  let segment = compact__segment_of(law, p);
-  const found1 = compact__friction_at(
-    law,
-    segment,
-    compact__branch_of(law, segment, sign * x, p),
-    sign * x,
-    p,
-  );
-  mu = found1[0];
-  let tau = sign * mu * p;
-  let u = x + par.shear * tau;
-  const found2 = creep_step___creep_rates(
-    law,
-    par,
-    g,
-    z,
-    q,
-    u,
-    u !== 0.0 ? (sign * x) / Math.abs(u) : 1.0,
-  );
-  let a1 = found2[0];
-  let b1 = found2[1];
-  let w1 = found2[2];
-  let n = found2[3];
-  let z3 = (xi + h / 3.0) ** 3 * f * h;
-  const found3 = creep_step___creep_rates(
-    law,
-    par,
-    g,
-    z3,
-    q + butcher__to_second(a1),
-    u + butcher__to_second(b1),
-    n,
-  );
-  a2 = found3[0];
-  b2 = found3[1];
-  n = found3[3];
-  z = (xi + (h * 2.0) / 3.0) ** 3 * f * h;
-  const found4 = creep_step___creep_rates(
-    law,
-    par,
-    g,
-    z,
-    q + butcher__to_third(a2),
-    u + butcher__to_third(b2),
-    n,
-  );
-  a3 = found4[0];
-  b3 = found4[1];
-  w3 = found4[2];
-  n = found4[3];
-  let q4 = q + butcher__to_fourth(a1, a2, a3);
-  let u4 = u + butcher__to_fourth(b1, b2, b3);
-  const found5 = creep_step___creep_rates(law, par, g, z3, q4, u4, n);
-  a4 = found5[0];
-  b4 = found5[1];
-  w4 = found5[2];
-  n = found5[3];
-  z = (xi + 0.5 * h) ** 3 * f * h;
-  let q5 = q + butcher__to_fifth(a1, a2, a3, a4);
-  let u5 = u + butcher__to_fifth(b1, b2, b3, b4);
-  const found6 = creep_step___creep_rates(law, par, g, z, q5, u5, n);
-  a5 = found6[0];
-  b5 = found6[1];
-  w5 = found6[2];
-  n = found6[3];
-  let q6 = q + butcher__to_sixth(a2, a3, a4, a5);
-  let u6 = u + butcher__to_sixth(b2, b3, b4, b5);
-  const found7 = creep_step___creep_rates(law, par, g, z, q6, u6, n);
-  a6 = found7[0];
-  b6 = found7[1];
-  w6 = found7[2];
-  n = found7[3];
-  z = (xi + h) ** 3 * f * h;
-  let q7 = q + butcher__to_last(a1, a2, a3, a4, a6);
-  let u7 = u + butcher__to_last(b1, b2, b3, b4, b6);
-  const found8 = creep_step___creep_rates(law, par, g, z, q7, u7, n);
-  a7 = found8[0];
-  b7 = found8[1];
-  w7 = found8[2];
-  n = found8[3];
-  let q_end = q + butcher__to_end(a1, a3, a4, a5, a6, a7);
-  let u_end = u + butcher__to_end(b1, b3, b4, b5, b6, b7);
-  const found9 = creep_step___stress_of_creep(law, par, q_end, u_end, n);
-  let tau_end = found9[0];
-  let x_end = found9[1];
-  let stored = 0.5 * par.shear * (tau_end ** 2 - tau ** 2);
-  return [q_end, x_end, butcher__to_end(w1, w3, w4, w5, w6, w7) - stored];
-}
-
-/** One step of length h in xi with the rates k1 at its start: q, x and friction work done. */
-export function step__step(law, par, g, segment, branch, sign, q, x, span, xi, h, k1) {
-  let f = MESH_POWER * span;
-  let z = xi * xi * xi * f * h;
-  let a1 = k1[0] * z;
-  let b1 = k1[1] * z;
-  let w1 = k1[2] * z;
-  let t = xi + h / 3.0;
-  let z3 = t * t * t * f * h;
-  let r = step__rates(
-    law,
-    par,
-    g,
-    segment,
-    branch,
-    sign,
-    q + butcher__to_second(a1),
-    x + butcher__to_second(b1),
-  );
-  let a2 = r[0] * z3;
-  let b2 = r[1] * z3;
-  t = xi + (h * 2.0) / 3.0;
-  z = t * t * t * f * h;
-  r = step__rates(
-    law,
-    par,
-    g,
-    segment,
-    branch,
-    sign,
-    q + butcher__to_third(a2),
-    x + butcher__to_third(b2),
-  );
-  let a3 = r[0] * z;
-  let b3 = r[1] * z;
-  let w3 = r[2] * z;
-  let q4 = q + butcher__to_fourth(a1, a2, a3);
-  let x4 = x + butcher__to_fourth(b1, b2, b3);
-  r = step__rates(law, par, g, segment, branch, sign, q4, x4);
-  let a4 = r[0] * z3;
-  let b4 = r[1] * z3;
-  let w4 = r[2] * z3;
-  t = xi + 0.5 * h;
-  z = t * t * t * f * h;
-  let q5 = q + butcher__to_fifth(a1, a2, a3, a4);
-  let x5 = x + butcher__to_fifth(b1, b2, b3, b4);
-  r = step__rates(law, par, g, segment, branch, sign, q5, x5);
-  let a5 = r[0] * z;
-  let b5 = r[1] * z;
-  let w5 = r[2] * z;
-  let q6 = q + butcher__to_sixth(a2, a3, a4, a5);
-  let x6 = x + butcher__to_sixth(b2, b3, b4, b5);
-  r = step__rates(law, par, g, segment, branch, sign, q6, x6);
-  let a6 = r[0] * z;
-  let b6 = r[1] * z;
-  let w6 = r[2] * z;
-  t = xi + h;
-  z = t * t * t * f * h;
-  let q7 = q + butcher__to_last(a1, a2, a3, a4, a6);
-  let x7 = x + butcher__to_last(b1, b2, b3, b4, b6);
-  r = step__rates(law, par, g, segment, branch, sign, q7, x7);
-  let a7 = r[0] * z;
-  let b7 = r[1] * z;
-  let w7 = r[2] * z;
-  return [
-    q + butcher__to_end(a1, a3, a4, a5, a6, a7),
-    x + butcher__to_end(b1, b3, b4, b5, b6, b7),
-    butcher__to_end(w1, w3, w4, w5, w6, w7),
-  ];
-}
-
-/** `step`, or `creep_step` in a steep cell of a table. */
-export function march___stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k) {
-  if (steep) {
-    return creep_step__creep_step(law, par, g, sign, q, x, span, xi, h);
-  }
-  return step__step(law, par, g, segment, branch, sign, q, x, span, xi, h, k);
-}
-
-/** Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before. */
-export function compact__branch_gap(law, segment, boundary, slip, pressure) {
-  let mu_pk, residual, slip_pk, slope;
-  if (law.kind === TABLE) {
-    return slip - law.slips[boundary + 1];
-  }
-  if (law.kind === LIMIT) {
-    return slip - law.coefficients[3] * compact__plateau_at(law, segment, pressure) * pressure;
-  }
-  const found1 = compact__peak(law, segment, pressure);
-  slip_pk = found1[0];
-  mu_pk = found1[1];
-  if (boundary === RISE) {
-    return slip - slip_pk;
-  }
-  const found2 = compact__tail(law, segment, pressure);
-  slope = found2[0];
-  residual = found2[1];
-  if (slope === 0.0) {
-    return -1.0;
-  }
-  return slip - slip_pk - min(residual - mu_pk, 0.0) / slope;
-}
-
-/** Whether a branch ends at larger slips. */
-export function cut___has_next(law, branch) {
-  if (law.kind === LIMIT) {
-    return branch === ELASTIC;
-  }
-  if (law.kind === TABLE) {
-    return branch < law.slips.length - 1;
-  }
-  return branch < 2;
-}
-
-/** How far a state with slip magnitude x is beyond one side of a piece; negative inside. */
-export function cut__beyond(law, par, segment, branch, side, q, x) {
-  let last = law.edges.length - 1;
-  if (side === LOWER_EDGE) {
-    return segment >= 0 ? Math.log(law.edges[segment] / par.entry_pressure) - q : -1.0;
-  }
-  if (side === UPPER_EDGE) {
-    return segment < last ? q - Math.log(law.edges[segment + 1] / par.entry_pressure) : -1.0;
-  }
-  if (side === NO_SLIP) {
-    return -x;
-  }
-  let p = step__pressure_at(par, q);
-  if (side === PREVIOUS_BRANCH) {
-    return branch > 0 ? -compact__branch_gap(law, segment, branch - 1, x, p) : -1.0;
-  }
-  if (!cut___has_next(law, branch)) {
-    return -1.0;
-  }
-  return compact__branch_gap(law, segment, branch, x, p);
-}
-
-/** Whether a state with slip magnitude x lies in a piece of the law. */
-export function cut__within(law, par, segment, branch, q, x) {
-  let p = step__pressure_at(par, q);
-  let last = law.edges.length - 1;
-  if (x < 0.0 || (segment >= 0 && p < law.edges[segment])) {
-    return false;
-  }
-  if (segment < last && p >= law.edges[segment + 1]) {
-    return false;
-  }
-  if (branch === RISE && (law.kind === KNOTS || law.kind === PIECES)) {
-    return x <= compact__peak(law, segment, p)[0];
-  }
-  return (
-    cut__beyond(law, par, segment, branch, PREVIOUS_BRANCH, q, x) <= 0.0 &&
-    cut__beyond(law, par, segment, branch, NEXT_BRANCH, q, x) <= 0.0
-  );
-}
-
-/** Cubic through a and b with slopes da and db over h, at the fraction f. */
-export function step__hermite(f, h, a, da, b, db) {
-  let e = 1.0 - f;
-  return e * e * ((1.0 + 2.0 * f) * a + f * h * da) + f * f * ((3.0 - 2.0 * f) * b - e * h * db);
-}
-
-/** Where a step first leaves its piece: the fraction of the step and the side crossed. */
-export function cut__first_crossing(law, par, segment, branch, sign, h, start, end) {
-  let a, b, fa, fb, fm, m, qm, side, xm;
-  let first = 1.0;
-  let crossed = -1;
-  for (let each1 = 0, end1 = 5; each1 < end1; each1++) {
-    side = each1;
-    fb = cut__beyond(law, par, segment, branch, side, end[0], sign * end[1]);
-    if (fb <= 0.0) {
-      continue;
-    }
-    a = 0.0;
-    b = 1.0;
-    fa = cut__beyond(law, par, segment, branch, side, start[0], sign * start[1]);
-    if (fa >= 0.0) {
-      b = 0.0;
-    } else {
-      for (let each2 = 0, end2 = 60; each2 < end2; each2++) {
-        m = (a * fb - b * fa) / (fb - fa);
-        qm = step__hermite(m, h, start[0], start[2], end[0], end[2]);
-        xm = step__hermite(m, h, start[1], start[3], end[1], end[3]);
-        fm = cut__beyond(law, par, segment, branch, side, qm, sign * xm);
-        if (fm * fb <= 0.0) {
-          a = b;
-          fa = fb;
-        } else {
-          fa *= 0.5;
-        }
-        b = m;
-        fb = fm;
-        if (Math.abs(b - a) < 1e-12 || fm === 0.0) {
-          break;
-        }
-      }
-    }
-    if (b < first) {
-      first = b;
-      crossed = side;
-    }
-  }
-  return [first, crossed];
-}
-
-/** How near a cut must land: inner knots of pressure only bend the law's slope. */
-export function cut__cut_tolerance(law, segment, side) {
-  let last = law.edges.length - 1;
-  let smooth =
-    law.kind === KNOTS &&
-    ((side === LOWER_EDGE && segment > 0) ||
-      (side === UPPER_EDGE && 0 <= segment && segment < last - 1));
-  if (side === LOWER_EDGE || side === UPPER_EDGE) {
-    return smooth ? SMOOTH_CUT_TOLERANCE : CUT_TOLERANCE;
-  }
-  return SLIP_CUT_TOLERANCE;
-}
-
-/** Carry a sliding state from xi to xi_end on a mesh of span xi^4. */
-export function march__advance(law, par, g, state, span, xi, xi_end, cut) {
-  let cell,
-    dq,
-    f,
-    f_last,
-    f_next,
-    gap,
-    gap_last,
-    h,
-    high,
-    j1,
-    jacobian,
-    k,
-    lag,
-    low,
-    most,
-    p,
-    q1,
-    r,
-    reach,
-    s,
-    side,
-    steep,
-    t,
-    tolerance,
-    tries,
-    w1,
-    x1;
-  let [q, x, work, segment, branch, sign] = state;
-  let switches = 0;
-  while (xi < xi_end) {
-    if (!(-LARGEST_LOG < q && q < LARGEST_LOG && Math.abs(x) < FARTHEST_SLIP)) {
-      break;
-    }
-    h = xi_end - xi;
-    k = step__rates(law, par, g, segment, branch, sign, q, x);
-    jacobian = MESH_POWER * span * xi * xi * xi;
-    dq = Math.abs(k[0]) * jacobian;
-    if (dq * h > LARGEST_LOG_STEP) {
-      h = LARGEST_LOG_STEP / dq;
-    }
-    most = NaN;
-    if ((law.kind === KNOTS || law.kind === PIECES) && x * k[1] !== 0.0) {
-      s = span * xi ** MESH_POWER;
-      reach = march___near_no_slip(x / k[1], s, NEAREST * par.length);
-      if (span * (xi + h) ** MESH_POWER - s > reach) {
-        h = ((s + reach) / span) ** (1.0 / MESH_POWER) - xi;
-      }
-    }
-    if (law.kind === TABLE) {
-      most = creep_step__cell_step(law, par, g, segment, branch, sign, q, x);
-      cell = branch < law.slips.length - 1 ? law.slips[branch + 1] - law.slips[branch] : Infinity;
-      if (Math.abs(k[1]) * span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > cell) {
-        reach = xi ** MESH_POWER + cell / (Math.abs(k[1]) * span);
-        h = reach ** (1.0 / MESH_POWER) - xi;
-      }
-      reach = span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER);
-      if (Math.abs(k[1]) * reach > FEW_STEPS * cell) {
-        lag = creep_step__cell_lag(
-          law,
-          par,
-          segment,
-          branch,
-          q,
-          Math.abs(x),
-          Math.abs(k[0]) * par.radius,
-        );
-        if (reach > PART_OF_LAG * lag) {
-          h = (xi ** MESH_POWER + (PART_OF_LAG * lag) / span) ** (1.0 / MESH_POWER) - xi;
-        }
-      }
-      if (span * ((xi + h) ** MESH_POWER - xi ** MESH_POWER) > most) {
-        h = (xi ** MESH_POWER + most / span) ** (1.0 / MESH_POWER) - xi;
-      }
-    }
-    steep = most === most;
-    const found1 = march___stride(steep, law, par, g, segment, branch, sign, q, x, span, xi, h, k);
-    q1 = found1[0];
-    x1 = found1[1];
-    w1 = found1[2];
-    tries = 0;
-    while (!(Math.abs(q1 - q) < WILD_LOG_STEP && Math.abs(x1) < WILD_SLIP) && tries < 40) {
-      tries += 1;
-      h *= 0.25;
-      const found2 = march___stride(
-        steep,
-        law,
-        par,
-        g,
-        segment,
-        branch,
-        sign,
-        q,
-        x,
-        span,
-        xi,
-        h,
-        k,
-      );
-      q1 = found2[0];
-      x1 = found2[1];
-      w1 = found2[2];
-    }
-    if (tries === 40) {
-      break;
-    }
-    if (!cut) {
-      p = step__pressure_at(par, q1);
-      sign = sign * x1 >= 0.0 ? sign : -sign;
-      segment = compact__segment_of(law, p);
-      branch = compact__branch_of(law, segment, sign * x1, p);
-    } else if (switches < MOST_CUTS && !cut__within(law, par, segment, branch, q1, sign * x1)) {
-      switches += 1;
-      t = xi + h;
-      r = step__rates(law, par, g, segment, branch, sign, q1, x1);
-      j1 = MESH_POWER * span * t * t * t;
-      const found3 = cut__first_crossing(
-        law,
-        par,
-        segment,
-        branch,
-        sign,
-        h,
-        [q, x, k[0] * jacobian, k[1] * jacobian],
-        [q1, x1, r[0] * j1, r[1] * j1],
-      );
-      f = found3[0];
-      side = found3[1];
-      if (f > 0.0) {
-        tolerance = cut__cut_tolerance(law, segment, side);
-        if (side === NO_SLIP) {
-          tolerance = min(tolerance, 0.001 * Math.abs(x));
-        }
-        f_last = 0.0;
-        gap_last = cut__beyond(law, par, segment, branch, side, q, sign * x);
-        low = 0.0;
-        high = 1.0;
-        for (let each4 = 0, end4 = LANDINGS; each4 < end4; each4++) {
-          tries = each4;
-          const found5 = march___stride(
-            steep,
-            law,
-            par,
-            g,
-            segment,
-            branch,
-            sign,
-            q,
-            x,
-            span,
-            xi,
-            h * f,
-            k,
-          );
-          q1 = found5[0];
-          x1 = found5[1];
-          w1 = found5[2];
-          gap = cut__beyond(law, par, segment, branch, side, q1, sign * x1);
-          if (Math.abs(gap) < tolerance || gap === gap_last || tries === LANDINGS - 1) {
-            break;
-          }
-          [low, high] = gap > 0.0 ? [low, f] : [f, high];
-          f_next = f - (gap * (f - f_last)) / (gap - gap_last);
-          f_last = f;
-          gap_last = gap;
-          if (!(low < f_next && f_next < high) || tries > 3) {
-            f_next = 0.5 * (low + high);
-          }
-          f = f_next;
-        }
-        q = q1;
-        x = x1;
-        h *= f;
-        work += w1;
-        xi = min(xi + h, xi_end);
-      }
-      if (side === LOWER_EDGE) {
-        segment -= 1;
-      } else if (side === UPPER_EDGE) {
-        segment += 1;
-      } else if (side === NO_SLIP) {
-        sign = -sign;
-      } else if (side === PREVIOUS_BRANCH) {
-        branch -= 1;
-      } else if (side === NEXT_BRANCH) {
-        branch += 1;
-      }
-      continue;
-    }
-    [q, x, work] = [q1, x1, work + w1];
-    xi = h === xi_end - xi ? xi_end : xi + h;
-  }
-  return new Sliding(q, x, work, segment, branch, sign);
-}
-
-/** Carry a state from mesh node `first` over the `span` [m] that is left to the exit. */
-export function march__carry_to_exit(law, par, g, state, span, first, steps) {
-  let i;
-  let h = 1.0 / steps;
-  let cut = steps >= FEWEST_CUT_STEPS || law.kind === LIMIT || law.kind === TABLE;
-  for (let each1 = first, end1 = steps; each1 < end1; each1++) {
-    i = each1;
-    state = march__advance(law, par, g, state, span, i * h, (i + 1) * h, cut);
-  }
-  return state;
-}
-
-/** A stuck zone of length `zone`, then sliding to the exit with entry creep ratio g. */
-export function stick__stick_slip(law, par, zone, end_creep, g, steps) {
-  let length = par.length;
-  let compliance = par.shear + par.onset;
-  let [tension, creep] =
-    zone > 0.0 ? stick__zone_point(par, zone, zone, end_creep) : [par.entry_tension, 0.0];
-  let q = Math.log(tension / par.entry_tension);
-  let tau = compliance > 0.0 ? creep / compliance : 0.0;
-  let entry_tau = compliance > 0.0 ? par.kick / compliance : 0.0;
-  let x = par.onset * tau;
-  let work = 0.5 * par.onset * (tau * tau - entry_tau * entry_tau);
-  let p = par.entry_pressure * Math.exp(q);
-  let segment = compact__segment_of(law, p);
-  let branch = compact__branch_of(law, segment, Math.abs(x), p);
-  let state = new Sliding(q, x, work, segment, branch, par.side);
-  if (zone >= length) {
-    return state;
-  }
-  return march__carry_to_exit(law, par, g, state, length - zone, 0, steps);
-}
-
-/** Entry creep ratio of an effort, laws without a jump [-]. */
-export function effort__ratio_of(par, z) {
-  if (par.kick !== 0.0) {
-    return par.side * SMALL_RATIO * Math.sinh(z);
-  }
-  return par.side * SMALL_RATIO * Math.exp(z);
-}
-
-/** Slip x in (0, creep] that solves x + (h/G) mu(x, p) p = creep, creep > 0 [m]. */
-export function creep_step__slip_at_entry(law, par, creep, q) {
-  let branch, dx, f, mu, mu_pk, mu_x, r, slip_pk, x_new;
-  let p = step__pressure_at(par, q);
-  let shear = par.shear;
-  let segment = compact__segment_of(law, p);
-  if (law.kind === TABLE) {
-    return table_slip__slip_under_table(law, segment, shear * p, p, creep, 1.0)[1];
-  }
-  let low = 0.0;
-  let high = creep;
-  let x = creep;
-  if (law.kind === KNOTS || law.kind === PIECES) {
-    const found1 = compact__peak(law, segment, p);
-    slip_pk = found1[0];
-    mu_pk = found1[1];
-    r = min(creep / slip_pk, 1.0);
-    x = creep / (1.0 + ((shear * p * mu_pk) / slip_pk) * (1.0 - Math.log(max(r, SMALLEST))));
-  }
-  for (let each2 = 0, end2 = 200; each2 < end2; each2++) {
-    branch = compact__branch_of(law, segment, x, p);
-    const found3 = compact__friction_at(law, segment, branch, x, p);
-    mu = found3[0];
-    mu_x = found3[1];
-    f = x + shear * mu * p - creep;
-    if (f > 0.0) {
-      high = x;
-    } else {
-      low = x;
-    }
-    dx = f / (1.0 + shear * p * mu_x);
-    x_new = x - dx;
-    if (Math.abs(dx) <= 1e-15 * x) {
-      return x_new;
-    }
-    if (!(low < x_new && x_new < high)) {
-      x_new = 0.5 * (low + high);
-    }
-    if (Math.abs(x_new - x) <= 1e-15 * x) {
-      return x_new;
-    }
-    x = x_new;
-  }
-  return x;
-}
-
-/** March while the creep of the kick is used up, with creep as the independent variable. */
-export function march__to_zero_slip(law, par, g, steps) {
-  let a,
-    branch,
-    dq1,
-    ds1,
-    dw1,
-    dx1,
-    e,
-    i,
-    p,
-    qs,
-    r,
-    rate,
-    segment,
-    stage,
-    sum_q,
-    sum_s,
-    sum_w,
-    sum_x,
-    weight,
-    xs,
-    zeta;
-  let kick = Math.abs(par.kick);
-  let length = par.length;
-  let sign = par.kick > 0.0 ? 1.0 : -1.0;
-  let q = 0.0;
-  let s = 0.0;
-  let work = 0.0;
-  let x = creep_step__slip_at_entry(law, par, kick, 0.0);
-  let h = 1.0 / steps;
-  for (let each1 = 0, end1 = steps - 1; each1 < end1; each1++) {
-    i = each1;
-    p = step__pressure_at(par, q);
-    segment = compact__segment_of(law, p);
-    branch = compact__branch_of(law, segment, x, p);
-    zeta = i * h;
-    dq1 = dx1 = ds1 = dw1 = 0.0;
-    sum_q = sum_x = sum_s = sum_w = 0.0;
-    for (let each2 = 0, end2 = 4; each2 < end2; each2++) {
-      stage = each2;
-      a = stage === 0 ? 0.0 : stage === 3 ? h : 0.5 * h;
-      weight = stage === 0 || stage === 3 ? h / 6.0 : h / 3.0;
-      qs = q + a * dq1;
-      xs = max(x + a * dx1, 0.0);
-      rate = sign * (g + par.entry_tension * -Math.expm1(qs) * par.compliance);
-      if (rate >= 0.0) {
-        return [0, 0.0, 0.0, 0.0];
-      }
-      r = step__rates(law, par, g, segment, branch, sign, qs, sign * xs);
-      e = 1.0 - zeta - a;
-      ds1 = (-4.0 * kick * e * e * e) / rate;
-      dq1 = r[0] * ds1;
-      dx1 = sign * r[1] * ds1;
-      dw1 = r[2] * ds1;
-      sum_q += weight * dq1;
-      sum_x += weight * dx1;
-      sum_s += weight * ds1;
-      sum_w += weight * dw1;
-    }
-    if (s + sum_s >= length) {
-      return [2, 0.0, 0.0, 0.0];
-    }
-    [q, x, s, work] = [q + sum_q, x + sum_x, s + sum_s, work + sum_w];
-    if (x <= 0.0) {
-      return [0, 0.0, 0.0, 0.0];
-    }
-  }
-  rate = sign * (g + par.entry_tension * -Math.expm1(q) * par.compliance);
-  if (rate >= 0.0) {
-    return [0, 0.0, 0.0, 0.0];
-  }
-  let ds = (kick * h ** 4) / -rate;
-  if (s + ds >= length) {
-    return [2, 0.0, 0.0, 0.0];
-  }
-  let dq = step__rates(law, par, g, segment, branch, sign, q, sign * x)[0];
-  return [1, s + ds, q + 0.5 * ds * dq, work];
-}
-
-/** Sliding a short way s past a point of no slip, where creep grows at `rate` (no kick). */
-export function march___leave(law, par, rate, q, s) {
-  let mu;
-  let sign = rate > 0.0 ? 1.0 : -1.0;
-  let x = creep_step__slip_at_entry(law, par, Math.abs(rate) * s, q);
-  let p = step__pressure_at(par, q);
-  let segment = compact__segment_of(law, p);
-  let branch = compact__branch_of(law, segment, x, p);
-  const found1 = compact__friction_at(law, segment, branch, x, p);
-  mu = found1[0];
-  let dq = (0.5 * mu * s) / par.radius;
-  return new Sliding(q - sign * dq, sign * x, 0.5 * mu * p * x, segment, branch, sign);
-}
-
-/** March the whole arc with a law that starts without a jump. */
-export function march__sweep(law, par, g, steps) {
-  let cell, gone, p, q, rate, s, segment, sign, state, status, work, x;
-  let kick = par.kick;
-  let length = par.length;
-  if (kick !== 0.0) {
-    sign = kick > 0.0 ? 1.0 : -1.0;
-    x = creep_step__slip_at_entry(law, par, Math.abs(kick), 0.0);
-    p = par.entry_pressure;
-    segment = compact__segment_of(law, p);
-    state = new Sliding(0.0, sign * x, 0.0, segment, compact__branch_of(law, segment, x, p), sign);
-    if (sign * g < 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-      const found1 = march__to_zero_slip(law, par, g, steps);
-      status = found1[0];
-      s = found1[1];
-      q = found1[2];
-      work = found1[3];
-      if (status === 1) {
-        rate = g + par.entry_tension * -Math.expm1(q) * par.compliance;
-        cell = (length - s) / steps ** MESH_POWER;
-        gone = march___leave(law, par, rate, q, cell);
-        state = Object.assign(Object.create(Object.getPrototypeOf(gone)), gone, {
-          work: gone.work + work,
-        });
-        return march__carry_to_exit(law, par, g, state, length - s, 1, steps);
-      }
-    }
-    return march__carry_to_exit(law, par, g, state, length, 0, steps);
-  }
-  if (g === 0.0) {
-    return new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, par.entry_pressure), 0, 1.0);
-  }
-  if (law.kind === LIMIT || law.kind === TABLE) {
-    sign = g > 0.0 ? 1.0 : -1.0;
-    state = new Sliding(0.0, 0.0, 0.0, compact__segment_of(law, par.entry_pressure), 0, sign);
-    return march__carry_to_exit(law, par, g, state, length, 0, steps);
-  }
-  state = march___leave(law, par, g, 0.0, length / steps ** MESH_POWER);
-  return march__carry_to_exit(law, par, g, state, length, 1, steps);
-}
-
-/** Shear stress [Pa] and creep u = x + (h/G) tau [m] of a sliding state. */
-export function march__stress_and_creep(law, par, state) {
-  let mu;
-  let [q, x, , segment, branch, sign] = state;
-  if (x === 0.0 && (law.kind === KNOTS || law.kind === PIECES)) {
-    return [0.0, 0.0];
-  }
-  let p = step__pressure_at(par, q);
-  const found1 = compact__friction_at(law, segment, branch, sign * x, p);
-  mu = found1[0];
-  let tau = sign * mu * p;
-  return [tau, x + par.shear * tau];
-}
-
-/** Exit quantities of a state at the exit. */
-export function effort__shot_of(law, par, state, g, zone) {
-  const found1 = march__stress_and_creep(law, par, state);
-  let tau = found1[0];
-  let creep = found1[1];
-  return new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone);
-}
-
-/** March one arc to its exit at effort z. */
-export function effort__shoot_from(law, par, z, steps) {
-  let compliance, creep, end, g, length, state, tau;
-  let zone = 0.0;
-  steps = effort__mesh_steps(law, par, steps);
-  if (quantities__jumps(law)) {
-    length = par.length;
-    compliance = par.shear + par.onset;
-    end = g = 0.0;
-    if (compliance === 0.0) {
-      zone = length * min(max(1.0 - z, 0.0), 1.0);
-      if (z > 1.0) {
-        g = (par.side * (z - 1.0) * CREEP_SCALE) / length;
-      }
-    } else {
-      zone = length / (1.0 + max(z, 0.0));
-      end = stick__zone_end(law, par, zone)[1];
-      if (z < 0.0) {
-        end *= 1.0 + z;
-      }
-      g = stick__zone_creep_ratio(par, zone, end);
-    }
-    state = stick__stick_slip(law, par, zone, end, g, steps);
-    if (zone >= length) {
-      creep = stick__zone_point(par, length, length, end)[1];
-      tau = compliance > 0.0 ? creep / compliance : 0.0;
-      return new Shot(state.log_tension, state.slip, creep, tau, state.work, g, zone);
-    }
-  } else {
-    g = effort__ratio_of(par, z);
-    state = march__sweep(law, par, g, steps);
-  }
-  return effort__shot_of(law, par, state, g, zone);
+  return [x, value];
 }
 
 /** Return a root between a and b, where f has different signs; see `rising_root`. */
@@ -4262,8 +3304,10 @@ export function roots__rising_root(f, x, reach, low, high, tolerance, slope = 0.
   }
 }
 
-export function newton___dot(one, other) {
-  return $sum([...$zip(one, other)].map(([a, b]) => a * b));
+/** Whether the curve turns between two nodes on one side of zero, towards it and away. */
+export function system___turns(a, b) {
+  let way = a.miss > 0.0 ? 1.0 : -1.0;
+  return way * b.miss > 0.0 && way * a.slope < 0.0 && 0.0 < way * b.slope;
 }
 
 /** Return the same [-], nan below the table. */
@@ -4331,21 +3375,4 @@ export function resistance__slope_resistance(lift, carried) {
 /** Return the force that accelerates a strand, a L m' [N]. */
 export function resistance__inertia(acceleration, length, moving) {
   return acceleration * length * moving;
-}
-
-/** Numbers of one arc at an entry tension [N]. */
-export function quantities__parameters_at(entry_tension, geometry) {
-  let pressure = entry_tension / (geometry.width * geometry.radius);
-  return new Parameters(
-    entry_tension,
-    pressure,
-    geometry.radius,
-    geometry.radius * geometry.wrap_angle,
-    max(geometry.compliance, LEAST_COMPLIANCE),
-    geometry.shear,
-    geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure),
-    geometry.width,
-    geometry.side,
-    geometry.onset,
-  );
 }

@@ -2420,6 +2420,25 @@ export function collocation__misfit(face, arc, at, i) {
   return h * arc.width * max(first, Math.abs(E2 * f0 + E1 * f1 + E0 * f2 - right));
 }
 
+/** Misfits of the elements: of the change of tension where both are given (`kind` TENSION). */
+export function collocation__misfits(face, arc, at, kind) {
+  let tension;
+  let n = at.place.length - 1;
+  let size = 1e-7 * at.tension[0];
+  for (const each1 of at.tension) {
+    tension = each1;
+    size = max(size, Math.abs(tension - at.tension[0]));
+  }
+  let sizes = $repeated([size], n);
+  let fall = Math.abs(Math.log(at.tension[0] / at.tension[n]));
+  if (kind !== TENSION) {
+    sizes = [...$range(n)].map(
+      (i) => max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]),
+    );
+  }
+  return [...$range(n)].map((i) => collocation__misfit(face, arc, at, i) / sizes[i]);
+}
+
 /** Branch of a law at a magnitude of creep, > 0 [m]; -1 where the belt is held. */
 export function traction__branch_at(law, segment, shear, pressure, creep) {
   let mu_pk, residual, slip_pk, slope;
@@ -2642,29 +2661,15 @@ export function collocation___carried_over(arc, at, places) {
 
 /** The course on a mesh that spreads the misfit evenly and ends elements at kinks. */
 export function collocation__meshed(face, arc, at, kind, tol) {
-  let tension, turns, where;
+  let turns, where;
   let places = at.place;
-  let n = at.place.length - 1;
-  let size = 1e-7 * at.tension[0];
-  for (const each1 of at.tension) {
-    tension = each1;
-    size = max(size, Math.abs(tension - at.tension[0]));
-  }
-  let sizes = $repeated([size], n);
-  let fall = Math.abs(Math.log(at.tension[0] / at.tension[n]));
-  if (kind !== TENSION) {
-    sizes = [...$range(n)].map(
-      (i) => max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]),
-    );
-  }
-  let needed = [...$range(n)].map(
-    (i) => (collocation__misfit(face, arc, at, i) / sizes[i] / tol) ** 0.25,
-  );
+  let misses = collocation__misfits(face, arc, at, kind);
+  let needed = [...misses].map((miss) => (miss / tol) ** 0.25);
   needed[0] = needed[0] ** 2;
   let ends = collocation__kinks(face, arc, at);
   let far = false;
-  for (const each2 of ends) {
-    [where] = each2;
+  for (const each1 of ends) {
+    [where] = each1;
     far = far || collocation___misses(places, where);
   }
   if (!far && $maxOf(needed) <= 1.0) {
@@ -2674,8 +2679,8 @@ export function collocation__meshed(face, arc, at, kind, tol) {
     places,
     [...needed].map((part) => min(max(part, LEAST_PART), MOST_PART)),
   );
-  for (const each3 of ends) {
-    [where, turns] = each3;
+  for (const each2 of ends) {
+    [where, turns] = each2;
     collocation___end_at(new_, where, turns);
   }
   return [true, collocation___carried_over(arc, at, new_)];
@@ -2889,7 +2894,8 @@ export function capacity__ends_at(arc, at_tight, at_slack, tension, limit) {
   return new Ends(at_slack, at_tight, tension, limit.kind, goal);
 }
 
-export function capacity___stress_about(face, pressure, creep) {
+/** Magnitude of the traction at a pressure [Pa] and a creep [m], for a first guess [Pa]. */
+export function capacity__stress_about(face, pressure, creep) {
   return min(
     Math.abs(collocation__traction_at(face, pressure, creep).stress),
     MOST_USED * traction__plateau_stress(face.law, pressure),
@@ -2906,7 +2912,7 @@ export function capacity___guess_at(law, arc, tight, limit) {
   let face = meet__interface(law, arc);
   let area = arc.width * arc.radius;
   let p = tight / area;
-  let used = capacity___stress_about(face, p, 0.6 * limit.most);
+  let used = capacity__stress_about(face, p, 0.6 * limit.most);
   let fall = min((used / p) * arc.wrap_angle, LARGEST_FALL);
   let slack = tight * Math.exp(-0.9 * fall);
   let end = arc.side * (limit.most + (limit.kind === SLIP ? arc.shear * used : 0.0));

@@ -1,1 +1,0 @@
-"""The numerical kernel of one wrap arc: plain floats and tuples, no objects."""

@@ -1,0 +1,146 @@
+"""The thickness of a belt: where its tension member runs over a pulley, and what shears below it.
+
+The belt pulls along its tension member, the middle of the carcass, which runs an offset e above
+the surface of the lagging; traction acts at that surface. Moments about the axis of the pulley and
+equilibrium along the radius give, with T* = T - m v^2,
+
+    p = T*/(B R),        d(ln T*)/d theta = -(tau/p) R/(R + e),
+
+creep and slip being those at the surface. That is the arc of a belt without thickness on a pulley
+of the radius R + e, the wrap angle phi R/(R + e) and the width B R/(R + e): arc length and
+pressures are the same. Speed, torque and power belong to the pitch radius R - delta + e.
+"""
+
+from __future__ import annotations
+
+from math import isnan, nan
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.drive.belt import COVER_SHEAR_MODULUS, Belt, Side
+from wraparc.friction import FrictionLaw
+
+Number = TypeVar("Number", float, NDArray[np.float64])
+
+
+class Layers(NamedTuple):
+    """The layers of a belt, nan where they are not known."""
+
+    pulley_cover: float  # [m]
+    carry_cover: float  # [m]
+    carcass: float  # [m]
+
+
+def layers(pulley_cover: float, carry_cover: float, carcass: float, thickness: float) -> Layers:
+    """Layers of a belt: where one alone is not given, what the thickness leaves for it [m].
+
+    Parameters
+    ----------
+    pulley_cover, carry_cover, carcass, thickness
+        As they are given, nan where they are not [m].
+    """
+    known = thickness == thickness
+    if known and isnan(carcass):
+        return Layers(pulley_cover, carry_cover, thickness - pulley_cover - carry_cover)
+    if known and isnan(carry_cover):
+        return Layers(pulley_cover, thickness - pulley_cover - carcass, carcass)
+    if known and isnan(pulley_cover):
+        return Layers(thickness - carry_cover - carcass, carry_cover, carcass)
+    return Layers(pulley_cover, carry_cover, carcass)
+
+
+def touching_cover(of: Layers, carries: bool) -> float:
+    """The cover on the side that meets the pulley, nan where it is not known [m]."""
+    return of.carry_cover if carries else of.pulley_cover
+
+
+def tension_offset(of: Layers, carries: bool) -> float:
+    """Offset e of the tension member over the surface of the lagging, nan if not known [m].
+
+    The cover that touches the pulley and half of the carcass.
+    """
+    return touching_cover(of, carries) + 0.5 * of.carcass
+
+
+def layers_of(belt: Belt) -> Layers:
+    """Return the layers of a belt."""
+    given = (belt.pulley_cover, belt.carry_cover, belt.carcass, belt.thickness)
+    return layers(*(nan if value is None else value for value in given))
+
+
+def pitch_offset(belt: Belt, side: Side) -> float | None:
+    """Return e, tension member over the surface of the lagging [m]; None where it is not known.
+
+    Parameters
+    ----------
+    belt
+        The belt.
+    side
+        The side that meets the pulley.
+    """
+    found = tension_offset(layers_of(belt), side == "carry")
+    return None if isnan(found) else found
+
+
+def cover_compliance(belt: Belt, side: Side) -> float:
+    """Return h_b/G_b of the cover that touches the pulley [m/Pa]; 0 where it is not known.
+
+    Without a modulus that of `COVER_SHEAR_MODULUS` is taken, an estimate.
+    """
+    cover = touching_cover(layers_of(belt), side == "carry")
+    modulus = COVER_SHEAR_MODULUS if belt.cover_shear_modulus is None else belt.cover_shear_modulus
+    return 0.0 if isnan(cover) else cover / modulus
+
+
+def counts_shear(law: FrictionLaw, part: str) -> bool | None:
+    """Return whether the slip of a law includes the shear of a part; None if it does not say."""
+    return None if law.slip_includes is None else part in law.slip_includes
+
+
+def thin_belt(
+    radius: Number, wrap_angle: Number, width: Number, offset: Number
+) -> tuple[Number, Number, Number]:
+    """Radius [m], wrap angle [rad] and width [m] of the same arc without thickness.
+
+    Parameters
+    ----------
+    radius, wrap_angle, width
+        R over the unloaded lagging [m], phi [rad], B [m].
+    offset
+        e of the tension member over the surface of the lagging [m]; with 0 all stay as they are.
+    """
+    share = radius / (radius + offset)
+    return radius + offset, wrap_angle * share, width * share
+
+
+def pitch_radius(radius: Number, compression: Number, offset: Number) -> Number:
+    """R - delta + e, at which the belt pulls and runs [m].
+
+    Parameters
+    ----------
+    radius, compression
+        R over the unloaded lagging, and how far that is squeezed at the entry nip, delta [m].
+    offset
+        e of the tension member over the surface of the lagging [m].
+    """
+    return radius - compression + offset
+
+
+def centrifugal_force(mass: Number, speed: Number) -> Number:
+    """M v^2, what of the tension presses on no pulley [N].
+
+    Parameters
+    ----------
+    mass, speed
+        Of the belt per length [kg/m]; of the belt [m/s].
+    """
+    return mass * speed * speed
+
+
+def centrifugal_of(belt: Belt) -> float:
+    """Return m v^2 of a belt [N]; 0 where its mass or its speed is not known."""
+    if belt.mass is None or belt.speed is None:
+        return 0.0
+    return centrifugal_force(belt.mass, belt.speed)
