@@ -79,6 +79,7 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.turned,
     in_page_train.among,
     numbers.pull_against,
+    numbers.trim_shift,
     turning.driven,
     turning.surface_of_first,
     in_page_train.divided,

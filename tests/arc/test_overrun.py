@@ -47,6 +47,7 @@ def test_one_arc_and_a_batch_have_it_from_the_same_function() -> None:
         **dict.fromkeys(("overrun", "belt_speed", "wear_coefficient"), np.array([math.nan])),
         recovery=np.ones(1),
         creep_limit=np.array([arc.creep_limit]),
+        **dict.fromkeys(("pitch_offset", "cover_compliance", "centrifugal_force"), np.zeros(1)),
     )
     assert arc.geometry().kick_coefficient in batch.inputs()[0]
     pressure = arc.entry_pressure

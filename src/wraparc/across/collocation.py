@@ -148,9 +148,9 @@ class System:
         return np.asarray(self.misfit + self.before @ (self.free - entry))
 
     def drift(self, state: State) -> Array:
-        """Gamma + a/R by strip, less what the lagging gives [-]."""
+        """Gamma + a/(R + e) by strip, less what the lagging gives [-]."""
         wide = self.wide
-        own = self.amount * wide.radius_deviation / wide.arc.radius
+        own = self.amount * wide.radius_deviation / wide.pitch
         return np.asarray(state.drum + own - self.squeeze * state.entry)
 
     def at(self, state: State) -> Point:
@@ -164,7 +164,8 @@ class System:
         creep -= e.integral_at_points(state.tension) * compliance
         pressure = e.at_points(state.tension) / arc.radius
         stress = stresses(self.law, wide.shear, creep, pressure)
-        pulled = self._coupled(kick, drift, state.tension) + pull - stress.stress
+        pulled = self._coupled(kick, drift, state.tension) + pull
+        pulled -= wide.pulled_share * stress.stress
         end = state.entry + e.total(pulled)
         creep_end = kick + arc.length * drift - compliance * e.total_of_stages(state.tension)
         own = state.tension - state.entry - e.integral_at_stages(pulled)
@@ -212,8 +213,8 @@ class System:
         creep -= e.integral_at_points(d.tension) * compliance
         pulled = self._coupled(kick, drift, d.tension)
         pulled -= wide.coupling @ (self.before @ d.entry + kick)
-        pulled -= point.stress.by_creep * creep
-        pulled -= point.stress.by_pressure / wide.arc.radius * e.at_points(d.tension)
+        pulled -= wide.pulled_share * point.stress.by_creep * creep
+        pulled -= point.stress.by_pressure / wide.pitch * e.at_points(d.tension)
         own = d.tension - d.entry - e.integral_at_stages(pulled)
         end = d.entry + e.total(pulled)
         path = wide.arc.length * drift - compliance * e.total_of_stages(d.tension)
@@ -223,8 +224,8 @@ class System:
         """The same as a matrix by mode, friction in the mean over the width: (n, m + 1, m + 1)."""
         wide, e, n = self.wide, self.elements, self.wide.strips
         m, unit = len(e.stages), self.drum_unit
-        by_creep = np.mean(point.stress.by_creep, axis=1)
-        by_tension = np.mean(point.stress.by_pressure, axis=1) / wide.arc.radius
+        by_creep = wide.pulled_share * np.mean(point.stress.by_creep, axis=1)
+        by_tension = np.mean(point.stress.by_pressure, axis=1) / wide.pitch
         squeeze = float(np.mean(self.squeeze))
         kick = float(np.mean(wide.overrun(point.state.entry)[1]))
         couple = -wide.shear_stiffness * np.concatenate([[0.0], wide.wave_numbers**2])

@@ -165,7 +165,9 @@ def _response(system: System, even: Point) -> ModeResponse:
         risen = e.integral(cause.rate, e.points)
         # where the tension of the mode stays: creep, what pulls it, what is missed then
         creep = cause.kick + risen
-        pulled = k * (risen + cause.lag) - stress[1] * creep - by_thickness * cause.thickness
+        share = wide.pulled_share
+        pulled = k * (risen + cause.lag)
+        pulled -= share * (stress[1] * creep + by_thickness * cause.thickness)
         path = cause.path + e.total(cause.rate)
         last = wide.belt_modulus * path + before * cause.free - after * e.total(pulled)
         last /= before + after + arc.length
@@ -175,7 +177,7 @@ def _response(system: System, even: Point) -> ModeResponse:
         creep -= unit * e.integral_at_points(z[:-1])
         shear = stress[1] * creep + stress[2] / arc.radius * own + by_thickness * cause.thickness
         lag = creep - cause.kick + cause.lag - (before / wide.belt_modulus + kick_t) * first
-        end = first + e.total(k * lag - shear)
+        end = first + e.total(k * lag - share * shear)
         rate = cause.rate - squeeze * first - unit * own
         creep_end = cause.kick + kick_t * first + e.total(rate)
         work = e.total(shear * _rate(system, even) + stress[0] * rate)
@@ -223,7 +225,7 @@ def _cause(wide: WideArc, before: float, entry: float, tension: Array) -> _Cause
     if arc.overrun is None and give > 0.0:
         kick = 1.5 * arc.entry_overrun * by_thickness / give * thickness
     softer = tension if arc.recovery else np.full_like(tension, entry)
-    rate = (on["radius"] + thickness) / arc.radius - np.outer(softer, by_thickness * thickness)
+    rate = (on["radius"] + thickness) / wide.pitch - np.outer(softer, by_thickness * thickness)
     lag = on["entry_misfit"] + before * on["entry_profile"]
     path = on["entry_misfit"] + on["exit_misfit"]
     return _Cause(thickness, kick, rate, lag, path, on["entry_profile"])

@@ -223,7 +223,7 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
             frictional_energy=energy,
         ),
         drum_number=state.drum,
-        friction_force=elements.total(point.stress.stress),
+        friction_force=wide.pulled_share * elements.total(point.stress.stress),
         entry_creep_ratio=drift - wide.compliance * state.entry
         if arc.recovery
         else drift - state.entry / wide.belt_modulus,
@@ -286,7 +286,7 @@ def _identity_error(found: Found, lag: Array) -> float:
     finer = replace(elements, fineness=2 * elements.fineness)
     drift, (creep, tension) = system.drift(point.state), along(found, finer.points)
     stress = stresses(system.law, wide.shear, creep, tension / wide.arc.radius).stress
-    work = finer.total(stress * (drift - wide.compliance_in_wrap * tension))
+    work = wide.pulled_share * finer.total(stress * (drift - wide.compliance_in_wrap * tension))
     t1, t2 = state.entry, point.tension_end
     g = drift - wide.compliance_in_wrap * t1
     gained = np.sum((t1 - t2) * (g + 0.5 * (t1 - t2) * wide.compliance_in_wrap))

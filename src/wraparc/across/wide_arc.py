@@ -127,8 +127,23 @@ class WideArc:
 
     @property
     def shear(self) -> Array:
-        """h/G of the strips [m/Pa]."""
-        return self.thickness / self.arc.shear_modulus
+        """h/G + h_b/G_b of the strips, without what the slip of the law includes [m/Pa]."""
+        own = (
+            0.0 * self.thickness
+            if self.arc.slip_with_shear
+            else (self.thickness / self.arc.shear_modulus)
+        )
+        return own + self.arc.cover_compliance
+
+    @property
+    def pitch(self) -> float:
+        """R + e of the tension member over the unloaded lagging [m]."""
+        return self.arc.radius + self.arc.offset
+
+    @property
+    def pulled_share(self) -> float:
+        """R/(R + e), what of the traction on the lagging the tension member feels [-]."""
+        return self.arc.radius / self.pitch
 
     @property
     def give(self) -> Array:

@@ -33,8 +33,8 @@ class PaperMarch:
     tau = mu(x, p) p with x = u - (h/G) tau, and T grows by tau B ds towards the entry. The global
     creep, of either sign, is found so that the tension at the entry is T1.
 
-    The paper's belt is a string on the surface of the lagging: thickness, cover and mass of the belt
-    are left out.
+    The paper's belt is a string on the surface of the lagging: its thickness, covers and mass are
+    left out.
 
     Attributes
     ----------

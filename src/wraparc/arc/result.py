@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arc.answer import operating_point
 from wraparc.arc.interval import creep_interval
+from wraparc.arc.quantities import SOLVED
 from wraparc.arc.summary import spring_rate
 from wraparc.arc.wrap_arc import WrapArc
 from wraparc.views import Viewable
@@ -268,6 +270,22 @@ class ArcResult(Viewable):
         if not self.status.solved or self.method == "paper":
             return nan, nan
         return creep_interval(self.arc)
+
+    @cached_property
+    def covered_creep(self) -> float:
+        """Creep at the exit with the belt cover in series, where the slip may include it [m].
+
+        inf where friction does not carry that; nan where there is no such cover, or no state.
+        """
+        arc = self.arc
+        if not self.status.solved or arc.cover_left_out == 0.0:
+            return nan
+        load, geometry = arc.load(), arc.geometry()
+        series = geometry._replace(shear=geometry.shear + arc.cover_left_out)
+        found = operating_point(arc.law.compact(), series, load.entry_tension, load.exit_tension)
+        if found.outcome != SOLVED:
+            return math.copysign(math.inf, arc.side)
+        return found.met.course.creep[-1]
 
     @property
     def sticks(self) -> bool:

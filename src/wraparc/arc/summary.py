@@ -194,7 +194,11 @@ def summary_of(
     recovery = kappa / compliance if compliance > 0.0 else 0.0
     overrun = overrun_at(geometry, entry - arc.centrifugal)[0]
     distributed = told.creep - overrun - g * length
-    kept = 0.5 * arc.shear_compliance * (told.stress * told.stress - told.entry_stress * told.entry_stress)
+    kept = (
+        0.5
+        * arc.shear_compliance
+        * (told.stress * told.stress - told.entry_stress * told.entry_stress)
+    )
     work = told.loss - kept
     if abs(work) < 1e-12 * (abs(told.loss) + abs(kept)):
         work = 0.0  # rounding: the belt is held all along
@@ -258,9 +262,7 @@ class CapacityNumbers(NamedTuple):
     gross_slip_creep: float
 
 
-def capacity_numbers(
-    arc: Description, carried: Carried
-) -> CapacityNumbers:
+def capacity_numbers(arc: Description, carried: Carried) -> CapacityNumbers:
     """Capacities and margins of an arc."""
     entry, leaving, wrap_angle = arc.entry_tension, arc.exit_tension, arc.wrap_angle
     actual = max(entry, leaving) / min(entry, leaving)

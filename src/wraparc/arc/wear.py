@@ -25,8 +25,8 @@ def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     """Mean frictional power per area in equal parts of the wrap [W/m2].
 
     tau v_s dx/ds R/(R + e), the shear stress times the speed of the belt on the lagging surface,
-    with v_s = v/(1 - g) at the pitch radius. Summed over the parts and the area of the wrap it is the
-    sliding power of `Energy`.
+    with v_s = v/(1 - g) at the pitch radius. Summed over the parts and the area of the wrap it is
+    the sliding power of `Energy`.
 
     Parameters
     ----------

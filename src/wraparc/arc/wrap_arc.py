@@ -33,18 +33,23 @@ class OfBelt(TypedDict):
 
     pitch_offset: float | None
     cover_compliance: float
+    cover_left_out: float
+    side_of_belt: Side
     centrifugal: float
 
 
 def of_belt(belt: Belt, side: Side, law: FrictionLaw) -> OfBelt:
     """Return what a belt adds to an arc: thickness, cover and mass, as far as they are known.
 
-    The cover shears in series where the slip of the law is known not to include that already.
+    The cover shears in series where the slip of the law is known not to include that already; where
+    that is not known it is left out.
     """
-    apart = counts_shear(law, COVER_SHEAR) is False
+    counted, cover = counts_shear(law, COVER_SHEAR), cover_compliance(belt, side)
     return OfBelt(
         pitch_offset=pitch_offset(belt, side),
-        cover_compliance=cover_compliance(belt, side) if apart else 0.0,
+        cover_compliance=cover if counted is False else 0.0,
+        cover_left_out=cover if counted is None else 0.0,
+        side_of_belt=side,
         centrifugal=centrifugal_of(belt),
     )
 
@@ -89,6 +94,10 @@ class WrapArc:
         is not known that well: the tension then runs at the surface.
     cover_compliance
         h_b/G_b of the belt cover on the pulley, which shears in series with the lagging [m/Pa].
+    cover_left_out
+        The same of a cover that the slip of the law may include or not: it is left out [m/Pa].
+    side_of_belt
+        Side of the belt that meets the pulley.
     centrifugal
         m v^2, the part of the tension that presses on no pulley [N].
     fit
@@ -114,6 +123,8 @@ class WrapArc:
     wear_coefficient: float | None = None
     pitch_offset: float | None = None
     cover_compliance: float = 0.0
+    cover_left_out: float = 0.0
+    side_of_belt: Side = "pulley"
     centrifugal: float = 0.0
     fit: Fit | None = None
     pulley: str = ""

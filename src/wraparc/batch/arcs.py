@@ -205,9 +205,7 @@ class Arcs:
         )
 
     def _thin(self) -> tuple[Array, Array, Array]:
-        return thin_belt(
-            0.5 * self.diameter, self.wrap_angle, self.belt_width, self.pitch_offset
-        )
+        return thin_belt(0.5 * self.diameter, self.wrap_angle, self.belt_width, self.pitch_offset)
 
     def inputs(self) -> Array:
         """Numbers of every arc that a kernel reads, in the order of `row.INPUTS`, shape (n, 16)."""

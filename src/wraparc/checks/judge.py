@@ -13,7 +13,14 @@ from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
-from wraparc.checks.numbers import USUAL_MOTORS, compared_motor, pull_against, usual
+from wraparc.checks.numbers import (
+    LEAST_SHIFT,
+    USUAL_MOTORS,
+    compared_motor,
+    pull_against,
+    trim_shift,
+    usual,
+)
 from wraparc.checks.rules import RULES, idle
 from wraparc.checks.sliding import wet_creep
 from wraparc.drive import Drive, LoadCase, Pulley
@@ -34,7 +41,7 @@ from wraparc.units import Dimension
 
 #: Checks that more tension on the slack side helps against, and those that less does.
 RAISING = frozenset({
-    "gross_slip", "design_standard", "creep", "creep_interval", "tested_slip",
+    "gross_slip", "design_standard", "creep", "cover_creep", "creep_interval", "tested_slip",
     "tested_pressure_min", "sag", "uneven_creep",
 })  # fmt: skip
 LOWERING = frozenset({
@@ -193,6 +200,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
             of_arc.grip(drive, case, arcs, index),
             of_arc.standard(drive, case, result),
             of_arc.creep(drive, result),
+            of_arc.cover_creep(result),
             of_arc.creep_interval(drive, result),
         )
         yield from (check for check in found if check is not None)
@@ -247,12 +255,47 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
         return
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
+        yield from _unknown_trims(case)
     yield train_balance(max(case.tension_error, case.speed_error), place)
     division = case.case.division
     for member, motor in zip(
         case.members, division.motors if isinstance(division, Motors) else (), strict=False
     ):
         yield _motor(member, motor, case.case)
+
+
+def _unknown_trims(case: CaseResult) -> Iterator[Check]:
+    """Yield what no trim between drums is known without: the thickness of the belt."""
+    first, *others = case.members
+    for m in others:
+        one, other = first.arc.arc, m.arc.arc
+        known = one.pitch_offset is not None and other.pitch_offset is not None
+        opposite = one.side_of_belt != other.side_of_belt
+        shift = 0.0 if known else trim_shift(one.diameter, other.diameter, opposite)
+        if shift > LEAST_SHIFT:
+            yield unknown_trim(first.name, shift, opposite, Place(m.name, case.case.name))
+
+
+def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
+    """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
+    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    if opposite:
+        why = (
+            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
+            "shift it by {shift} %."
+        )
+    return Check(
+        name="belt_thickness",
+        title="Trim by the thickness of the belt",
+        level=Level.ATTENTION,
+        place=place,
+        short="trim without belt thickness",
+        says=f"The trim of {of_drive.escaped(place.pulley)} is that of a belt without thickness: "
+        f"{why}",
+        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
+        more={"shift": (100.0 * shift, "number")},
+        binding=False,
+    )
 
 
 def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:

@@ -197,7 +197,10 @@ def _pressures(
         title = "Largest wrap pressure, tested"
         yield Figure("tested_pressure_max", title, of_tight + high, place, at_least=False)
     if belt.largest_wrap_pressure is not None:
-        title, most = "Pressure on the pulley face", belt.largest_wrap_pressure * area + arc.centrifugal
+        title, most = (
+            "Pressure on the pulley face",
+            belt.largest_wrap_pressure * area + arc.centrifugal,
+        )
         yield Figure("face_pressure", title, of_tight + most, place, at_least=False)
     if belt.rating is not None:
         most = of_tight + tension_factor(belt, case.kind) * belt.rating * belt.width

@@ -275,6 +275,27 @@ def pull_against(pulls: Sequence[float]) -> float:
     return min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
 
 
+USUAL_BELT_MASS = (1.0, 130.0)  # per length and width [kg/m2]
+#: For the size of what is missing without the layers of a belt: offset of the tension member in one
+#: of 10 mm, how much covers differ [m]; least shift of a trim that is told [-].
+USUAL_OFFSET, COVERS_APART, LEAST_SHIFT = 5e-3, 4e-3, 1e-4
+
+
+def trim_shift(first: float, other: float, opposite: bool) -> float:
+    """How far a trim is off for a belt of 10 mm taken without thickness [-].
+
+    Parameters
+    ----------
+    first, other
+        Diameters of the drums [m].
+    opposite
+        Whether they meet opposite sides of the belt: by covers that differ by 4 mm.
+    """
+    if opposite:
+        return COVERS_APART / (0.5 * min(first, other))
+    return abs(USUAL_OFFSET / (0.5 * first) - USUAL_OFFSET / (0.5 * other))
+
+
 def asked_slack(factor: float, start: float, pull: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
     return factor * start * abs(pull)

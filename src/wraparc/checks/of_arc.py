@@ -207,6 +207,33 @@ def creep(drive: Drive, result: ArcResult) -> Check:
     )
 
 
+def cover_creep(result: ArcResult) -> Check | None:
+    """Check the creep with the cover of the belt in series, where the law may include its shear."""
+    place, found = Place(result.arc.pulley, result.arc.load_case), result.covered_creep
+    title = "Creep at exit, with the cover of the belt in series"
+    if result.arc.cover_left_out == 0.0:
+        return None
+    if not result.status.solved:
+        return not_checked("cover_creep", title, no_state(result), place)
+    told = "the creep is {value}" if math.isfinite(found) else "the belt slips through"
+    return judged(
+        RULES["cover_creep"],
+        title,
+        abs(found),
+        result.arc.creep_limit,
+        "length",
+        place=place,
+        source="shear of the cover of the belt",
+        short="limit within belt cover",
+        says="Whether the tested slip includes the shear of the belt cover is not known: with the "
+        f"cover in series {told}, beyond the limit of {{limit}}.",
+        remedy="State the cover of the test belt with the shear tests, or raise the slack-side "
+        "tension.",
+        otherwise="State the cover of the test belt with the shear tests.",
+        binding=False,
+    )
+
+
 def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
     """Check the end of the interval that the uncertainty of a fitted law leaves of the creep."""
     place, ends = Place(result.arc.pulley, result.arc.load_case), result.creep_interval

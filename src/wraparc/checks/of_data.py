@@ -11,6 +11,7 @@ from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import DRY, SCALED, Condition
+from wraparc.drive.pitch import covered
 from wraparc.errors import InputError
 from wraparc.provenance import Kind, Provenance
 
@@ -127,6 +128,8 @@ def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
     told = [(f"{k.replace('_', ' ')} of {owner}", v) for owner, of in owners for k, v in of.items()]
     if pulley.across is not None and belt.in_plane_shear_stiffness is None:
         yield "estimated", "in-plane shear stiffness of the belt"
+    if covered(belt) and belt.cover_shear_modulus is None:
+        yield "estimated", "cover shear modulus of the belt"
     for what, source in (*told, ("the belt", belt.provenance)):
         yield from ((kind, what) for kind in weaknesses(source))
 

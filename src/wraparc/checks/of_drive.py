@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, keeps
-from wraparc.checks.numbers import USUAL_SIZES, Sizes, compared_sizes, held_alike, idles, usual
+from wraparc.checks.numbers import (
+    USUAL_BELT_MASS,
+    USUAL_SIZES,
+    Sizes,
+    compared_sizes,
+    held_alike,
+    idles,
+    usual,
+)
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -44,6 +53,12 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
                     ends = size * least, size * most
                     check = unusual(name, dimension, place, size * value, ends)
                     odd.setdefault(check.sentence(), check)
+    mass, width = drive.belt.mass, drive.belt.width
+    if mass is not None and not usual(mass / width, *USUAL_BELT_MASS):
+        least, most = (width * end for end in USUAL_BELT_MASS)
+        check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
+        remedy = "Is it that of the whole belt? Give the mass of a metre."
+        odd["mass"] = replace(check, remedy=remedy)
     yield from odd.values()
     if not odd:
         yield Check(
@@ -267,9 +282,7 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
         yield judged(
             RULES[name],
             title,
-            wrap_pressure(
-                tension, drive.belt.width, pulley.diameter, centrifugal_of(drive.belt)
-            ),
+            wrap_pressure(tension, drive.belt.width, pulley.diameter, centrifugal_of(drive.belt)),
             limit,
             "pressure",
             source=tests_of(pulley),

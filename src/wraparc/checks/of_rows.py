@@ -38,7 +38,8 @@ Codes = NDArray[np.int8]
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
 _NOT_OF_ROWS = (
-    "creep_interval", "balance", "train_balance", "motor_load", "momentary_load", "motor_heat",
+    "cover_creep", "creep_interval", "balance", "train_balance", "motor_load", "momentary_load",
+    "motor_heat",
 )  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
@@ -315,9 +316,11 @@ def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Arr
     yield "bond_stress", stress, _where(solved.solved, held.bond_stress)
     yield "fatigue_stress", stress, _where(solved.solved, held.fatigue_stress)
     yield "tested_pressure_max", pressure, high
-    yield "tested_pressure_min", wrap_pressure(
-        slack, arcs.belt_width, arcs.diameter, arcs.centrifugal_force
-    ), low
+    yield (
+        "tested_pressure_min",
+        wrap_pressure(slack, arcs.belt_width, arcs.diameter, arcs.centrifugal_force),
+        low,
+    )
     yield "tested_slip", solved.largest_slip, _where(solved.solved, slip_max)
     slips = solved.slip_speed
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)

@@ -56,6 +56,7 @@ RULES = {
         Rule("gross_slip", "the safety against gross slip", at_most=False, fails_beyond=1.0),
         Rule("design_standard", "the design standard", at_most=False),
         Rule("creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT),
+        Rule("cover_creep", "the creep limit, with the cover of the belt in series"),
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),

@@ -41,7 +41,9 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
     own = replace(grid, slack=np.full(len(grid), np.nan))  # each by the tensions of the drive
     arcs = own.arcs(case, condition)
     of = LoadedRows.of(arcs, setting=Setting.PRECISE)
-    found = tight_at_sliding(of, np.full(len(grid), factor * pull)) + arcs.centrifugal_force - lifted
+    found = (
+        tight_at_sliding(of, np.full(len(grid), factor * pull)) + arcs.centrifugal_force - lifted
+    )
     return np.where(np.isnan(found), np.inf, found)
 
 

@@ -199,8 +199,8 @@ def flying_problems(belt: Belt, key: str, least: float) -> list[Problem]:
         return []
     return [
         Problem(
-            message=f"the belt presses on no pulley: m v^2 = {display(force, 'force')}, with a mass of "
-            f"{display(belt.mass or 0.0, 'mass_per_length')}, and its least tension is "
+            message=f"the belt presses on no pulley: m v^2 = {display(force, 'force')}, with a "
+            f"mass of {display(belt.mass or 0.0, 'mass_per_length')}, and its least tension is "
             f"{display(least, 'force')}",
             remedy="Give the mass of a metre of belt, not that of the whole belt.",
             key=key,

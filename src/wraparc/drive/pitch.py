@@ -19,8 +19,9 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.drive.belt import COVER_SHEAR_MODULUS, Belt, Side
+from wraparc.drive.belt import COVER_SHEAR_BAND, COVER_SHEAR_MODULUS, Belt, Side
 from wraparc.friction import FrictionLaw
+from wraparc.provenance import Provenance
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
@@ -92,6 +93,19 @@ def cover_compliance(belt: Belt, side: Side) -> float:
     cover = touching_cover(layers_of(belt), side == "carry")
     modulus = COVER_SHEAR_MODULUS if belt.cover_shear_modulus is None else belt.cover_shear_modulus
     return 0.0 if isnan(cover) else cover / modulus
+
+
+def covered(belt: Belt) -> bool:
+    """Whether a cover of the belt is known that could shear."""
+    found = layers_of(belt)
+    return found.pulley_cover > 0.0 or found.carry_cover > 0.0
+
+
+#: Where the modulus of a cover comes from that is not given.
+ESTIMATED_COVER = Provenance(
+    note=f"estimated: belt covers have {COVER_SHEAR_BAND[0] / 1e6:g} to "
+    f"{COVER_SHEAR_BAND[1] / 1e6:g} MPa"
+)
 
 
 def counts_shear(law: FrictionLaw, part: str) -> bool | None:

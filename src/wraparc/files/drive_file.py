@@ -4,6 +4,7 @@ import os
 from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, TakeUp, repeated
+from wraparc.drive.pitch import pitch_offset
 from wraparc.errors import InputError, nearest, shown
 from wraparc.files.across_keys import check_width
 from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
@@ -118,7 +119,7 @@ def drive_from_document(
     if "conveyor" in document:
         conveyor, cases = build_conveyor(record, criteria.take_up, report)
     else:
-        cases = _load_cases(record, records, criteria.take_up, report)
+        cases = _load_cases(record, records, belt, criteria.take_up, report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     return report.sure(
@@ -135,7 +136,11 @@ def drive_from_document(
 
 
 def _load_cases(
-    record: Record, pulleys: list[Record], take_up: TakeUp, report: Report
+    record: Record,
+    pulleys: list[Record],
+    built_belt: Belt | None,
+    take_up: TakeUp,
+    report: Report,
 ) -> tuple[LoadCase, ...]:
     """Return the load case of the pulleys' own tensions, if they have them, and the others."""
     belt = record.get("belt")
@@ -147,7 +152,7 @@ def _load_cases(
         return ()
     sure = belt.sound("speed") and all(item.sound(*KEYS) for item in pulleys)
     speed = belt.get("speed")
-    own = [Given.of(item["name"], item, item.get("diameter")) for item in pulleys]
+    own = [Given.of(item["name"], item, _pulled_at(item, built_belt)) for item in pulleys]
     built = []
     if not cases or complete(own, speed):
         tensions = resolve(own, speed, report, sure=sure)
@@ -164,6 +169,14 @@ def _load_cases(
     for problem in repeated("load_case", (case.name for case in built)):
         report.take(InputError(problem), ())
     return tuple(built)
+
+
+def _pulled_at(pulley: Record, belt: Belt | None) -> float | None:
+    """Return the diameter that a torque pulls at, that of the tension member [m]."""
+    diameter: float | None = pulley.get("diameter")
+    if diameter is None or belt is None:
+        return diameter
+    return diameter + 2.0 * (pitch_offset(belt, pulley.get("side", "pulley")) or 0.0)
 
 
 def _of_case(

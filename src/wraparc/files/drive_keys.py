@@ -17,6 +17,7 @@ from wraparc.drive import (
     TakeUp,
     Tensions,
 )
+from wraparc.drive.belt import SIDES
 from wraparc.drive.conditions import Condition
 from wraparc.files.across_keys import ACROSS
 from wraparc.files.lagging_keys import LAGGING_GIVEN
@@ -60,6 +61,19 @@ BELT = Table(
         "Shear force per width over shear strain in the plane of the belt; estimated from the "
         "carcass if left out.",
     ),
+    known("pulley_cover"),
+    known("carry_cover"),
+    known("carcass"),
+    Entry(
+        "thickness",
+        "Of the whole belt, covers and carcass in all; one of them follows from it.",
+    ),
+    Entry(
+        "cover_shear_modulus",
+        "Shear modulus of the covers; 1 MPa if left out, an estimate of what lies between 0.8 and "
+        "1.5 MPa.",
+    ),
+    Entry("mass", "Mass of a metre of belt."),
     *ORIGINS,
     of=Belt,
 )
@@ -71,7 +85,8 @@ TENSIONS = (
     known("effective_tension", Quantity("force")),
     Entry(
         "torque",
-        "Torque on the pulley, effective tension times D/2; negative when braking.",
+        "Torque on the pulley, effective tension times D/2 and the offset of the tension member, "
+        "if the layers of the belt are given; negative when braking.",
         Quantity("torque"),
     ),
     Entry(
@@ -111,6 +126,13 @@ PULLEY = Table(
     known("overrun", WordOr("formula", limited(Pulley, "overrun"))),
     Entry("recovery", "Whether the lagging adds creep as it recovers along the arc."),
     known("creep_limit"),
+    Entry(
+        "side",
+        "Side of the belt that meets the pulley: pulley (if left out), or carry, as on one pulley "
+        "of an S-wrap.",
+        Choice(SIDES),
+        title="Belt side",
+    ),
     Entry("across", "What is uneven across the width.", ACROSS),
     Entry("sources", "Where single numbers came from, by key.", ByName(PROVENANCE)),
     of=Pulley,

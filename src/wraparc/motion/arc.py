@@ -27,7 +27,7 @@ class Shape(NamedTuple):
     Attributes
     ----------
     width, diameter, length
-        B, D and L [m].
+        B, D and L [m], those of the same arc without thickness, see `wraparc.drive.pitch`.
     shear
         c = h/G [m/Pa].
     kick, kick_coefficient
@@ -196,7 +196,7 @@ class MovingArc:
 def shape_of(arc: WrapArc) -> Shape:
     """Return what of an arc stays the same in time."""
     g = arc.geometry()
-    return Shape(arc.width, arc.diameter, arc.length, g.shear, g.kick, g.kick_coefficient)
+    return Shape(g.width, 2.0 * g.radius, arc.length, g.shear, g.kick, g.kick_coefficient)
 
 
 def _refuse(arc: WrapArc) -> None:

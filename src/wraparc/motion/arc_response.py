@@ -61,7 +61,7 @@ class SteadyProfile:
         """Return the profile of a solved arc whose surface moves at a speed [m/s]."""
         arc, lagging = result.arc, Lagging(result.arc.law.compact(), result.arc.shear_compliance)
         g, entry, give = result.entry_creep_ratio, result.entry_tension, arc.compliance
-        per, b = 2.0 / (arc.width * arc.diameter), arc.width
+        per, b = 2.0 / (arc.width * arc.diameter), arc.geometry().width
         count = 2 * steps
         xi = np.linspace(0.0, 1.0, count + 1)
         t, u = entry, arc.entry_overrun

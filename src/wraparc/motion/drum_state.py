@@ -167,7 +167,7 @@ def drum_of(station: Station, event: Event, steady: CaseResult, i: int, points: 
         turning=turning,
         inertia=drum.inertia,
         run=drum.run,
-        radius=pulley.radius,
+        radius=pulley.radius + arc.arc.offset,
         squeeze=2.0 * arc.arc.compression_compliance / (arc.arc.width * arc.arc.diameter),
         recovery=arc.arc.recovery_compliance,
         give=arc.arc.compliance,

@@ -224,7 +224,8 @@ class _Assembly:
         for i, (p, r) in enumerate(zip(self.linear.profiles, self.responses, strict=True)):
             t_in = self.row((i, 1.0))
             wave = np.exp(-lam * p.length / p.speed)
-            arm = self.linear.station.train.pulleys[i].radius
+            arc = self.linear.steady.members[i].arc.arc
+            arm = arc.radius + arc.offset
             rows.append(
                 self.row((i + 1, 1.0))
                 - r.out_by_in[:, None] * t_in
@@ -254,7 +255,7 @@ class _Assembly:
         factor = 1.0 + p.give * entry - c
         flow = p.speed * (1.0 - member.arc.entry_creep_ratio) / (1.0 + entry * self.stretch)
         return self.row(
-            (2 * n + 1 + i, factor * (arc.radius - squeeze * entry)),
+            (2 * n + 1 + i, factor * (arc.radius + arc.offset - squeeze * entry)),
             (i, p.speed * p.give - factor * d.speed * squeeze - flow * self.stretch),
             (n + 1 + i, -(1.0 + entry * self.stretch)),
             (self.size + i, factor * d.speed),
@@ -265,7 +266,7 @@ class _Assembly:
         arc, entry, exit_ = member.arc.arc, member.arc.entry_tension, member.arc.exit_tension
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
         pull, kappa = entry - exit_, arc.recovery_compliance
-        arm = arc.radius - squeeze * entry
+        arm = arc.radius + arc.offset - squeeze * entry
         slope = arm * (1.0 + kappa * pull)
         by_in = slope - squeeze * pull * (1.0 + 0.5 * kappa * pull)
         return self.row((i, by_in), (i + 1, -slope), (self.size + i, entry - exit_ * wave))

@@ -60,7 +60,7 @@ class Station:
     Attributes
     ----------
     train
-        Pulleys and belt.
+        Pulleys and belt; the mass of the belt on the arcs is left out here.
     drums
         One for each pulley, in belt order.
     load_case
@@ -125,6 +125,9 @@ class Station:
             )
         problems += self._followers(names)
         raise_all(problems)
+        if self.train.belt.mass is not None:
+            light = replace(self.train, belt=replace(self.train.belt, mass=None))
+            object.__setattr__(self, "train", light)
         self.train.case(self.load_case)
 
     def _followers(self, names: list[str]) -> list[Problem]:

@@ -255,3 +255,8 @@ def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:
             "The paper's march lumps the shrinkage of the belt over the whole wrap and overstates "
             "the creep of soft belts; it finds no capacities."
         )
+        if any(arc.arc.offset > 0.0 or arc.arc.centrifugal > 0.0 for arc in results[0]):
+            yield (
+                "The paper's march takes the belt as a string on the lagging surface: thickness, "
+                "cover and mass of the belt are not counted in it."
+            )

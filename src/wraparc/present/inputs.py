@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 
 from wraparc.arc import WrapArc
 from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
+from wraparc.drive.belt import COVER_SHEAR_MODULUS, LAYERS, THICKNESS
 from wraparc.drive.conditions import SCALED
+from wraparc.drive.pitch import ESTIMATED_COVER, covered
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
@@ -148,6 +150,12 @@ def belt_inputs(belt: Belt) -> Iterator[Input]:
     if shear is not None:
         origin_of = origin("in_plane_shear_stiffness")
         yield _named(group, "in_plane_shear_stiffness", shear, origin_of)
+    for key in (*LAYERS, THICKNESS, "cover_shear_modulus", "mass"):
+        if getattr(belt, key) is not None:
+            name = {"thickness": "belt_thickness", "mass": "belt_mass"}.get(key, key)
+            yield _named(group, name, getattr(belt, key), origin(key))
+    if covered(belt) and belt.cover_shear_modulus is None:
+        yield _named(group, "cover_shear_modulus", COVER_SHEAR_MODULUS, ESTIMATED_COVER)
 
 
 def _pulley(

@@ -94,6 +94,9 @@ def case_table(case: CaseResult, system: System) -> Table:
     def small(name: str, of: Number, note: str) -> Row:
         return row(name, lambda m: signed(of(m)), note)
 
+    thick: list[Row] = []
+    if any(m.thickness_term != 0.0 for m in members):
+        thick = [small("thickness_term", lambda m: m.thickness_term, "to first order")]
     rows = [
         row("share", _share, ""),
         told("effective_tension", lambda m: m.arc.effective_tension),
@@ -107,6 +110,7 @@ def case_table(case: CaseResult, system: System) -> Table:
         small("contraction_term", lambda m: m.contraction_term, "to first order"),
         small("creep_term", lambda m: m.creep_term, "to first order"),
         small("compression_term", lambda m: m.compression_term, "to first order"),
+        *thick,
         small("drum_ratio", lambda m: m.drum_ratio - 1.0, "exactly, for equal diameters"),
         known("rotation_speed", lambda m: m.rotation_speed, 6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10
 
 from wraparc.checks import idle, judge
-from wraparc.checks.numbers import pull_against
+from wraparc.checks.numbers import USUAL_OFFSET, pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
@@ -18,7 +18,7 @@ from wraparc.train import (
     TrainResult,
     TrainStatus,
 )
-from wraparc.units import System
+from wraparc.units import System, display
 
 #: Differences of shares that count as none.
 _ALIKE = 0.005
@@ -69,6 +69,7 @@ def case_sentences(case: CaseResult, cases: Sequence[CaseResult], system: System
     if len(case.members) > 1:
         for m in case.members[1:]:
             yield _speed_sentence(case, m)
+        yield from surface_speeds(case, system)
         yield from _matching(case, cases)
     loss = percent(case.loss_ratio)
     power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
@@ -151,6 +152,8 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
         f"belt contraction {_signed(m.contraction_term)} %, lagging compression "
         f"{_signed(m.compression_term)} %, extra creep {_signed(m.creep_term)} %"
     )
+    if m.thickness_term != 0.0:
+        terms += f", belt thickness {_signed(m.thickness_term)} %"
     if abs(ratio) < _AS_FAST:
         return (
             f"The drum of {m.name} {verb} as fast as that of {first}, at equal diameters: {terms}."
@@ -159,6 +162,24 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     return (
         f"The drum of {m.name} {verb} {abs(100.0 * ratio):.3f} % {way} than that of {first}, at "
         f"equal diameters ({terms}): {_reason(m, ratio)}{rule}."
+    )
+
+
+def surface_speeds(case: CaseResult, system: System) -> Iterator[str]:
+    """Say that the speeds of drums are without the thickness of the belt, if that is not known."""
+    for m in case.members:
+        if m.arc.arc.pitch_offset is None:
+            yield surface_sentence(m.arc.arc.diameter, system)
+            return
+
+
+def surface_sentence(diameter: float, system: System) -> str:
+    """Return what the speed of a drum misses without the thickness of the belt."""
+    shift = percent(USUAL_OFFSET / (0.5 * diameter), 2)
+    drum, belt = (display(d, "length", system, 3) for d in (diameter, 2.0 * USUAL_OFFSET))
+    return (
+        f"Drum speeds are those at the lagging surface: {belt} of belt on a drum of {drum} would "
+        f"lower them by {shift}."
     )
 
 
@@ -176,7 +197,11 @@ def _rule(ratio: float) -> str:
 
 def _reason(m: MemberResult, ratio: float) -> str:
     """Say which of the terms makes a drum faster or slower."""
-    shorter = m.contraction_term + m.compression_term
+    others = m.contraction_term + m.compression_term + m.creep_term
+    if m.thickness_term != 0.0 and abs(m.thickness_term) > abs(others):
+        way = "farther out" if m.thickness_term < 0.0 else "closer in"
+        return f"its tension member runs {way} than on the first drum"
+    shorter = m.contraction_term + m.compression_term + m.thickness_term
     if ratio > 0.0 and m.creep_term > 0.0 and shorter <= 0.0:
         return "its extra creep outweighs contraction and compression"
     if ratio <= 0.0 < m.creep_term and shorter < 0.0:
@@ -219,6 +244,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
     sentences = [
         *([as_it_is(judged, system)] if judged.missed else []),
         *_who_and_why(matching),
+        *surface_speeds(case, system),
         *_range(matching.trim, name, what.split()[-1]),
         *_against_load(matching.load),
         *_changes(matching, system),

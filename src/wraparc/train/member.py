@@ -90,6 +90,8 @@ class Member:
         1 + (T - m v^2)/(EA + m v^2).
     squeeze
         Compression of the lagging at the entry per tension there, 2 h/(E_c B D) [m/N].
+    offset
+        e of the tension member, 0 where it is not known [m].
     """
 
     law: CompactLaw
@@ -97,6 +99,7 @@ class Member:
     radius: float
     stretch: float
     squeeze: float
+    offset: float = 0.0
 
     @classmethod
     def of(cls, arc: WrapArc) -> Member:
@@ -104,7 +107,7 @@ class Member:
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
         stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
         radius = arc.radius + arc.offset
-        return cls(arc.law.compact(), arc.geometry(), radius, stretch, squeeze)
+        return cls(arc.law.compact(), arc.geometry(), radius, stretch, squeeze, arc.offset)
 
     @property
     def holds(self) -> bool:

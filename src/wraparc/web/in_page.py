@@ -152,7 +152,7 @@ class Quick(NamedTuple):
 def pull_of(given: Given) -> float:
     """Effective tension that a drive gives, nan where it gives both tensions [N]."""
     if given.torque == given.torque:
-        return pull_of_torque(given.torque, given.diameter)
+        return pull_of_torque(given.torque, given.diameter + 2.0 * given.pitch_offset)
     if given.power == given.power:
         return pull_of_power(given.power, given.speed)
     return given.effective_tension
@@ -329,7 +329,15 @@ def judged(
         values,
         limits,
         others.held,
-        asked_of(loaded, arc, carried.least_slack + arc.centrifugal, limits, given, criteria.safety, others),
+        asked_of(
+            loaded,
+            arc,
+            carried.least_slack + arc.centrifugal,
+            limits,
+            given,
+            criteria.safety,
+            others,
+        ),
         resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,

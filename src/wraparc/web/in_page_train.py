@@ -73,7 +73,8 @@ def member_of(law: CompactLaw, given: Given) -> Member:
     squeeze = 2.0 * (arc.thickness / arc.compression_modulus) / (arc.width * arc.diameter)
     geometry = geometry_of(arc, law.onset_compliance)
     stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
-    return Member(law, geometry, 0.5 * arc.diameter + arc.pitch_offset, stretch, squeeze)
+    e = arc.pitch_offset
+    return Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e)
 
 
 class Divided(NamedTuple):
@@ -187,7 +188,7 @@ def told(
         tension_miss = tension_error(leaving, system.runs, entries, system.exit)
     speed_miss = nan if failed else 0.0
     if located is not None and not failed:
-        speed_miss = speed_error(system, nips, torques, located.level)
+        speed_miss = speed_error(system, nips, torques, located.level, 0.0)
     status, reason = TrainStatus.SOLVED, ""
     if located is not None and failed:
         status, reason = located.status, located.reason
@@ -228,8 +229,9 @@ def _nip(member: Member, arc: Quick, nominal: float) -> Nip:
         entry=found.entry_tension,
         pull=found.effective_tension,
         creep_ratio=found.entry_creep_ratio,
-        radius=member.radius,
+        radius=member.radius - member.offset,
         compression=member.squeeze * found.entry_tension,
+        offset=member.offset,
         nominal=nominal,
     )
 

@@ -26,7 +26,10 @@ from wraparc.units import (
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Answer, Data
 
-_IN_GLOSSARY = {"width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed"}
+_IN_GLOSSARY = {
+    "width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed",
+    "thickness": "belt_thickness", "mass": "belt_mass",
+}  # fmt: skip
 _IN_LAGGING = {"thickness": "lagging_thickness"}
 #: Keys of a lagging that a form has a field for; the others come with the lagging.
 _OF_LAGGING = (
@@ -41,6 +44,7 @@ _ADVANCED = {
     "sources", "provenance", "kind", "least_pulley_diameter", "rating", "strength",
     "condition", "overrun",
     "momentary_factor", "largest_wrap_pressure", "bond_strength", "fatigue_limit",
+    "pulley_cover", "carry_cover", "carcass", "cover_shear_modulus", "mass", "side",
     "recovery", "description", "format", "belt_path", "in_plane_shear_stiffness", "across",
 }  # fmt: skip
 #: Ends of sliders [SI], and whether they go by factors.
@@ -242,7 +246,7 @@ def _field(entry: Entry, prefix: str, name: str) -> Field:
         help=entry.meaning,
         kind=_kind_name(path, kind),
         required=entry.required,
-        advanced=entry.key in _ADVANCED or path.startswith("load_case"),
+        advanced=entry.key in _ADVANCED or path.startswith("load_case") or path == "belt.thickness",
         options=list(kind.options) if isinstance(kind, Choice) else [],
         # shown where nothing is given: no belt is rigid by leaving its modulus out
         word=worded.word if worded and path != "belt.modulus" else None,

@@ -88,6 +88,8 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
     if len(drive.pulleys) > 1 or any(key in document for key in _ELSEWHERE):
         return None
     arc = WrapArc.of(drive, pulley, case)
+    if arc.cover_left_out > 0.0:  # judged with the cover too
+        return None
     compact = arc.law.compact()
     law = Law(
         kind=compact.kind,

@@ -16,6 +16,7 @@ import { tableOf, wholeAnswer } from "./whole_tables.js";
 const UNSOLVED = "The solver of this page found no answer here; wraparc solve says why.";
 const SOLVED = "The drives carry the load.";
 const POINT = "operating_point";
+const LEAST_SHIFT = 1e-4; // of a trim that is told
 /** The train that was asked about last: both pages ask for the same. */
 let last = { doc: "", found: /** @type {any} */ (null) };
 
@@ -64,11 +65,26 @@ function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
     const point = adrift ? [made(`${POINT}:adrift`, none)] : beyond;
     return [...point, ...["fight", "train_balance"].map((name) => made(`${name}:none`, none))];
   }
+  const [first] = arcs;
+  /** The trim of a drum of another diameter, the thickness of the belt not known.
+   * @param {any} arc */
+  const unknownTrim = (arc) => {
+    const shift = K.numbers__trim_shift(
+      ...[first, arc].map(({ prepared }) => +prepared.given.diameter),
+      false,
+    );
+    if (!(shift > LEAST_SHIFT)) return [];
+    const names = { case: c.name, pulley: arc.pulley, first: first.pulley };
+    const [w] = words.belt_thickness.map((word) => put(word, names));
+    const values = { shift: 100 * shift };
+    return [{ ...check({ ...w }, { ...none, values }, c.name, levels), pulley: arc.pulley }];
+  };
   const pulls = divided.pairs.map((/** @type {any} */ p) => p.entry - p.exit);
   const lost = K.numbers__pull_against(pulls);
   const error = Math.max(told.tension_error, told.speed_error);
   return [
     made(lost > 0 ? "fight:fights" : "fight", { ...none, values: { lost } }),
+    ...arcs.slice(1).flatMap(unknownTrim),
     made("train_balance", { ...none, values: { train_balance: error } }),
     ...(c.division.motors ? motors : []).map((/** @type {any} */ m, /** @type {number} */ i) =>
       m ? loaded(m, i) : made(`${key}:none`, none, arcs[i].pulley),
@@ -87,7 +103,10 @@ function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
     const arc = {
       ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
       within_creep_limit: solved && Math.abs(exit_creep) <= limit,
-      arc: { pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
+      arc: {
+        ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
+        ...{ diameter: +prepared.given.diameter, pitch_offset: null },
+      },
       status: solved ? "solved" : "breakaway",
       energy: { power_loss: summary.power_loss },
       capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },

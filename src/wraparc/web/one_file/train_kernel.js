@@ -78,12 +78,13 @@ export class Pair {
 }
 
 export class Member {
-  constructor(law, geometry, radius, stretch, squeeze) {
+  constructor(law, geometry, radius, stretch, squeeze, offset = 0.0) {
     this.law = law;
     this.geometry = geometry;
     this.radius = radius;
     this.stretch = stretch;
     this.squeeze = squeeze;
+    this.offset = offset;
   }
   get holds() {
     return quantities__jumps(this.law);
@@ -517,12 +518,13 @@ export class Divided {
 }
 
 export class Nip {
-  constructor(entry, pull, creep_ratio, radius, compression, nominal) {
+  constructor(entry, pull, creep_ratio, radius, compression, offset, nominal) {
     this.entry = entry;
     this.pull = pull;
     this.creep_ratio = creep_ratio;
     this.radius = radius;
     this.compression = compression;
+    this.offset = offset;
     this.nominal = nominal;
   }
   *[Symbol.iterator]() {
@@ -531,6 +533,7 @@ export class Nip {
     yield this.creep_ratio;
     yield this.radius;
     yield this.compression;
+    yield this.offset;
     yield this.nominal;
   }
 }
@@ -542,6 +545,7 @@ export class Turning {
     contraction_term,
     creep_term,
     compression_term,
+    thickness_term,
     drum_ratio,
     surface_speed,
     rotation_speed,
@@ -554,6 +558,7 @@ export class Turning {
     this.contraction_term = contraction_term;
     this.creep_term = creep_term;
     this.compression_term = compression_term;
+    this.thickness_term = thickness_term;
     this.drum_ratio = drum_ratio;
     this.surface_speed = surface_speed;
     this.rotation_speed = rotation_speed;
@@ -567,6 +572,7 @@ export class Turning {
     yield this.contraction_term;
     yield this.creep_term;
     yield this.compression_term;
+    yield this.thickness_term;
     yield this.drum_ratio;
     yield this.surface_speed;
     yield this.rotation_speed;
@@ -940,6 +946,7 @@ export class MemberResult {
     contraction_term,
     creep_term,
     compression_term,
+    thickness_term,
     drum_ratio,
     surface_speed,
     rotation_speed,
@@ -954,6 +961,7 @@ export class MemberResult {
     this.contraction_term = contraction_term;
     this.creep_term = creep_term;
     this.compression_term = compression_term;
+    this.thickness_term = thickness_term;
     this.drum_ratio = drum_ratio;
     this.surface_speed = surface_speed;
     this.rotation_speed = rotation_speed;
@@ -1303,6 +1311,8 @@ export class Node {
 }
 
 const SMALL_PULL = 0.001;
+const COVERS_APART = 0.004;
+const USUAL_OFFSET = 0.005;
 const FINE = 3e-6;
 const SHARP = 0.001;
 const _FIRST_RATIO = 0.0015;
@@ -1489,10 +1499,12 @@ export function in_page_train__member_of(law, given) {
   let arc = in_page__description_of(given);
   let squeeze = (2.0 * (arc.thickness / arc.compression_modulus)) / (arc.width * arc.diameter);
   let geometry = summary__geometry_of(arc, law.onset_compliance);
-  return new Member(law, geometry, 0.5 * arc.diameter, 1.0 / arc.axial_stiffness, squeeze);
+  let stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal);
+  let e = arc.pitch_offset;
+  return new Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e);
 }
 
-/** Return the surface speed of the first drum, without compression [m/s]. */
+/** Return the speed of the first drum at R + e, without compression [m/s]. */
 export function turning__surface_of_first(speeds, radii) {
   return speeds[0] * radii[0];
 }
@@ -1550,6 +1562,14 @@ export function numbers__pull_against(pulls) {
     return 0.0;
   }
   return min($sum([...pulls].map((p) => max(p, 0.0))), $sum([...pulls].map((p) => max(-p, 0.0))));
+}
+
+/** How far a trim is off for a belt of 10 mm taken without thickness [-]. */
+export function numbers__trim_shift(first, other, opposite) {
+  if (opposite) {
+    return COVERS_APART / (0.5 * min(first, other));
+  }
+  return Math.abs(USUAL_OFFSET / (0.5 * first) - USUAL_OFFSET / (0.5 * other));
 }
 
 /** Return the lines of drums on motors. */
@@ -2100,10 +2120,16 @@ export function in_page_train___nip(member, arc, nominal) {
     found.entry_tension,
     found.effective_tension,
     found.entry_creep_ratio,
-    member.radius,
+    member.radius - member.offset,
     member.squeeze * found.entry_tension,
+    member.offset,
     nominal,
   );
+}
+
+/** R - delta + e, at which the belt pulls and runs [m]. */
+export function pitch__pitch_radius(radius, compression, offset) {
+  return radius - compression + offset;
 }
 
 /** Return how a drum turns against the first one. */
@@ -2114,8 +2140,8 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
   let g1 = first.creep_ratio;
   let leaves = g < 1.0 ? 1.0 - g : NaN;
   let ratio = ((1.0 + a / stiffness) * (1.0 - g1)) / ((1.0 + a1 / stiffness) * leaves);
-  let arm = at.radius - at.compression;
-  let arm1 = first.radius - first.compression;
+  let arm = pitch__pitch_radius(at.radius, at.compression, at.offset);
+  let arm1 = pitch__pitch_radius(first.radius, first.compression, first.offset);
   let surface = belt_speed / leaves;
   let pull = g === g ? at.pull : NaN;
   return new Turning(
@@ -2124,6 +2150,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
     (a - a1) / stiffness,
     g - g1,
     at.compression / at.radius - first.compression / first.radius,
+    first.offset / first.radius - at.offset / at.radius,
     (((ratio * arm1) / arm) * at.radius) / first.radius,
     surface,
     surface / arm,
@@ -2167,9 +2194,9 @@ export function turning__tension_error(leaving, runs, entries, exit_) {
   );
 }
 
-/** Largest miss of the speeds or torques asked for, from the arcs alone [-]. */
-export function turning__speed_error(system, nips, torques, level) {
-  let asked, i, left, line;
+/** Largest miss of the speeds or torques asked for, from the arcs alone [-]; lift is m v^2. */
+export function turning__speed_error(system, nips, torques, level, lift) {
+  let asked, entry, i, left, line;
   let misses = [];
   for (const each1 of $enumerate(system.lines)) {
     [i, line] = each1;
@@ -2177,7 +2204,8 @@ export function turning__speed_error(system, nips, torques, level) {
       asked = line.ratio * torques[line.master];
       misses.push(Math.abs(torques[i] - asked) / system.torque_scale);
     } else {
-      left = -Math.log1p(-nips[i].creep_ratio) + system.members[i].stretch_log(nips[i].entry);
+      entry = nips[i].entry - lift;
+      left = -Math.log1p(-nips[i].creep_ratio) + system.members[i].stretch_log(entry);
       misses.push(Math.abs(left - line.log_speed(torques[i]) - level));
     }
   }
@@ -2302,7 +2330,7 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   }
   let speed_miss = failed ? NaN : 0.0;
   if (located !== null && !failed) {
-    speed_miss = turning__speed_error(system, nips, torques, located.level);
+    speed_miss = turning__speed_error(system, nips, torques, located.level, 0.0);
   }
   let status = SOLVED;
   let reason = "";
@@ -2537,7 +2565,13 @@ export function train_words___rule(ratio) {
 
 /** Say which of the terms makes a drum faster or slower. */
 export function train_words___reason(m, ratio) {
-  let shorter = m.contraction_term + m.compression_term;
+  let way;
+  let others = m.contraction_term + m.compression_term + m.creep_term;
+  if (m.thickness_term !== 0.0 && Math.abs(m.thickness_term) > Math.abs(others)) {
+    way = m.thickness_term < 0.0 ? "farther out" : "closer in";
+    return "" + "its tension member runs " + $text(way) + " than on the first drum";
+  }
+  let shorter = m.contraction_term + m.compression_term + m.thickness_term;
   if (ratio > 0.0 && m.creep_term > 0.0 && shorter <= 0.0) {
     return "its extra creep outweighs contraction and compression";
   }
@@ -2566,6 +2600,9 @@ export function train_words___speed_sentence(case_, m) {
     " %, extra creep " +
     $text(train_words___signed(m.creep_term)) +
     " %";
+  if (m.thickness_term !== 0.0) {
+    terms += "" + ", belt thickness " + $text(train_words___signed(m.thickness_term)) + " %";
+  }
   if (Math.abs(ratio) < _AS_FAST) {
     return (
       "" +
@@ -2600,6 +2637,36 @@ export function train_words___speed_sentence(case_, m) {
     $text(rule) +
     "."
   );
+}
+
+/** Return what the speed of a drum misses without the thickness of the belt. */
+export function train_words__surface_sentence(diameter, system) {
+  let shift = sheet__percent(USUAL_OFFSET / (0.5 * diameter), 2);
+  let [drum, belt] = [...[diameter, 2.0 * USUAL_OFFSET]].map((d) =>
+    display(d, "length", system, 3),
+  );
+  return (
+    "" +
+    "Drum speeds are those at the lagging surface: " +
+    $text(belt) +
+    " of belt on a drum of " +
+    $text(drum) +
+    " would lower them by " +
+    $text(shift) +
+    "."
+  );
+}
+
+/** Say that the speeds of drums are without the thickness of the belt, if that is not known. */
+export function* train_words__surface_speeds(case_, system) {
+  let m;
+  for (const each1 of case_.members) {
+    m = each1;
+    if (m.arc.arc.pitch_offset === null) {
+      yield train_words__surface_sentence(m.arc.arc.diameter, system);
+      return;
+    }
+  }
 }
 
 /** Tensions at both ends of a train, in the digits that loads are told apart by. */
@@ -2733,6 +2800,7 @@ export function* train_words__case_sentences(case_, cases, system) {
       m = each1;
       yield train_words___speed_sentence(case_, m);
     }
+    yield* train_words__surface_speeds(case_, system);
     yield* train_words___matching(case_, cases);
   }
   let loss = sheet__percent(case_.loss_ratio);
@@ -2919,6 +2987,10 @@ export function train_sheet__case_table(case_, system) {
   const small = (name, of, note) => {
     return row(name, (m) => train_sheet__signed(of(m)), note);
   };
+  let thick = [];
+  if ([...members].some((m) => m.thickness_term !== 0.0)) {
+    thick = [small("thickness_term", (m) => m.thickness_term, "to first order")];
+  }
   let rows = [
     row("share", train_sheet___share, ""),
     told("effective_tension", (m) => m.arc.effective_tension),
@@ -2932,6 +3004,7 @@ export function train_sheet__case_table(case_, system) {
     small("contraction_term", (m) => m.contraction_term, "to first order"),
     small("creep_term", (m) => m.creep_term, "to first order"),
     small("compression_term", (m) => m.compression_term, "to first order"),
+    ...thick,
     small("drum_ratio", (m) => m.drum_ratio - 1.0, "exactly, for equal diameters"),
     known("rotation_speed", (m) => m.rotation_speed, 6),
     row(

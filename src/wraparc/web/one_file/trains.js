@@ -8,6 +8,7 @@ import {
   lawOf,
   NOT_HERE,
   read,
+  thickOf,
   unjudgedOf,
 } from "../static/pages/drive/assemble.js";
 import { numbersOf } from "../static/pages/drive/own.js";
@@ -39,7 +40,7 @@ function alone({ train, load_case, ...doc }, i) {
 /** What of a train is left to the program; empty for nothing. @param {any} doc */
 export function beyondTrain(doc) {
   const uneven = doc.pulley.find((/** @type {any} */ p) => p.across);
-  return uneven ? acrossOf(uneven) : "";
+  return uneven ? acrossOf(uneven) : thickOf(doc);
 }
 /** @param {Problem[][]} all each once */
 function once(all) {

@@ -41,9 +41,18 @@ export function beyond(doc) {
     return `Tensions from the resistances of a conveyor are not found in this page; ${HERE}.`;
   const [pulley] = doc.pulley;
   if (pulley.across) return acrossOf(pulley);
+  if (thickOf(doc)) return thickOf(doc);
   if (pulley.belt_path) return `A wrap angle from a belt path is not found in this page; ${HERE}.`;
   return "";
 }
+
+const THICK = ["pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass"];
+/** What is said of a belt whose layers or mass are given; empty for none. @param {any} doc */
+export const thickOf = ({ belt, pulley }) =>
+  THICK.some((key) => belt?.[key] != null && belt[key] !== "") ||
+  pulley.some((/** @type {any} */ p) => p.side != null && p.side !== "pulley")
+    ? `Thickness, covers and mass of the belt are not counted in this page; ${HERE}.`
+    : "";
 
 /** What is said of a pulley whose load is uneven across the width. @param {any} pulley */
 export const acrossOf = ({ name }) =>
