@@ -11,12 +11,11 @@ offset of the tension member is known to its stated error alone.
 import sys
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from wraparc.calibrate.calibration import Calibration, Number, Problemset, calibrate
-from wraparc.calibrate.problem import OPEN_ZERO, arc_of, calibrated_drive, speed_ratio
+from wraparc.calibrate.problem import OPEN_ZERO, arc_of, calibrated_drive, speed_ratio, usual_method
 from wraparc.drive import Drive, Tensions
 from wraparc.drive.pitch import pitch_offset
 from wraparc.train.file import load_drive
@@ -67,7 +66,7 @@ def record(drive: Drive, rng: np.random.Generator) -> tuple[list[Number], Number
 
     def reading(case: str, tensions: Tensions | None = None) -> Number:
         arc = arc_of(true, "head", (case, tensions), errors)
-        g = float(method().solve(arc).scalars()["exit_creep_ratio"])
+        g = float(usual_method().solve(arc).scalars()["exit_creep_ratio"])
         value = speed_ratio(arc, g, wheel) + READING * rng.standard_normal()
         return Number(
             quantity="exit_creep_ratio", value=value, sd=READING, load_case=case,
@@ -75,11 +74,6 @@ def record(drive: Drive, rng: np.random.Generator) -> tuple[list[Number], Number
         )  # fmt: skip
 
     return [reading(case) for case in CASES], reading("design", IDLING)
-
-
-def method() -> Any:
-    """What solves the arcs: that of a calibrate file."""
-    return Problemset.__dataclass_fields__["method"].default_factory()  # type: ignore[misc]
 
 
 def problem(drive: Drive, numbers: list[Number], zero: Number | None) -> Problemset:

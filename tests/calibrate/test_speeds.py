@@ -207,12 +207,6 @@ def test_an_error_beyond_what_was_stated_is_no_ok(tmp_path: Path) -> None:
     assert "Zero of the speed ratio: the best fit moves it by" in ran.words
 
 
-def test_the_method_of_the_benchmark_is_that_of_files(tmp_path: Path) -> None:
-    measured = load_measured(asked(tmp_path, ASK + ZERO))
-    assert isinstance(measured.problem.method, Distributed)
-    assert benchmark_module("calibrate_speeds").method() == measured.problem.method
-
-
 def test_an_overlay_shows_what_tachometers_would(tmp_path: Path) -> None:
     drive = load_drive(asked(tmp_path, ASK).with_name("drive.toml"))
     arc = WrapArc.of(drive, drive.pulleys[0], drive.load_cases[0])

@@ -16,7 +16,7 @@ from wraparc.calibrate.calibration import (
     Trace,
 )
 from wraparc.calibrate.fold import Folded, fold
-from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of
+from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, usual_method
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
 from wraparc.checks.numbers import USUAL_OFFSET
 from wraparc.drive import Drive, Lagging, Limit, Tensions
@@ -195,9 +195,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
 
 
 def _method(name: str) -> Method:
-    if name == "paper":
-        return PaperMarch()
-    return Distributed(points=120, capacities=False)
+    return PaperMarch() if name == "paper" else usual_method()
 
 
 def traces_of(folded: Folded, load_case: str) -> list[Trace]:

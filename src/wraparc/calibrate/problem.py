@@ -42,6 +42,11 @@ OPEN_ZERO = 0.1
 OVERRUN_UNIT = 1e-4
 
 
+def usual_method() -> Method:
+    """Return what solves the arcs of a calibration."""
+    return Distributed(points=120, capacities=False)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Prior:
     """What is known of a parameter beforehand: mean and standard deviation, in its own unit."""
@@ -143,7 +148,7 @@ class Problemset:
     priors: Mapping[str, Prior] = field(default_factory=dict)
     errors: Mapping[str, float] = field(default_factory=dict)
     zero: Number | None = None
-    method: Method = field(default_factory=lambda: Distributed(points=120, capacities=False))
+    method: Method = field(default_factory=usual_method)
 
     def __post_init__(self) -> None:
         data = sum(n is not self.zero for n in self.numbers)
