@@ -416,8 +416,8 @@ QUANTITIES: tuple[Quantity, ...] = (
         "makes a larger drum.",
     ),
     Quantity(
-        "thickness_term", "e1/R1 - e/R", "number", "Speed by belt thickness",
-        "First-order part of the ratio of drum speeds because the tension member runs outside the "
+        "thickness_term", "(1+e1/R1)/(1+e/R)-1", "number", "Speed by belt thickness",
+        "Part of the ratio of drum speeds because the tension member runs outside the "
         "lagging surface, farther on a smaller drum and on a thicker cover.",
     ),
     Quantity(

@@ -81,6 +81,7 @@ def given(train: Train, case: Any, pulley: Any) -> Data:
     found = {**dict.fromkeys(Given._fields, math.nan), **arc.described()._asdict()}
     found["modulus"], found["speed"] = train.belt.modulus, train.belt.speed or math.nan
     found["steepest_fall"] = arc.law.steepest_fall()
+    found["cover_compliance"], found["slip_with_shear"] = arc.cover_compliance, arc.slip_with_shear
     return {name: float(found[name]) for name in Given._fields}
 
 

@@ -66,6 +66,7 @@ FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
 SMALL, MOST_KINKS = 1e-5, 60  # creep without a sign, of the largest; kinks of one course
 TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn of the creep
+FREELY = 1e-10  # of a change of K behind a rest arc that its start does not take back
 KINK = 1e-4  # of an element: how near to a kink an element has to end
 MESH = 3e-6  # misfit of an element, of the largest change of tension, that is let stand
 ROUGH, SOFTEST = 1e-3, 5.0
@@ -497,27 +498,28 @@ def improved(
         _, _, _, rt, zt, over, _, kt = back[i]
         first, first_z, first_goal = over * first - rt, over * first_z - zt, over * first_goal
         first_k = over * first_k - kt
-    tied, tied_z, tied_goal, drop = 0.0, 0.0, 0.0, 0.0
-    if face.rests:  # K follows from the tension at the start
-        wanted, steep = ratio_behind_rest(face, arc, at.tension[0])
-        part = 1.0 - steep * first_k
-        if part == 0.0:
-            return at, inf, NO_SLOPES
-        tied = (wanted - at.ratio + steep * first) / part
-        tied_z, tied_goal = steep * first_z / part, steep * first_goal / part
-        first, last = first + first_k * tied, last + last_k * tied
-        first_z, last_z = first_z + first_k * tied_z, last_z + last_k * tied_z
-        first_goal += first_k * tied_goal
-        last_goal += last_k * tied_goal
-        drop = entry_of_rest(face, arc, at.tension[0]) - at.tension[0]
-    slope = ends.at_entry * first_z + ends.at_exit * last_z
-    if slope == 0.0:
-        return at, inf, NO_SLOPES
+    exit_z = last_z
+    drop = entry_of_rest(face, arc, at.tension[0]) - at.tension[0] if face.rests else 0.0
     short = ends.tension - ends.at_entry * (at.tension[0] + drop) - ends.at_exit * at.tension[n]
-    dz = (short - ends.at_entry * first - ends.at_exit * last) / slope
-    k = tied + tied_z * dz
+    short -= ends.at_entry * first + ends.at_exit * last
+    slope, k = ends.at_entry * first_z + ends.at_exit * last_z, 0.0
+    det, dz = slope, short
+    if face.rests:  # K follows from the tension at the start: two equations for dZ and dK
+        wanted, steep = ratio_behind_rest(face, arc, at.tension[0])
+        part, lack = 1.0 - steep * first_k, wanted - at.ratio + steep * first
+        by_k = ends.at_entry * first_k + ends.at_exit * last_k
+        det = part * slope + steep * first_z * by_k
+        dz, k = part * short - by_k * lack, lack * slope + steep * first_z * short
+        # under traction that no pressure changes, tension shifts freely along the arc
+        part = steep / (part if abs(part) > FREELY else FREELY)
+        last_z, last_goal = last_z + last_k * part * first_z, last_goal + last_k * part * first_goal
+        first_z, first_goal = first_z * (1.0 + first_k * part), first_goal * (1.0 + first_k * part)
+    if det == 0.0:
+        return at, inf, NO_SLOPES
+    dz, k = dz / det, k / det
+    moved = last + exit_z * dz + last_k * k
     end_row = (r + dk * k, d, b)
-    new, change = _moved(face, at, elements, back, end_row, last + last_z * dz, (dz, k))
+    new, change = _moved(face, at, elements, back, end_row, moved, (dz, k))
     if face.rests:
         stretch = 1.0 + max(min(dz, MOST_STRETCH), -MOST_STRETCH)
         new = new._replace(place=[stretch * place for place in at.place])

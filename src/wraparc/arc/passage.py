@@ -25,10 +25,13 @@ from wraparc.arc.collocation import (
     compliance_of,
     converged,
     entry_of_rest,
+    first_course,
     lag_length,
     meshed,
     misfits,
     overrun_at,
+    ratio_behind_rest,
+    solved,
     start_at,
 )
 from wraparc.arc.meet import HELD, STIFF, Guess, Met, by_growth, interface, meet
@@ -40,6 +43,7 @@ from wraparc.friction.compact import CompactLaw
 SETTLED = 1e-6  # change of a tension, of the pull, that ends Newton's method where meshes adapt
 NO_MESH = inf  # misfit where the mesh stays as it is
 AFRESH = 1e-2  # misfit that is let stand at most where there is no arc to begin with
+ROUNDING = 1e-9  # of an entry creep ratio
 SLIDE = 1e-6  # change of tension, of tension, up to which a slide behind a rest arc is a parabola
 
 
@@ -154,19 +158,48 @@ def _checked(face: Interface, arc: Geometry, found: Solved) -> Met | None:
         entry = entry_of_rest(face, arc, at.tension[0])
         return Met(True, at, found.slopes, rest, entry, face)
     met = Met(True, at, found.slopes, 0.0, at.tension[0], face)
-    if face.slides * entry_ratio(arc, met) < 0.0:
-        return None
-    return met
+    return None if face.slides * entry_ratio(arc, met) < -ROUNDING else met
 
 
 def _afresh(law: CompactLaw, arc: Geometry, ends: Ends, tol: float) -> Met:
     """The arc from a guess of its tensions."""
+    face = interface(law, arc)
+    if jumps(law) and STIFF * lag_length(arc) < arc.radius * arc.wrap_angle:
+        behind = _behind_rest(face._replace(slides=arc.side, rests=True), arc, ends, tol)
+        if behind is not None:
+            return behind
     p = ends.tension / (arc.width * arc.radius)
-    used = stress_about(interface(law, arc), p, 0.6 * ends.goal)
+    used = stress_about(face, p, 0.6 * ends.goal)
     fall = min(0.9 * used / p * arc.wrap_angle, LARGEST_FALL)
     guess = Guess(ends.tension, ends.tension * exp(-arc.side * fall), ends.goal)
     met = meet(law, arc, ends, guess, None, tol)
-    return met if met.done else by_growth(law, arc, ends, guess, tol)
+    if not met.done:
+        met = by_growth(law, arc, ends, guess, tol)
+    if met.rest == 0.0 and met.face.slides * entry_ratio(arc, met) < -ROUNDING:
+        return met._replace(done=False)
+    return met
+
+
+def _behind_rest(face: Interface, arc: Geometry, ends: Ends, tol: float) -> Met | None:
+    """The arc with a rest arc at its entry, or None: from a slide under the traction that holds.
+
+    From the creep u_r at its start it grows by (u_r/l) s + C B tau s^2/2 over a length s.
+    """
+    stress = held_stress(face.law, ends.tension / (arc.width * arc.radius))
+    bend = 0.5 * compliance_of(arc) * arc.width * stress
+    more = abs(ends.goal) - arc.shear * stress
+    if more <= 0.0:
+        return None
+    lag = lag_length(arc)
+    grows = 0.0 if lag == 0.0 else arc.shear * stress / lag
+    slide = 2.0 * more / (grows + sqrt(grows * grows + 4.0 * bend * more))
+    slide = min(slide, arc.radius * arc.wrap_angle)
+    fall = min(arc.width * stress * slide / ends.tension, LARGEST_FALL)
+    leaving = ends.tension * exp(-arc.side * fall)
+    first = first_course(arc, slide, ends.tension, leaving, ends.goal)
+    first = first._replace(ratio=ratio_behind_rest(face, arc, ends.tension)[0])
+    found = solved(face, arc, ends, first, tol)
+    return _checked(face, arc, found) if found.done else None
 
 
 def _told(arc: Geometry, met: Met) -> Passed:

@@ -96,7 +96,7 @@ def case_table(case: CaseResult, system: System) -> Table:
 
     thick: list[Row] = []
     if any(m.thickness_term != 0.0 for m in members):
-        thick = [small("thickness_term", lambda m: m.thickness_term, "to first order")]
+        thick = [small("thickness_term", lambda m: m.thickness_term, "")]
     rows = [
         row("share", _share, ""),
         told("effective_tension", lambda m: m.arc.effective_tension),

@@ -179,7 +179,7 @@ def drum_columns(
             "contraction_term": np.where(found, (entry[i] - entry[0]) / stiffness, np.nan),
             "creep_term": ratio[i] - ratio[0],
             "compression_term": pressed[i] / radius[i] - pressed[0] / radius[0],
-            "thickness_term": offset[0] / radius[0] - offset[i] / radius[i],
+            "thickness_term": (1.0 + offset[0] / radius[0]) / (1.0 + offset[i] / radius[i]) - 1.0,
             "drum_ratio": speed_ratio * first / arm * radius[i] / radius[0],
             "surface_speed": surface,
             "rotation_speed": surface / arm,

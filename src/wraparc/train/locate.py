@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import isnan, log, log1p
+from math import isnan, log, sqrt
 
 from wraparc.train.member import COARSE, FINE, SHARP, Passage
 from wraparc.train.newton import Settled, settle
 from wraparc.train.result import TrainStatus
 from wraparc.train.system import Search, System, guessed
 
-#: Difference between two ways to the same speed that is left alone [-].
-_CORRECTED = 1e-12
-_SURE = 1e-2  # part of it that an estimate must stay below
+#: Change of the logarithms of tensions, from one mesh to the next, that is left alone; rounds.
+_SAME, _ROUNDS = 1e-7, 5
 #: Give of eased speeds, ln(speed) for the whole load, and where it may be left out [-].
 _GIVE, _LEAST_GIVE = 1e-2, 1e-6
+_LESS, _MOST = 0.2, 0.97  # factors of the give from step to step
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +63,7 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
     passages, level = guessed(system)
     state = None if softening else settle(system, passages, level, fine)
     if state is not None:
-        return _corrected(system, _chosen(system, names, [state]))
+        return _as_told(system, _chosen(system, names, [state]))
     eased = _eased(system, _GIVE)
     for tol in (COARSE, SHARP):  # close to breakaway a coarse mesh misses the solution
         search = Search(eased, tol)
@@ -80,39 +80,30 @@ def locate(system: System, names: Sequence[str], softening: bool) -> Located:
         level = search.level(levels[0])
         start = failed[0] if len(failed) > 0 else tuple(search.follow(level).passages)
         return _broken(system, names, start, level)
-    return _corrected(system, _chosen(system, names, states))
+    return _as_told(system, _chosen(system, names, states))
 
 
-def _corrected(system: System, located: Located) -> Located:
+def _as_told(system: System, located: Located) -> Located:
     """Return the tensions at which the arcs, solved for their tensions, meet the speeds.
 
-    Followed from creep to tension and solved from tension to creep, on meshes of their own, an arc
-    has errors that differ by a little: what differs is added to the equations.
+    On the meshes of those: what is told of a train are its arcs alone.
     """
-    for _ in range(4):
+    for _ in range(_ROUNDS):
         state = located.settled
         if state is None or located.status is not TrainStatus.SOLVED:
             break
-        solved = [
-            m.between(p.entry, p.exit) for m, p in zip(system.members, state.passages, strict=True)
-        ]
-        pairs = list(zip(solved, state.passages, strict=True))
-        offsets = [log1p(-p.ratio) - log1p(-s.ratio) for s, p in pairs if s is not None]
-        if len(offsets) < len(pairs):
-            break
-        old = system.corrections if len(system.corrections) > 0 else (0.0,) * len(offsets)
-        if max(abs(a - b) for a, b in zip(offsets, old, strict=True)) < _CORRECTED:
-            break
-        system = replace(system, corrections=tuple(offsets))
-        better = settle(system, state.passages, state.level, COARSE)
+        solved = []
+        for member, p in zip(system.members, state.passages, strict=True):
+            at = member.between(p.entry, p.exit)
+            if at is None:
+                return located
+            solved.append(at)
+        better = settle(system, solved, state.level, COARSE)
         if better is None:
             break
         located = replace(located, settled=better, passages=better.passages, level=better.level)
-        # the errors themselves hardly change over so small a step
-        step = max(
-            abs(log(a.exit / b.exit)) for a, b in zip(better.passages, state.passages, strict=True)
-        )
-        if step * max(abs(offset) for offset in offsets) < _CORRECTED * _SURE:
+        pairs = zip(better.passages, state.passages, strict=True)
+        if max(abs(log(a.exit / b.exit)) for a, b in pairs) < _SAME:
             break
     return located
 
@@ -136,11 +127,17 @@ def _eased(system: System, give: float) -> System:
 
 def _stiffened(system: System, state: Settled) -> Settled | None:
     """Return what becomes of a state of the eased train as the give goes."""
-    give = _GIVE
-    now: Settled | None = state
-    while now is not None and give > 0.0:
-        give = give * 0.2 if give > _LEAST_GIVE else 0.0
-        now = settle(_eased(system, give), now.passages, now.level)
+    give, factor, now = _GIVE, _LESS, state
+    while give > 0.0:
+        less = factor * give if give > _LEAST_GIVE else 0.0
+        found = settle(_eased(system, less), now.passages, now.level)
+        if found is not None:
+            give, now = less, found
+            factor = max(factor * factor, _LESS)
+        elif less > 0.0 and factor < _MOST:
+            factor = sqrt(factor)
+        else:
+            return None
     return now
 
 

@@ -17,7 +17,7 @@ from wraparc.arc.answer import operating_point
 from wraparc.arc.collocation import MESH
 from wraparc.arc.meet import Met
 from wraparc.arc.passage import NO_MESH, SLIDE, Passed, passed, slide_slope
-from wraparc.arc.profile import entry_ratio, traction_of
+from wraparc.arc.profile import traction_of
 from wraparc.arc.quantities import SOLVED, Geometry, jumps
 from wraparc.friction import CompactLaw
 
@@ -201,22 +201,11 @@ class Member:
         return Passage(entry, at.leaving, place, at.ratio, creep, slip, held, slopes, met)
 
     def between(self, entry: float, exit_: float) -> Passage | None:
-        """Send the belt over the pulley between two tensions; None if friction cannot.
-
-        How it answers is not told.
-        """
+        """Send the belt over the pulley between two tensions; None if friction cannot."""
         arc = self._driven(entry >= exit_)
         found = operating_point(self.law, arc, entry, exit_)
         if found.outcome != SOLVED:
             return None
-        met = found.met
-        creep = met.course.creep[-1]
-        slip, ratio = traction_of(arc, met, exit_, creep).slip, entry_ratio(arc, met)
-        held = self.holds and (met.rest > 0.0 or not self.rests)
-        place = self.place_of(creep)
-        return Passage(entry, exit_, place, ratio, creep, slip, held, UNKNOWN, met)
-
-    def at(self, entry: float, exit_: float, creep: float) -> Passage:
-        """Return the passage of an arc that is solved, its slopes good to some digits."""
-        found = self.passage(entry, self.place_of(creep), None, SHARP)
-        return replace(found, exit=exit_)
+        place = self.place_of(found.met.course.creep[-1])
+        # one step of the same arc on its mesh tells how it answers
+        return replace(self.passage(entry, place, found.met, COARSE), exit=exit_)

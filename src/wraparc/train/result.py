@@ -104,8 +104,8 @@ class MemberResult:
     compression_term
         delta_i/R_i - delta_1/R_1: a less compressed lagging makes a larger drum [-].
     thickness_term
-        e_1/R_1 - e_i/R_i: the tension member farther out makes a larger drum [-]; 0 where the
-        thickness of the belt is not known.
+        (1 + e_1/R_1)/(1 + e_i/R_i) - 1: the tension member farther out makes a larger drum [-]; 0
+        where the thickness of the belt is not known.
     drum_ratio
         omega_i R_i/(omega_1 R_1), the ratio of the drum speeds of equal drums, exactly [-]; 1 +
         contraction_term + creep_term + compression_term + thickness_term to first order.

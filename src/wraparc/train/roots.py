@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-_MOST = 80  # steps
+_MOST, _REACH = 80, 0.01  # steps; first of them that the slope does not tell, of the limits
 
 
 def rising_root(
@@ -115,7 +115,7 @@ def sloped_root(
     tolerance
         Of f.
     """
-    x, before = min(max(x, low), high), 0.0
+    x, before, reach = min(max(x, low), high), 0.0, _REACH * (high - low)
     below = above = False  # whether the limits are known to enclose the root
     value = 0.0
     for _ in range(_MOST):
@@ -126,11 +126,14 @@ def sloped_root(
             low, below = x, True
         else:
             high, above = x, True
-        new = high if value < 0.0 else low
-        if slope > 0.0:
-            new = x - value / slope
-        if below and above and (not low < new < high or abs(value) > 0.5 * abs(before) > 0.0):
+        slow = abs(value) > 0.5 * abs(before) > 0.0
+        way = 1.0 if value < 0.0 else -1.0
+        new = x - value / slope if slope > 0.0 else x + way * reach
+        if below and above and (slow or not low < new < high):
             new = 0.5 * (low + high)
+        elif slow and not (below and above):  # the slope knows nothing of where the root is
+            new = x + way * max(reach, abs(new - x))
+            reach *= 2.0
         before = value
         new = min(max(new, low), high)
         if new == x:

@@ -308,10 +308,8 @@ def _sensitivity(
     passages: list[Passage | None] = [None] * len(arcs)
     if all(a.status.solved for a in arcs):
         passages = [
-            member.at(
-                arc.entry_tension - arc.arc.centrifugal,
-                arc.exit_tension - arc.arc.centrifugal,
-                arc.exit_creep,
+            member.between(
+                arc.entry_tension - arc.arc.centrifugal, arc.exit_tension - arc.arc.centrifugal
             )
             for member, arc in zip(system.members, arcs, strict=True)
         ]

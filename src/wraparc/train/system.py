@@ -85,8 +85,6 @@ class System:
         First entry and last exit tension [N].
     runs
         Rise of tension behind each pulley; 0 behind the last [N].
-    corrections
-        What to add to the left side of each equation; empty for nothing [-].
     """
 
     members: tuple[Member, ...]
@@ -94,7 +92,6 @@ class System:
     entry: float
     exit: float
     runs: tuple[float, ...]
-    corrections: tuple[float, ...] = ()
 
     @property
     def pull(self) -> float:
@@ -114,8 +111,6 @@ class System:
         """Left less right side of the equation of a pulley [-]."""
         member, line = self.members[i], self.lines[i]
         left = -log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry)
-        if len(self.corrections) > 0:
-            left += self.corrections[i]
         return left - line.log_speed(self.torque(i, at.entry, at.exit)) - level
 
     def speed_slopes(self, i: int, at: Passage) -> tuple[float, float]:

@@ -112,7 +112,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
         contraction_term=(a - a1) / stiffness,
         creep_term=g - g1,
         compression_term=at.compression / at.radius - first.compression / first.radius,
-        thickness_term=first.offset / first.radius - at.offset / at.radius,
+        thickness_term=(1.0 + first.offset / first.radius) / (1.0 + at.offset / at.radius) - 1.0,
         drum_ratio=ratio * arm1 / arm * at.radius / first.radius,
         surface_speed=surface,
         rotation_speed=surface / arm,

@@ -80,6 +80,9 @@ class Walk:
         self._softening = any(p.lagging.law.steepest_fall() < 0.0 for p in self.train.pulleys)
         self._base = setup.system
         state = locate(setup.system, self._names, self._softening).settled
+        if state is not None:  # on coarser meshes
+            passages = [replace(p, met=None) for p in state.passages]
+            state = settle(setup.system, passages, state.level, SHARP, _TOLERANCE)
         if state is None:
             raise InputError(Problem(message="the speeds held have no solution to start from"))
         self._start = (self.here, state)

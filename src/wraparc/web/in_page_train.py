@@ -177,7 +177,7 @@ def told(
     passages: list[Passage | None] = [None for _ in arcs]
     if len(stuck) == 0:
         passages = [
-            m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep)
+            m.between(arc.summary.entry_tension, arc.summary.exit_tension)
             for m, arc in zip(system.members, arcs, strict=True)
         ]
     torques = [at.drum_torque for at in turnings]

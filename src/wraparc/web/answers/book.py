@@ -32,6 +32,7 @@ from wraparc.drive import (
     TakeUp,
 )
 from wraparc.drive.conditions import DRY
+from wraparc.drive.pitch import LAGGING_SHEAR, counts_shear
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 from wraparc.present.checks_table import check_table
@@ -216,6 +217,7 @@ def _law(lagging: Lagging) -> BookLaw:
             onset_compliance=compact.onset_compliance,
         ),
         steepest_fall=lagging.law.steepest_fall(),
+        slip_with_shear=counts_shear(lagging.law, LAGGING_SHEAR) is True,
         tested=None
         if tested is None
         else BookTested(

@@ -41,6 +41,7 @@ class BookLaw(Plain):
     condition: str
     law: Law
     steepest_fall: float
+    slip_with_shear: bool
     tested: BookTested | None
     grounds: list[str]
     told: list[str]

@@ -13,10 +13,13 @@ import {
   collocation__compliance_of,
   collocation__converged,
   collocation__entry_of_rest,
+  collocation__first_course,
   collocation__lag_length,
   collocation__meshed,
   collocation__misfits,
   collocation__overrun_at,
+  collocation__ratio_behind_rest,
+  collocation__solved,
   collocation__start_at,
   in_page__description_of,
   meet__by_growth,
@@ -149,17 +152,12 @@ export class Member {
     if (found.outcome !== 0) {
       return null;
     }
-    let met = found.met;
-    let creep = met.course.creep.at(-1);
-    let slip = profile__traction_of(arc, met, exit_, creep).slip;
-    let ratio = profile__entry_ratio(arc, met);
-    let held = this.holds && (met.rest > 0.0 || !this.rests);
-    let place = this.place_of(creep);
-    return new Passage(entry, exit_, place, ratio, creep, slip, held, UNKNOWN, met);
-  }
-  at(entry, exit_, creep) {
-    let found = this.passage(entry, this.place_of(creep), null, SHARP);
-    return Object.assign(Object.create(Object.getPrototypeOf(found)), found, { exit: exit_ });
+    let place = this.place_of(found.met.course.creep.at(-1));
+    return Object.assign(
+      Object.create(Object.getPrototypeOf(this.passage(entry, place, found.met, COARSE))),
+      this.passage(entry, place, found.met, COARSE),
+      { exit: exit_ },
+    );
   }
   get rests() {
     return this.holds && this.geometry.shear === 0.0;
@@ -976,13 +974,12 @@ export class MemberResult {
 }
 
 export class System {
-  constructor(members, lines, entry, exit, runs, corrections = []) {
+  constructor(members, lines, entry, exit, runs) {
     this.members = members;
     this.lines = lines;
     this.entry = entry;
     this.exit = exit;
     this.runs = runs;
-    this.corrections = corrections;
   }
   get pull() {
     return this.entry + $sum(this.runs) - this.exit;
@@ -997,9 +994,6 @@ export class System {
     let member = this.members[i];
     let line = this.lines[i];
     let left = -Math.log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry);
-    if (this.corrections.length > 0) {
-      left += this.corrections[i];
-    }
     return left - line.log_speed(this.torque(i, at.entry, at.exit)) - level;
   }
   speed_slopes(i, at) {
@@ -1326,9 +1320,10 @@ const _HALVINGS = 15;
 const SOLVED = "The drives carry the load.";
 const BREAKAWAY =
   "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.";
-const _CORRECTED = 1e-12;
-const _SURE = 0.01;
+const _ROUNDS = 5;
+const _SAME = 1e-7;
 const _GIVE = 0.01;
+const _LESS = 0.2;
 const _LEAST_GIVE = 1e-6;
 const UNSOLVED =
   "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.";
@@ -1367,14 +1362,15 @@ const FIRST_STEPS = 15;
 const MOST_ROUNDS = 14;
 const LATER_STEPS = 20;
 const HELD = 20.0;
+const ROUNDING = 1e-9;
 const AFRESH = 0.01;
 const LARGEST_FALL = 6.0;
 const SLIDE = 1e-6;
 const _BEYOND = 30.0;
 const LARGEST_RATIO = 0.5;
-const UNKNOWN = new Response(NaN, NaN, NaN, NaN);
 const _LEVEL_SCALE = 1e-5;
 const _TURNED = 1e-9;
+const _REACH = 0.01;
 const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
 const _TIP_STEPS = 12;
@@ -1877,29 +1873,23 @@ export function locate___chosen(system, names, states) {
 }
 
 /** Return the tensions at which the arcs, solved for their tensions, meet the speeds. */
-export function locate___corrected(system, located) {
-  let better, offsets, old, pairs, solved, state, step;
-  for (let each1 = 0, end1 = 4; each1 < end1; each1++) {
+export function locate___as_told(system, located) {
+  let at, better, member, p, pairs, solved, state;
+  for (let each1 = 0, end1 = _ROUNDS; each1 < end1; each1++) {
     state = located.settled;
     if (state === null || located.status !== SOLVED) {
       break;
     }
-    solved = [...$zip(system.members, state.passages)].map(([m, p]) => m.between(p.entry, p.exit));
-    pairs = [...$zip(solved, state.passages)];
-    offsets = [...pairs]
-      .filter(([s, p]) => s !== null)
-      .map(([s, p]) => Math.log1p(-p.ratio) - Math.log1p(-s.ratio));
-    if (offsets.length < pairs.length) {
-      break;
+    solved = [];
+    for (const each2 of $zip(system.members, state.passages)) {
+      [member, p] = each2;
+      at = member.between(p.entry, p.exit);
+      if (at === null) {
+        return located;
+      }
+      solved.push(at);
     }
-    old = system.corrections.length > 0 ? system.corrections : $repeated([0.0], offsets.length);
-    if ($maxOf([...$zip(offsets, old)].map(([a, b]) => Math.abs(a - b))) < _CORRECTED) {
-      break;
-    }
-    system = Object.assign(Object.create(Object.getPrototypeOf(system)), system, {
-      corrections: [...offsets],
-    });
-    better = newton__settle(system, state.passages, state.level, COARSE);
+    better = newton__settle(system, solved, state.level, COARSE);
     if (better === null) {
       break;
     }
@@ -1908,12 +1898,8 @@ export function locate___corrected(system, located) {
       passages: better.passages,
       level: better.level,
     });
-    step = $maxOf(
-      [...$zip(better.passages, state.passages)].map(([a, b]) =>
-        Math.abs(Math.log(a.exit / b.exit)),
-      ),
-    );
-    if (step * $maxOf([...offsets].map((offset) => Math.abs(offset))) < _CORRECTED * _SURE) {
+    pairs = $zip(better.passages, state.passages);
+    if ($maxOf([...pairs].map(([a, b]) => Math.abs(Math.log(a.exit / b.exit)))) < _SAME) {
       break;
     }
   }
@@ -1970,11 +1956,22 @@ export function locate___states(system, search, softening, tol) {
 
 /** Return what becomes of a state of the eased train as the give goes. */
 export function locate___stiffened(system, state) {
+  let found, less;
   let give = _GIVE;
+  let factor = _LESS;
   let now = state;
-  while (now !== null && give > 0.0) {
-    give = give > _LEAST_GIVE ? give * 0.2 : 0.0;
-    now = newton__settle(locate___eased(system, give), now.passages, now.level);
+  while (give > 0.0) {
+    less = give > _LEAST_GIVE ? factor * give : 0.0;
+    found = newton__settle(locate___eased(system, less), now.passages, now.level);
+    if (found !== null) {
+      give = less;
+      now = found;
+      factor = max(factor * factor, _LESS);
+    } else if (less > 0.0 && factor < 0.97) {
+      factor = Math.sqrt(factor);
+    } else {
+      return null;
+    }
   }
   return now;
 }
@@ -2025,7 +2022,7 @@ export function locate__locate(system, names, softening) {
   let level = found1[1];
   let state = softening ? null : newton__settle(system, passages, level, fine);
   if (state !== null) {
-    return locate___corrected(system, locate___chosen(system, names, [state]));
+    return locate___as_told(system, locate___chosen(system, names, [state]));
   }
   let eased = locate___eased(system, _GIVE);
   for (const each2 of [COARSE, SHARP]) {
@@ -2052,7 +2049,7 @@ export function locate__locate(system, names, softening) {
     start = failed.length > 0 ? failed[0] : [...search.follow(level).passages];
     return locate___broken(system, names, start, level);
   }
-  return locate___corrected(system, locate___chosen(system, names, states));
+  return locate___as_told(system, locate___chosen(system, names, states));
 }
 
 /** Return tensions that meet the last one exactly; what is idle but for rounding is idle. */
@@ -2150,7 +2147,7 @@ export function turning__turning(first, at, stiffness, total, belt_speed) {
     (a - a1) / stiffness,
     g - g1,
     at.compression / at.radius - first.compression / first.radius,
-    first.offset / first.radius - at.offset / at.radius,
+    (1.0 + first.offset / first.radius) / (1.0 + at.offset / at.radius) - 1.0,
     (((ratio * arm1) / arm) * at.radius) / first.radius,
     surface,
     surface / arm,
@@ -2318,7 +2315,7 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   let passages = [...arcs].map((_) => null);
   if (stuck.length === 0) {
     passages = [...$zip(system.members, arcs)].map(([m, arc]) =>
-      m.at(arc.summary.entry_tension, arc.summary.exit_tension, arc.summary.exit_creep),
+      m.between(arc.summary.entry_tension, arc.summary.exit_tension),
     );
   }
   let torques = [...turnings].map((at) => at.drum_torque);
@@ -2989,7 +2986,7 @@ export function train_sheet__case_table(case_, system) {
   };
   let thick = [];
   if ([...members].some((m) => m.thickness_term !== 0.0)) {
-    thick = [small("thickness_term", (m) => m.thickness_term, "to first order")];
+    thick = [small("thickness_term", (m) => m.thickness_term, "")];
   }
   let rows = [
     row("share", train_sheet___share, ""),
@@ -3146,10 +3143,7 @@ export function passage___checked(face, arc, found) {
     return new Met(true, at, found.slopes, rest, entry, face);
   }
   let met = new Met(true, at, found.slopes, 0.0, at.tension[0], face);
-  if (face.slides * profile__entry_ratio(arc, met) < 0.0) {
-    return null;
-  }
-  return met;
+  return face.slides * profile__entry_ratio(arc, met) < -ROUNDING ? null : met;
 }
 
 /** The arc from one nearly the same; None where it is another kind. */
@@ -3191,14 +3185,61 @@ export function passage___again(law, arc, ends, near, tol) {
   return found.done ? passage___checked(face, arc, found) : null;
 }
 
+/** The arc with a rest arc at its entry, or None: from a slide under the traction that holds. */
+export function passage___behind_rest(face, arc, ends, tol) {
+  let stress = traction__held_stress(face.law, ends.tension / (arc.width * arc.radius));
+  let bend = 0.5 * collocation__compliance_of(arc) * arc.width * stress;
+  let more = Math.abs(ends.goal) - arc.shear * stress;
+  if (more <= 0.0) {
+    return null;
+  }
+  let lag = collocation__lag_length(arc);
+  let grows = lag === 0.0 ? 0.0 : (arc.shear * stress) / lag;
+  let slide = (2.0 * more) / (grows + Math.sqrt(grows * grows + 4.0 * bend * more));
+  slide = min(slide, arc.radius * arc.wrap_angle);
+  let fall = min((arc.width * stress * slide) / ends.tension, LARGEST_FALL);
+  let leaving = ends.tension * Math.exp(-arc.side * fall);
+  let first = collocation__first_course(arc, slide, ends.tension, leaving, ends.goal);
+  first = Object.assign(Object.create(Object.getPrototypeOf(first)), first, {
+    ratio: collocation__ratio_behind_rest(face, arc, ends.tension)[0],
+  });
+  let found = collocation__solved(face, arc, ends, first, tol);
+  return found.done ? passage___checked(face, arc, found) : null;
+}
+
 /** The arc from a guess of its tensions. */
 export function passage___afresh(law, arc, ends, tol) {
+  let behind;
+  let face = meet__interface(law, arc);
+  if (
+    quantities__jumps(law) &&
+    STIFF * collocation__lag_length(arc) < arc.radius * arc.wrap_angle
+  ) {
+    behind = passage___behind_rest(
+      Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
+        slides: arc.side,
+        rests: true,
+      }),
+      arc,
+      ends,
+      tol,
+    );
+    if (behind !== null) {
+      return behind;
+    }
+  }
   let p = ends.tension / (arc.width * arc.radius);
-  let used = capacity__stress_about(meet__interface(law, arc), p, 0.6 * ends.goal);
+  let used = capacity__stress_about(face, p, 0.6 * ends.goal);
   let fall = min(((0.9 * used) / p) * arc.wrap_angle, LARGEST_FALL);
   let guess = new Guess(ends.tension, ends.tension * Math.exp(-arc.side * fall), ends.goal);
   let met = meet__meet(law, arc, ends, guess, null, tol);
-  return met.done ? met : meet__by_growth(law, arc, ends, guess, tol);
+  if (!met.done) {
+    met = meet__by_growth(law, arc, ends, guess, tol);
+  }
+  if (met.rest === 0.0 && met.face.slides * profile__entry_ratio(arc, met) < -ROUNDING) {
+    return Object.assign(Object.create(Object.getPrototypeOf(met)), met, { done: false });
+  }
+  return met;
 }
 
 /** What an arc says, with its slopes. */
@@ -3267,8 +3308,8 @@ export function newton___dot(one, other) {
 
 /** Return x with |f(x)| <= tolerance, and f(x), of a rising function that tells its slope. */
 export function roots__sloped_root(f, x, low, high, tolerance) {
-  let above, before, below, new_, slope;
-  [x, before] = [min(max(x, low), high), 0.0];
+  let above, before, below, new_, reach, slope, slow, way;
+  [x, before, reach] = [min(max(x, low), high), 0.0, _REACH * (high - low)];
   below = above = false;
   let value = 0.0;
   for (let each1 = 0, end1 = 80; each1 < end1; each1++) {
@@ -3283,17 +3324,14 @@ export function roots__sloped_root(f, x, low, high, tolerance) {
       high = x;
       above = true;
     }
-    new_ = value < 0.0 ? high : low;
-    if (slope > 0.0) {
-      new_ = x - value / slope;
-    }
-    if (
-      below &&
-      above &&
-      (!(low < new_ && new_ < high) ||
-        (Math.abs(value) > 0.5 * Math.abs(before) && 0.5 * Math.abs(before) > 0.0))
-    ) {
+    slow = Math.abs(value) > 0.5 * Math.abs(before) && 0.5 * Math.abs(before) > 0.0;
+    way = value < 0.0 ? 1.0 : -1.0;
+    new_ = slope > 0.0 ? x - value / slope : x + way * reach;
+    if (below && above && (slow || !(low < new_ && new_ < high))) {
       new_ = 0.5 * (low + high);
+    } else if (slow && !(below && above)) {
+      new_ = x + way * max(reach, Math.abs(new_ - x));
+      reach *= 2.0;
     }
     before = value;
     new_ = min(max(new_, low), high);

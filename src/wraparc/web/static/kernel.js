@@ -990,6 +990,7 @@ const B0 = 0.2777777777777778;
 const B1 = 0.4444444444444444;
 const B2 = 0.2777777777777778;
 const CREEP = 1;
+const FREELY = 1e-10;
 const LEAST_PULL = 1e-5;
 const LEAST_LEFT = 0.2;
 const MOST_STRETCH = 0.5;
@@ -1123,12 +1124,12 @@ export function load_case__exit_behind(entry, leaving) {
   return Math.abs(entry - leaving) <= ROUNDING * entry ? entry : leaving;
 }
 
-/** m v^2, what of the tension presses on no pulley [N]. */
+/** M v^2, what of the tension presses on no pulley [N]. */
 export function pitch__centrifugal_force(mass, speed) {
   return mass * speed * speed;
 }
 
-/** m v^2 of a belt [N]; 0 where its mass or its speed is not known. */
+/** M v^2 of a belt [N]; 0 where its mass or its speed is not known. */
 export function in_page__lift_of(given) {
   let force = pitch__centrifugal_force(given.mass, given.speed);
   return force === force ? force : 0.0;
@@ -2302,10 +2303,12 @@ export function collocation___moved(face, at, elements, back, end, dt, free) {
 
 /** One Newton step; the course after it, and the largest change of a tension of the largest. */
 export function collocation__improved(face, arc, ends, at) {
-  let end,
+  let by_k,
+    end,
     first_k,
     i,
     kt,
+    lack,
     last_k,
     over,
     part,
@@ -2375,39 +2378,40 @@ export function collocation__improved(face, arc, ends, at) {
     [first, first_z, first_goal] = [over * first - rt, over * first_z - zt, over * first_goal];
     first_k = over * first_k - kt;
   }
-  let tied = 0.0;
-  let tied_z = 0.0;
-  let tied_goal = 0.0;
-  let drop = 0.0;
+  let exit_z = last_z;
+  let drop = face.rests
+    ? collocation__entry_of_rest(face, arc, at.tension[0]) - at.tension[0]
+    : 0.0;
+  let short = ends.tension - ends.at_entry * (at.tension[0] + drop) - ends.at_exit * at.tension[n];
+  short -= ends.at_entry * first + ends.at_exit * last;
+  let slope = ends.at_entry * first_z + ends.at_exit * last_z;
+  let k = 0.0;
+  let det = slope;
+  let dz = short;
   if (face.rests) {
     const found6 = collocation__ratio_behind_rest(face, arc, at.tension[0]);
     wanted = found6[0];
     steep = found6[1];
     part = 1.0 - steep * first_k;
-    if (part === 0.0) {
-      return [at, Infinity, NO_SLOPES];
-    }
-    tied = (wanted - at.ratio + steep * first) / part;
-    tied_z = (steep * first_z) / part;
-    tied_goal = (steep * first_goal) / part;
-    [first, last] = [first + first_k * tied, last + last_k * tied];
-    [first_z, last_z] = [first_z + first_k * tied_z, last_z + last_k * tied_z];
-    first_goal += first_k * tied_goal;
-    last_goal += last_k * tied_goal;
-    drop = collocation__entry_of_rest(face, arc, at.tension[0]) - at.tension[0];
+    lack = wanted - at.ratio + steep * first;
+    by_k = ends.at_entry * first_k + ends.at_exit * last_k;
+    det = part * slope + steep * first_z * by_k;
+    dz = part * short - by_k * lack;
+    k = lack * slope + steep * first_z * short;
+    part = steep / (Math.abs(part) > FREELY ? part : FREELY);
+    [last_z, last_goal] = [
+      last_z + last_k * part * first_z,
+      last_goal + last_k * part * first_goal,
+    ];
+    [first_z, first_goal] = [first_z * (1.0 + first_k * part), first_goal * (1.0 + first_k * part)];
   }
-  let slope = ends.at_entry * first_z + ends.at_exit * last_z;
-  if (slope === 0.0) {
+  if (det === 0.0) {
     return [at, Infinity, NO_SLOPES];
   }
-  let short = ends.tension - ends.at_entry * (at.tension[0] + drop) - ends.at_exit * at.tension[n];
-  let dz = (short - ends.at_entry * first - ends.at_exit * last) / slope;
-  let k = tied + tied_z * dz;
+  [dz, k] = [dz / det, k / det];
+  let moved = last + exit_z * dz + last_k * k;
   let end_row = [r + dk * k, d, b];
-  const found7 = collocation___moved(face, at, elements, back, end_row, last + last_z * dz, [
-    dz,
-    k,
-  ]);
+  const found7 = collocation___moved(face, at, elements, back, end_row, moved, [dz, k]);
   let new_ = found7[0];
   let change = found7[1];
   if (face.rests) {

@@ -401,6 +401,7 @@ export interface BookLaw {
   condition: string;
   law: Record<string, number | number[]>;
   steepest_fall: number;
+  slip_with_shear: boolean;
   tested: Record<string, Number_> | null;
   grounds: string[];
   told: string[];

@@ -46,7 +46,14 @@ export function beyond(doc) {
   return "";
 }
 
-const THICK = ["pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass"];
+const THICK = [
+  "pulley_cover",
+  "carry_cover",
+  "carcass",
+  "thickness",
+  "cover_shear_modulus",
+  "mass",
+];
 /** What is said of a belt whose layers or mass are given; empty for none. @param {any} doc */
 export const thickOf = ({ belt, pulley }) =>
   THICK.some((key) => belt?.[key] != null && belt[key] !== "") ||
@@ -326,6 +333,8 @@ export function caseOf(said, c, bookLaw, book) {
     wear_coefficient: lagging.wear_coefficient,
     creep_limit: limit,
     steepest_fall: bookLaw.steepest_fall,
+    slip_with_shear: +bookLaw.slip_with_shear,
+    ...{ pitch_offset: 0, cover_compliance: 0, mass: none }, // see `thickOf`
   };
   const tested = bookLaw.tested;
   const standard = standardOf(said, bookLaw, book);

@@ -1,0 +1,118 @@
+"""Trains with a belt of some thickness and mass: speeds, trims, torques and powers.
+
+Expected values: flow of belt through both nips written out with R - delta + e; moments times
+speeds; the same train by one solver and by rows; motors and speeds that keep what shares ask for.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from train.test_train_batch import EXACT, same
+from train.trains import FABRIC, case, held, pulleys, random_train, solved, train
+from wraparc.batch import Setting
+from wraparc.drive import Belt
+from wraparc.errors import InputError
+from wraparc.train import MemberResult, Shares, Train, solve_train_batch
+
+EVEN = Shares((0.5, 0.5))
+THICK = replace(FABRIC, pulley_cover=3e-3, carry_cover=7e-3, carcass=6e-3, mass=60.0)
+
+
+def tandem(belt: Belt, carries: bool = False, second: float = 0.8) -> Train:
+    first, other = pulleys(2)
+    other = replace(other, side="carry" if carries else "pulley", diameter=second)
+    return train((first, other), case(EVEN), belt=belt)
+
+
+def flow(m: MemberResult, offset: float) -> float:
+    """Unstretched belt that a drum takes in: omega (R - delta + e)(1 - g)/(1 + T/EA)."""
+    arc = m.arc.arc
+    delta = arc.compression_compliance * arc.entry_pressure
+    radius = 0.5 * arc.diameter - delta + offset
+    stretch = 1.0 + arc.entry_tension / arc.axial_stiffness
+    return m.rotation_speed * radius * (1.0 - m.arc.entry_creep_ratio) / stretch
+
+
+@pytest.mark.parametrize("carries", [False, True])
+def test_the_same_belt_passes_both_drums(carries: bool) -> None:
+    """e = 3 + 3 mm on the side of the pulleys, 7 + 3 mm on the other."""
+    first, second = solved(tandem(THICK, carries, 0.9)).members
+    other = 10e-3 if carries else 6e-3
+    assert flow(second, other) == pytest.approx(flow(first, 6e-3), rel=1e-12)
+
+
+def test_torque_times_speed_is_the_power_of_the_belt() -> None:
+    members = solved(tandem(THICK, True, 0.9)).members
+    for m in members:
+        power = m.drum_torque * m.rotation_speed
+        assert power == pytest.approx(m.drum_power, rel=1e-12)
+        told = m.arc.energy
+        assert told.transmitted_power == pytest.approx(power, rel=1e-12)
+        assert told.sliding_power + told.shear_loss == pytest.approx(told.power_loss, rel=1e-12)
+
+
+def test_equal_drums_on_one_side_keep_their_trim() -> None:
+    """To first order in e/R = 1.5 %: what creep differs by changes by about as much of itself."""
+    thin, thick = (solved(tandem(b)).members[1].speed_trim for b in (FABRIC, THICK))
+    assert abs(thick - thin) < 0.1 * abs(thin - 1.0)
+    assert thick != thin
+
+
+def test_drums_on_opposite_sides() -> None:
+    """(R + e_1)/(R + e_2) of the trim on one side: 406/410, nearly 1.0 % slower."""
+    one, other = (solved(tandem(THICK, carries)).members[1].speed_trim for carries in (False, True))
+    assert other == pytest.approx(one * 406.0 / 410.0, rel=3e-5)
+    assert one - other == pytest.approx(0.0098, abs=2e-4)
+
+
+def test_terms_make_up_the_ratio_to_first_order() -> None:
+    m = solved(tandem(THICK, True)).members[1]
+    terms = m.contraction_term + m.creep_term + m.compression_term + m.thickness_term
+    assert m.thickness_term == pytest.approx(406.0 / 410.0 - 1.0, rel=1e-12)
+    assert m.drum_ratio - 1.0 == pytest.approx(terms, abs=1e-4)  # squares of 0.4 %
+
+
+@pytest.mark.parametrize("carries", [False, True])
+def test_speeds_that_shares_ask_for_share_so(carries: bool) -> None:
+    of = tandem(THICK, carries, 0.9)
+    asked = solved(of)
+    found = solved(held(of, asked))
+    assert [m.share for m in found] == pytest.approx([m.share for m in asked], abs=1e-6)
+
+
+def test_equal_drum_speeds_on_covers_that_differ() -> None:
+    """The drum on the thicker cover runs 1 % too fast then and takes the load of the other, too."""
+    of = tandem(THICK, True)
+    asked = solved(of)
+    even = replace(asked.case, division=replace(held(of, asked).cases[0].division,
+                                                rotation_speeds=(1.0, 1.0)))  # fmt: skip
+    shares = [m.share for m in solved(replace(of, cases=(even,))).members]
+    assert shares[1] > 1.0 > shares[0]
+    assert sum(shares) == pytest.approx(1.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("law", ["rubber", "elastic-plastic"])
+def test_rows_are_those_of_the_solver_of_one(law: str) -> None:
+    rng = np.random.default_rng(34)
+    of = random_train(rng, law, 2)
+    first, second = of.pulleys
+    belt = replace(of.belt, pulley_cover=4e-3, carry_cover=8e-3, carcass=8e-3, mass=40.0)
+    of = replace(of, belt=belt, pulleys=(first, replace(second, side="carry")))
+    kept = held(of, solved(of, EXACT))
+    for base in (of, kept):
+        columns = {
+            "p2.wear": rng.uniform(0.0, 1.5e-3, 2),
+            "entry_tension": of.cases[0].entry_tension * rng.uniform(0.95, 1.05, 2),
+        }
+        same(solve_train_batch(base, columns, setting=Setting.PRECISE, capacities=False), 1)
+
+
+def test_what_cannot_be_is_told() -> None:
+    with pytest.raises(InputError, match="meets the carry side, and carry_cover"):
+        tandem(replace(FABRIC, pulley_cover=3e-3, carcass=6e-3), True)
+    with pytest.raises(InputError, match=r"presses on no pulley.*m v.2 = 90 kN"):
+        tandem(replace(FABRIC, mass=10000.0))
