@@ -152,7 +152,14 @@ def _title(n: Number, problem: Problemset) -> str:
 
 def _value(n: Number, value: float, system: System) -> str:
     """Return a value of a number in words: what tachometers show is a percentage."""
-    return percent(value) if n.apparent else named(n.quantity, value, system)
+    if n.apparent:
+        return percent(_unless_noise(value, n.sd))
+    return named(n.quantity, value, system)
+
+
+def _unless_noise(value: float, size: float) -> float:
+    """Return a value, 0 where it is none beside a standard deviation: what a search leaves."""
+    return value if abs(value) > 1e-2 * size else 0.0
 
 
 def _widths(found: Calibration) -> Table:
@@ -172,7 +179,7 @@ def _deviations(found: Calibration) -> Table:
                 "open"
                 if d.stated >= OPEN_ZERO and d.name == "speed_zero"
                 else percent(d.stated, 2),
-                percent(d.factor - 1.0, 2),
+                percent(_unless_noise(d.factor - 1.0, d.stated), 2),
                 percent(d.left, 2),
             ),
         )
@@ -250,6 +257,11 @@ def _remarks(found: Calibration, system: System) -> Iterator[str]:
             r = float(found.correlation[i, k])
             if abs(r) > _MOST_CORRELATED:
                 yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
+    if not any(d.name.endswith("tension") for d in found.deviations):
+        yield (
+            "The tensions are taken as exact: their errors enter the intervals where [errors] "
+            "states them."
+        )
     yield (
         "Calibration makes the model agree with the data it was calibrated to; that agreement is "
         "no validation."
