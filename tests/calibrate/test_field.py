@@ -1,6 +1,7 @@
 """Field numbers against the solver, the energy balance, and sums done by hand."""
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ from wraparc.calibrate.field_numbers import (
     passes,
     wear_coefficient,
 )
+from wraparc.checks import Level
 from wraparc.checks.check import Verdict
 from wraparc.present.field_sheet import field_sheet
 
@@ -134,4 +136,66 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     assert found.seen(0.01, found.wear_to_alarm) == pytest.approx(found.alarm)
     text = " ".join(field_sheet(found, Verdict(()), "Drive", "head").verdict.sentences)  # type: ignore[union-attr]
     assert "need the drum speed from a measured circumference" in text
-    assert "8 mm moves every difference by 2 %" in text
+    assert "1 mm moves every difference by 0.25 %, and 8 mm by 2 %" in text
+
+
+def test_levels_are_what_a_tachometer_pair_shows(tmp_path: Path) -> None:
+    """By hand: v = omega (R - delta + e)(1 - g), with e = 4 mm + 8.6 mm/2 and R = 400 mm."""
+    covers = ["--set", 'belt.pulley_cover="4 mm"', "--set", 'belt.carry_cover="8 mm"']
+    example = Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml"
+    ran = wraparc("field", example, *covers, "--json", "-", "--pulley", "head", "--depth", "6 mm")
+    drive = load_drive(example)
+    e_c = drive.pulleys[0].lagging.compression_modulus
+
+    def shown(ratio: float, entry: float) -> float:
+        delta = 12e-3 / e_c * entry / (1.2 * 0.4)
+        return 1.0 - (0.4 - delta + 8.3e-3) / 0.4 * (1.0 - ratio)
+
+    for name, entry in (("design", 150e3), ("empty", 82e3), ("start", 186e3)):
+        ratios, seen = ran.json["healthy"][name], ran.json["shown"]["healthy"][name]
+        assert seen["entry"] == pytest.approx(shown(ratios["entry_creep_ratio"], entry), rel=1e-9)
+        assert seen["exit"] == pytest.approx(shown(ratios["exit_creep_ratio"], entry), rel=1e-9)
+    # the alarm is the exit ratio at the creep limit of one of the load cases, its T1 held
+    alarm = ran.json["shown"]["alarm"]
+    assert any(
+        alarm == pytest.approx(shown(ran.json["alarm"], entry), rel=1e-9)
+        for entry in (150e3, 82e3, 186e3)
+    )
+    # a millimetre of wear: the belt runs 1 mm farther in, 1/400 of (1 - g)
+    worn = ran.json["alarm_when_worn"] - alarm
+    assert worn == pytest.approx(6.0 / 400.0 * (1.0 - ran.json["alarm"]), rel=1e-9)
+    assert ran.json["drift"] == pytest.approx(1.0 / 0.4)
+    text = wraparc("field", example, *covers).words
+    assert "between shaft and belt" in text
+    assert "Drum speeds are those at the lagging surface" not in text
+
+
+def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
+    text = wraparc("field", drive_file(tmp_path)).words
+    assert "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of 800 mm" in text
+    found = FieldNumbers(
+        healthy={"design": (0.004, 0.010)}, at_limit=None, at_breakaway=None, alarm=0.0125,
+        trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
+        passes_per_year=0.0, diameter=0.8, depth=8e-3,
+    )  # fmt: skip
+    bare = field_sheet(found, Verdict(()), "Drive", "head").verdict
+    known = replace(found, pitch=1.02, shown={"design": (-0.016, -0.010)})
+    told = field_sheet(known, Verdict(()), "Drive", "head").verdict
+    assert bare is not None
+    assert told is not None
+    assert (bare.level, told.level) == (Level.ATTENTION, Level.OK)
+    assert "at most -1 % between shaft and belt; alarm at -0.725 %" in told.headline
+
+
+def test_levels_of_a_braking_pulley_are_below() -> None:
+    """A belt ahead of its drum by 1 %, its alarm at 1.25 %, on a drum of 0.8 m with e = 8 mm."""
+    found = FieldNumbers(
+        healthy={"design": (-0.004, -0.010)}, at_limit=0.0125, at_breakaway=None, alarm=0.0125,
+        trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
+        passes_per_year=0.0, diameter=0.8, depth=8e-3, pitch=1.02,
+        shown={"design": (1 - 1.02 * 1.004, 1 - 1.02 * 1.010)},
+    )  # fmt: skip
+    assert found.worst_seen == pytest.approx(1 - 1.02 * 1.010)
+    assert found.seen(found.alarm, 0.0) == pytest.approx(1 - 1.02 * 1.0125)
+    headline = field_sheet(found, Verdict(()), "Drive", "head").verdict.headline  # type: ignore[union-attr]
+    assert "at least -3.02 % between shaft and belt; alarm at -3.275 %" in headline

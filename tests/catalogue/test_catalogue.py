@@ -1,6 +1,8 @@
 """The data that ships with the program, against its publications and against itself."""
 
 import math
+from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -14,6 +16,12 @@ from wraparc.catalogue import (
     lagging_names,
     lagging_text,
 )
+from wraparc.drive.changes import with_belt
+from wraparc.drive.pitch import pitch_offset
+from wraparc.files import drive_from_text, drive_text
+from wraparc.train.file import load_drive
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml"
 
 
 def designation(item: CatalogueBelt) -> float:
@@ -38,6 +46,42 @@ def test_belts_as_published() -> None:
         assert "Goodyear" in item.provenance.source
     assert [sum(b.kind == kind for b in belts()) for kind in ("fabric", "steel cord")] == [16, 15]
     assert len({b.name for b in belts()}) == len(belts())
+
+
+def test_carcasses_as_published() -> None:
+    """Goodyear EP catalogue 2012, p. 15, 21 and 71, metric: gauge or cable, mass, cover mass."""
+    rows = {
+        "Plylon 330/3": (4.11e-3, 4.8, 1200.0, "p. 21"),
+        "Plylon Plus 250/2": (3.3e-3, 3.7, 1200.0, "p. 15"),
+        "Plylon Plus 1000/5": (10.9e-3, 11.7, 1200.0, "p. 15"),
+        "Flexsteel ST2500": (5.2e-3, 14.2, 1150.0, "p. 71"),
+        "Flexsteel ST7000": (12.4e-3, 40.3, 1150.0, "p. 71"),
+    }
+    for name, (carcass, mass, cover, page) in rows.items():
+        item = belt(name)
+        assert item.carcass == pytest.approx(carcass, rel=1e-12)
+        assert (item.carcass_mass, item.cover_mass) == pytest.approx((mass, cover))
+        assert page in item.sources["carcass"].note
+    # the same construction again: thicker carcasses are heavier, some 1.0 to 1.3 kg/m2 a mm of
+    # fabric and 1.9 to 3.3 of cords in rubber; a shifted row of the table would fall out
+    for item in belts():
+        assert item.carcass is not None
+        assert item.carcass_mass is not None
+        low, high = (1.0, 1.25) if item.kind == "fabric" else (1.8, 3.4)
+        assert low < 1e-3 * item.carcass_mass / item.carcass < high, item.name
+
+
+def test_a_belt_of_the_catalogue_brings_its_carcass_and_no_covers() -> None:
+    drive = load_drive(EXAMPLE)
+    row = belt("Flexsteel ST1600")
+    assert drive.belt.carcass == belt(drive.belt.name).carcass
+    assert "p. 15" in drive.belt.source_of("carcass").note
+    covered = replace(drive, belt=replace(drive.belt, pulley_cover=3e-3, carry_cover=6e-3))
+    changed = with_belt(covered, row).belt
+    assert (changed.carcass, changed.pulley_cover, changed.carry_cover) == (5.2e-3, 3e-3, 6e-3)
+    assert changed.source_of("carcass") == row.carcass_source
+    assert pitch_offset(with_belt(drive, row).belt, "pulley") is None
+    assert drive_from_text(drive_text(drive)) == drive
 
 
 def test_ratings_follow_from_the_designations() -> None:

@@ -199,6 +199,6 @@ def test_the_report_says_what_slip_includes_and_the_order() -> None:
     lab = verdicts().laboratory(verdicts().smooth(), "3 x 2", 1)
     rows = {r.title: r.values for t in plan_sheet(lab.fit()).tables for r in t.rows}
     assert rows["Slip includes"] == (
-        "the shear of the belt cover in the rig, the rig's own travel",
+        "sliding and cover shear and the rig's own travel",
     )
     assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)

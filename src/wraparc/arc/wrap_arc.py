@@ -18,8 +18,6 @@ from wraparc.arc.summary import (
 from wraparc.drive import CREEP_LIMIT, Belt, Drive, Fit, LoadCase, Pulley
 from wraparc.drive.belt import Side
 from wraparc.drive.pitch import (
-    COVER_SHEAR,
-    LAGGING_SHEAR,
     centrifugal_of,
     counts_shear,
     cover_compliance,
@@ -28,7 +26,7 @@ from wraparc.drive.pitch import (
     whole_thickness,
 )
 from wraparc.errors import InputError, Problem
-from wraparc.friction import FrictionLaw
+from wraparc.friction import COVER_SHEAR, LAGGING_SHEAR, FrictionLaw
 
 
 class OfBelt(TypedDict):

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.batch.traction import Laws, laws_of
-from wraparc.drive.pitch import LAGGING_SHEAR, counts_shear
-from wraparc.friction import FrictionLaw
+from wraparc.drive.pitch import counts_shear
+from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.friction.compact import CompactLaw
 
 Array = NDArray[np.float64]

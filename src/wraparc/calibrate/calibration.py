@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.calibrate.fit import Fit
 from wraparc.calibrate.problem import (
+    ERRORS,
     PARAMETERS,
     QUANTITIES,
     Number,
@@ -24,11 +26,13 @@ from wraparc.calibrate.profile_likelihood import profile_end
 from wraparc.drive import Drive
 
 __all__ = [
+    "ERRORS",
     "FAR",
     "PARAMETERS",
     "QUANTITIES",
     "UNTOLD",
     "Calibration",
+    "Deviation",
     "Estimate",
     "Number",
     "Prior",
@@ -68,6 +72,11 @@ class Estimate:
         What was known beforehand, or None.
     from_prior
         Whether the value comes from the prior rather than from the data.
+    expected
+        Half the 95 % interval that such data promise before they are fitted, of the logarithm (of
+        the overrun in 0.1 mm); inf where they promise nothing.
+    parts
+        Shares of the variance by what it comes from: ``readings``, and what of `ERRORS` is stated.
     """
 
     name: str
@@ -77,6 +86,28 @@ class Estimate:
     spread: float
     prior: Prior | None = None
     from_prior: bool = False
+    expected: float = math.inf
+    parts: Mapping[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Deviation:
+    """What the data say of an error that the drive was measured with.
+
+    Attributes
+    ----------
+    name
+        One of `ERRORS`.
+    factor
+        What was measured is off by, a factor near 1 [-].
+    stated, left
+        Standard deviation of its logarithm, as stated and as the data leave it [-].
+    """
+
+    name: str
+    factor: float
+    stated: float
+    left: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,6 +135,11 @@ class Calibration:
         Root mean square misfit of each measurement [SI].
     data
         How many numbers were fitted.
+    deviations
+        One for each error that was fitted along.
+    offset
+        Offset e of the tension member that the zero record shows with the drum and the wheel as
+        they are stated [m], None without one.
     """
 
     drive: Drive
@@ -115,6 +151,8 @@ class Calibration:
     loose: tuple[str, ...]
     misfit: tuple[float, ...]
     data: int
+    deviations: tuple[Deviation, ...] = ()
+    offset: float | None = None
 
     @property
     def told(self) -> bool:
@@ -156,14 +194,20 @@ def calibrate(problem: Problemset) -> Calibration:
 
 
 def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> Calibration:
-    names = problem.parameters
-    j = fit.jacobian(lambda v: fit.data_residuals(v, scales), x)
+    names, count = problem.parameters, len(problem.parameters)
+    readings = fit.jacobian(lambda v: fit.data_residuals(v, scales), x)
+    known = fit.jacobian(fit.prior_residuals, x)
+    # what is stated of errors is as good as data; what is known of parameters is not
+    j = np.concatenate([readings, known[count:]])
     spread = _spreads(j)
-    begun = _spreads(fit.jacobian(lambda v: fit.data_residuals(v, scales), fit.start))
-    both = np.concatenate([j, fit.jacobian(fit.prior_residuals, x)])
+    at_first = fit.jacobian(lambda v: fit.data_residuals(v, scales), fit.start)
+    before = np.concatenate([at_first, known[count:]])
+    begun = _spreads(before)
+    both = np.concatenate([readings, known])
     covariance = np.linalg.inv(both.T @ both)
     sd = np.sqrt(np.diag(covariance))
-    factor = _student(problem, len(j) - len(names))
+    shares = (covariance @ known[count:].T) ** 2 / np.diag(covariance)[:, None]
+    factor = _student(problem, len(readings) - count)
     values = fit.values(x)
     far = tuple(n for n in names if n not in problem.priors and _far(n, values[n], problem.start))
     estimates, loose = [], []
@@ -171,6 +215,13 @@ def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> C
         prior = problem.priors.get(name)
         told = bool(spread[k] <= UNTOLD)
         weak = not told and prior is not None
+        say = partial(
+            Estimate,
+            name=name,
+            spread=float(spread[k]),
+            expected=factor * float(begun[k]) if begun[k] <= UNTOLD else math.inf,
+            parts=_parts(problem, shares[k]),
+        )
         ends: tuple[float, float] | None
         ends = float(x[k] - factor * sd[k]), float(x[k] + factor * sd[k])
         if told and prior is None and name not in far and _doubtful(spread[k], begun[k]):
@@ -178,15 +229,13 @@ def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> C
             if ends is None:
                 loose.append(name)
         if name in far or ends is None or (not told and not weak):
-            estimates.append(Estimate(name=name, value=None, low=None, high=None, spread=spread[k]))
+            estimates.append(say(value=None, low=None, high=None))
             continue
         estimates.append(
-            Estimate(
-                name=name,
+            say(
                 value=values[name],
                 low=max(value_of(name, ends[0]), 0.0),
                 high=value_of(name, ends[1]),
-                spread=float(spread[k]),
                 prior=prior,
                 from_prior=weak,
             )
@@ -202,13 +251,25 @@ def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> C
         drive=calibrated_drive(problem.drive, problem.pulley, kept),
         pulley=problem.pulley,
         estimates=tuple(estimates),
-        correlation=covariance / np.outer(sd, sd),
-        mixed=_mixed(j, names),
+        correlation=(covariance / np.outer(sd, sd))[:count, :count],
+        mixed=tuple(_with_hiding(j, problem, group) for group in _mixed(j, problem.variables)),
         far=far,
         loose=tuple(loose),
         misfit=tuple(misfit),
-        data=len(j),
+        data=len(readings),
+        deviations=tuple(
+            Deviation(name=n, factor=values[n], stated=problem.errors[n], left=float(sd[k]))
+            for k, n in enumerate(problem.variables)
+            if n in problem.errors
+        ),
+        offset=fit.offset(x),
     )
+
+
+def _parts(problem: Problemset, shares: Array) -> dict[str, float]:
+    """Return the shares of a variance by what it comes from, the readings last."""
+    parts = dict(zip(problem.errors, shares.tolist(), strict=True))
+    return {**parts, "readings": max(1.0 - sum(parts.values()), 0.0)} if parts else {}
 
 
 def _doubtful(spread: float, begun: float) -> bool:
@@ -277,6 +338,19 @@ def _mixed(j: Array, names: Sequence[str]) -> tuple[tuple[str, ...], ...]:
             group = tuple(n for n, part in zip(names, vt[k], strict=True) if abs(part) > 0.2)
             groups.append(group)
     return tuple(groups)
+
+
+def _with_hiding(j: Array, problem: Problemset, group: tuple[str, ...]) -> tuple[str, ...]:
+    """Return a group of one parameter with the errors that hide it: were one exact, it is told."""
+    if len(group) != 1 or group[0] not in problem.parameters:
+        return group
+    k, count = problem.parameters.index(group[0]), len(problem.parameters)
+    hiding = [
+        name
+        for m, name in enumerate(problem.errors, start=count)
+        if _spreads(np.delete(j, m, axis=1))[k] <= UNTOLD
+    ]
+    return (*group, *hiding)
 
 
 def _student(problem: Problemset, free: int) -> float:

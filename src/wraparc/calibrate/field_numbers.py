@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from wraparc.arc import ArcResult, Distributed
+from wraparc.calibrate.problem import speed_ratio
 from wraparc.errors import InputError, Problem
 from wraparc.provenance import Kind, Provenance
 
@@ -73,6 +74,13 @@ class FieldNumbers:
         Over the lagging, that the levels are for [m].
     depth
         Depth of lagging that may be worn off [m].
+    pitch
+        (R - delta + e)/R where the alarm is set, at which the belt runs, over the radius that a
+        shaft is compared with [-]; 1 where the thickness of the belt is not known: the levels then
+        compare the belt with the lagging surface.
+    shown
+        What a tachometer pair shows of `healthy`, 1 - v/(omega R) by load case [-]; None where the
+        thickness of the belt is not known.
     """
 
     healthy: Mapping[str, tuple[float, float]] = field(hash=False)
@@ -86,6 +94,37 @@ class FieldNumbers:
     passes_per_year: float
     diameter: float
     depth: float
+    pitch: float = 1.0
+    shown: Mapping[str, tuple[float, float]] | None = field(default=None, hash=False)
+
+    @property
+    def side(self) -> float:
+        """-1 where the belt runs ahead of a drum that it drives and levels are below, else 1."""
+        ratios = [ratio for pair in self.healthy.values() for ratio in pair]
+        return -1.0 if self.shown is not None and max(ratios, key=abs) < 0.0 else 1.0
+
+    @property
+    def worst_seen(self) -> float:
+        """Healthy ratio nearest to the alarm, as a tachometer pair shows it [-]."""
+        if self.shown is None:
+            return self.worst
+        ratios = [self.side * ratio for pair in self.shown.values() for ratio in pair]
+        return self.side * max(ratios)
+
+    def worn_seen(self, worn: float) -> float:
+        """Return the healthy ratio nearest to the alarm by a worn lagging [-].
+
+        Parameters
+        ----------
+        worn
+            Depth w worn off since the diameter was measured [m].
+        """
+        return self.worst_seen + (1.0 - self.side * self.worst) * worn * self.drift
+
+    @property
+    def drift(self) -> float:
+        """Rise of every ratio per depth that is worn off since the diameter was measured [1/m]."""
+        return 2.0 / self.diameter
 
     @property
     def worst(self) -> float:
@@ -95,21 +134,22 @@ class FieldNumbers:
     def seen(self, difference: float, worn: float) -> float:
         """Difference that shaft speed and the unworn diameter show, by a worn lagging [-].
 
-        1 - (1 - d)(1 - 2 w/D): the drum is smaller than it is taken to be, and the belt slower.
+        1 - (1 - d)(R - delta + e - w)/R: the belt runs at the pitch radius, which wear lessens.
 
         Parameters
         ----------
         difference
-            True difference d of drum and belt over the drum [-].
+            True difference d of drum surface and belt over the drum [-].
         worn
             Depth w worn off since the diameter was measured [m].
         """
-        return 1.0 - (1.0 - difference) * (1.0 - 2.0 * worn / self.diameter)
+        share = self.pitch - 2.0 * worn / self.diameter
+        return 1.0 - (1.0 - self.side * difference) * share
 
     @property
     def wear_to_alarm(self) -> float:
         """Depth worn since the diameter was measured that alarms by itself [m]."""
-        worn = 0.5 * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
+        worn = 0.5 * self.pitch * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
         return max(worn, 0.0)
 
 
@@ -165,7 +205,8 @@ def field_numbers(
     of the worst load case, depending on the nip the belt is measured at. The **alarm** is set at
     the exit creep ratio at the creep limit, and where that is not found at the healthy one with a
     quarter more; the **trip** at gross slip or twice the alarm, whichever is less. The factors are
-    this program's choice.
+    this program's choice. All are ratios to the lagging surface; `FieldNumbers.seen` gives what a
+    tachometer pair shows of them.
 
     Parameters
     ----------
@@ -188,7 +229,9 @@ def field_numbers(
     _check(results, hours)
     healthy = {n: (r.entry_creep_ratio, r.exit_creep_ratio) for n, r in results.items()}
     worst = max(max(abs(a), abs(b)) for a, b in healthy.values())
-    at_limit = min((abs(r.exit_creep_ratio) for r in limits.values()), default=None)
+    limit = min(limits.values(), key=_nearest, default=None)
+    at_limit = None if limit is None else abs(limit.exit_creep_ratio)
+    told = limit or max(results.values(), key=lambda r: abs(r.exit_creep_ratio))
     gross = [
         r.capacities.gross_slip_creep / r.arc.length
         for r in results.values()
@@ -219,7 +262,21 @@ def field_numbers(
         passes_per_year=turns,
         diameter=next(iter(results.values())).arc.diameter,
         depth=depth,
+        pitch=1.0 if told.arc.pitch_offset is None else told.arc.pitch_radius / told.arc.radius,
+        shown=None
+        if told.arc.pitch_offset is None
+        else {
+            name: (speed_ratio(r.arc, r.entry_creep_ratio), speed_ratio(r.arc, r.exit_creep_ratio))
+            for name, r in results.items()
+        },
     )
+
+
+def _nearest(result: ArcResult) -> float:
+    """Exit ratio, driving positive: as a tachometer pair shows it, where the belt is known [-]."""
+    if result.arc.pitch_offset is None:
+        return abs(result.exit_creep_ratio)
+    return result.arc.side * speed_ratio(result.arc, result.exit_creep_ratio)
 
 
 def _check(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> None:

@@ -1,7 +1,9 @@
 """Calibrate files: a drive, what was measured on it, and what is to be found."""
 
+import math
 import os
 from dataclasses import dataclass, replace
+from typing import Any
 
 from wraparc.arc import ArcResult, Distributed, Method, PaperMarch, WrapArc
 from wraparc.calibrate.calibration import (
@@ -14,11 +16,15 @@ from wraparc.calibrate.calibration import (
     Trace,
 )
 from wraparc.calibrate.fold import Folded, fold
+from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, usual_method
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
-from wraparc.drive import Drive, Lagging, Limit
+from wraparc.checks.numbers import USUAL_OFFSET
+from wraparc.drive import Drive, Lagging, Limit, Tensions
+from wraparc.drive.belt import MOST_THICKNESS
+from wraparc.drive.pitch import pitch_offset
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
-from wraparc.schema.kinds import ByName, Choice, Name, Quantity, Rows, Text
+from wraparc.schema.kinds import ByName, Choice, Name, Percent, Quantity, Rows, Text
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, load
 from wraparc.schema.problems import Place, Report
@@ -40,6 +46,7 @@ _DIMENSIONS: dict[str, Dimension] = {
     "belt_modulus": "force_per_width",
 }
 _SPEED = Quantity("speed", Limit("speed", open=True))
+_LENGTH = Quantity("length", Limit("length", open=True))
 _SIGN = Choice(("+", "-"))
 
 PRIOR = Table(
@@ -47,12 +54,38 @@ PRIOR = Table(
     need("mean", "With its unit.", Text(60), example='mean = "1"'),
     need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1"'),
 )
+_PART = Percent(1.0)
+_TENSION = Quantity("force", Limit("force", open=True))
+_DRUM_SPEED = "Of its shaft, times the radius over the unloaded lagging."
+ZERO = Table(
+    "A record at little load, which zeroes the speed ratio",
+    need("drum_speed", _DRUM_SPEED, _SPEED, example='drum_speed = "3.05 m/s"'),
+    need("belt_speed", "At the nip.", _SPEED, example='belt_speed = "3.1 m/s"'),
+    need(
+        "sd", "Of the speed ratio.", Text(60), title="Standard deviation", example='sd = "0.01 %"'
+    ),
+    Entry("nip", "Where the belt is measured; exit if left out.", Choice(("entry", "exit"))),
+    Entry("load_case", "Of the drive file, if it has one of this load.", Name()),
+    Entry("entry_tension", "Else the tensions of the record.", _TENSION),
+    Entry("exit_tension", kind=_TENSION),
+    Entry("provenance", kind=PROVENANCE),
+)
+ERRORS_TABLE = Table(
+    "Standard deviations of what was measured with, common to all load cases",
+    Entry("entry_tension", "Of the entry tensions, T1.", _PART),
+    Entry("exit_tension", "Of the exit tensions, T2: a load cell at the take-up.", _PART),
+    Entry("effective_tension", "Of the effective tensions: power of the motor.", _PART),
+    Entry("compression", "Of the compression of the lagging, by its modulus E_c.", _PART),
+    Entry("belt_speed", "Of the belt speed: radius of the wheel.", _PART),
+    Entry("diameter", "Of the diameter over the lagging.", _LENGTH),
+    Entry("pitch_offset", "Of the offset e of the tension member: covers and carcass.", _LENGTH),
+)
 NUMBER = Table(
     "A measured number",
     need("quantity", kind=Choice(QUANTITIES)),
     Entry("value", "With its unit.", Text(60)),
     need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1 mm"'),
-    Entry("drum_speed", "Of the unloaded lagging surface.", _SPEED),
+    Entry("drum_speed", _DRUM_SPEED, _SPEED),
     Entry("belt_speed", "At the nip that the quantity is of.", _SPEED),
     Entry("load_case", "The first if left out.", Name()),
     Entry("provenance", kind=PROVENANCE),
@@ -76,6 +109,8 @@ CALIBRATE = Table(
     Entry("pulley", "Which pulley, where the drive has several.", Name()),
     Entry("method", "distributed if left out.", Choice(tuple(METHODS))),
     Entry("parameters", "What is to be found.", Rows(Choice(PARAMETERS), 0, 5)),
+    Entry("zero", "Belt idling, or nearly so.", ZERO, title="Zero record"),
+    Entry("errors", "How wrong what was measured may be.", ERRORS_TABLE),
     Entry("prior", "By parameter.", ByName(PRIOR), title="Priors"),
     Entry("number", kind=Rows(NUMBER, 0, 100), title="Measured numbers"),
     Entry("record", kind=Rows(RECORD, 0, 50), title="Records"),
@@ -124,11 +159,17 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
     numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
     folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
     priors = _priors(record, report)
+    zero = _zero(record.get("zero"), drive, pulley, report)
+    errors = _errors(record, drive, pulley, zero, report)
     report.raise_all()
     records = [f for f in folded if f is not None]
     sources = [
         own_provenance(r, report) or Provenance()
-        for r in (*record.get("number", ()), *record.get("record", ()))
+        for r in (
+            *record.get("number", ()),
+            *filter(None, [record.get("zero")]),
+            *record.get("record", ()),
+        )
     ]
     report.raise_all()
     problem = report.sure(
@@ -136,7 +177,9 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
             drive=drive,
             pulley=pulley,
             parameters=tuple(dict.fromkeys(record.get("parameters", ()))),
-            numbers=tuple(n for n in numbers if n is not None),
+            numbers=tuple(n for n in (*numbers, zero) if n is not None),
+            errors=errors,
+            zero=zero,
             traces=tuple(t for case, f in records for t in traces_of(f, case)),
             priors=priors,
             method=_method(record.get("method", "distributed")),
@@ -152,9 +195,7 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
 
 
 def _method(name: str) -> Method:
-    if name == "paper":
-        return PaperMarch()
-    return Distributed(points=120, capacities=False)
+    return PaperMarch() if name == "paper" else usual_method()
 
 
 def traces_of(folded: Folded, load_case: str) -> list[Trace]:
@@ -183,11 +224,11 @@ def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number
     dimension = GLOSSARY[quantity].dimension
     case = case_of(record, drive, report)
     sd = _si(record["sd"], dimension, (*record.place, "sd"), report)
-    value = None
+    value, apparent = None, False
     if "value" in record:
         value = _si(record["value"], dimension, (*record.place, "value"), report)
     elif all(key in record for key in _SPEED_RATIO) and quantity.endswith("creep_ratio"):
-        value = _speed_ratio(record, drive, pulley, case)
+        value, apparent = _shown(record), True
     else:
         report.add(record.place, "no value", "Write value, or drum_speed and belt_speed.")
     if sd is not None and not sd > 0.0:
@@ -195,14 +236,119 @@ def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number
         return None
     if value is None or sd is None:
         return None
-    return Number(quantity=quantity, value=value, sd=sd, load_case=case)
+    return Number(quantity=quantity, value=value, sd=sd, load_case=case, apparent=apparent)
 
 
-def _speed_ratio(record: Record, drive: Drive, pulley: str, case: str) -> float:
-    """Creep ratio from tachometers: the lagging surface runs at the radius it has under load."""
-    arc = WrapArc.of(drive, drive.pulley(pulley), drive.load_case(case))
-    surface = record["drum_speed"] * (1.0 - arc.compression / arc.radius)
-    return float(1.0 - record["belt_speed"] / surface)
+def _shown(record: Record) -> float:
+    """What a tachometer pair shows, 1 - v/(omega R) [-]."""
+    return float(1.0 - record["belt_speed"] / record["drum_speed"])
+
+
+def _zero(record: Any, drive: Drive, pulley: str, report: Report) -> Number | None:
+    """Return the record that zeroes the speed ratio, or None after reporting what is wrong."""
+    if not isinstance(record, Record) or not record.sound():
+        return None
+    sd = _si(record["sd"], "number", (*record.place, "sd"), report)
+    if sd is not None and not sd > 0.0:
+        report.add((*record.place, "sd"), "must be more than 0", value=record["sd"])
+    given = [key for key in ("entry_tension", "exit_tension") if key in record]
+    if given and "load_case" in record:
+        report.add((*record.place, "load_case"), "given, and tensions as well", "Keep one.")
+        return None
+    if len(given) != 2 and "load_case" not in record:
+        message = "needs the tensions of this record"
+        remedy = "Write entry_tension and exit_tension, or load_case of the drive file."
+        report.add(record.place, message, remedy)
+        return None
+    tensions = None
+    if given:
+        tensions = Tensions(entry=record["entry_tension"], exit=record["exit_tension"])
+    return (
+        None
+        if sd is None
+        else Number(
+            quantity=f"{record.get('nip', 'exit')}_creep_ratio",
+            value=_shown(record),
+            sd=sd,
+            load_case=case_of(record, drive, report),
+            apparent=True,
+            tensions=tensions,
+        )
+    )
+
+
+def _errors(
+    record: Record, drive: Drive, pulley: str, zero: Number | None, report: Report
+) -> dict[str, float]:
+    """Return the standard deviations of the errors that are fitted along.
+
+    Radius of the wheel, diameter and thickness of the belt all shift every speed ratio alike: no
+    record tells them apart, and they are one zero.
+    """
+    stated = record.get("errors", {})
+    if {"entry_tension", "exit_tension", "effective_tension"} <= set(stated):
+        report.add(
+            ("errors", "effective_tension"),
+            "given, and both tensions as well",
+            "Effective tension is their difference: keep two of the three.",
+        )
+    for key, value in stated.items():
+        if not value > 0.0:
+            report.add(("errors", key), "must be more than 0", "Leave it out where it is exact.")
+    errors = {key: stated[key] for key in ERRORS if key in stated}
+    on, speeds = drive.pulley(pulley), [r for r in record.get("number", ()) if "drum_speed" in r]
+    e = pitch_offset(drive.belt, on.side)
+    radius = 0.5 * on.diameter + (e or 0.0)
+    lengths = stated.get("pitch_offset", 0.0), 0.5 * stated.get("diameter", 0.0)
+    by_zero = math.hypot(stated.get("belt_speed", 0.0), *(length / radius for length in lengths))
+    if zero is None and not speeds:
+        return errors
+    if not record.get("parameters"):  # nothing is found, only laid beside the prediction
+        return errors
+    if zero is None and e is None:
+        report.add(
+            ("belt", "thickness"),
+            "not known, and a speed ratio holds it: "
+            f"{_percent_of(2.0 * USUAL_OFFSET, on.diameter)} for {2e3 * USUAL_OFFSET:g} mm of it",
+            "Give a [zero] record of the idling belt, or covers and carcass in the drive file.",
+        )
+    elif zero is None and not by_zero:
+        report.add(
+            ("errors",),
+            "missing, and a speed ratio compares radii: 0.1 mm of one is "
+            f"{_percent_of(1e-4, radius)} of speed",
+            "Give a [zero] record of the idling belt, or belt_speed, diameter and pitch_offset in "
+            "[errors].",
+        )
+    known = by_zero and e is not None
+    errors = {"speed_zero": by_zero if known else OPEN_ZERO, **errors}
+    if zero is not None:
+        _check_zero(zero, drive, pulley, errors["speed_zero"] if known else by_zero, report)
+    return errors
+
+
+def _percent_of(length: float, radius: float) -> str:
+    """Return a length as a share of a radius, in words."""
+    return f"{100.0 * length / radius:.2g} %"
+
+
+def _check_zero(zero: Number, drive: Drive, pulley: str, sd: float, report: Report) -> None:
+    """Report a zero record that no belt shows: its tension member below the lagging's surface."""
+    arc = arc_of(drive, pulley, zero.state, {})
+    pull = (arc.entry_tension - arc.exit_tension) * arc.compliance
+    # at little load the creep ratio lies between those of a belt that sticks at one nip
+    creep = (min(0.0, pull), max(0.0, pull))
+    radii = [(1.0 - zero.value) * arc.radius / (1.0 - g) + arc.compression for g in creep]
+    low, high = (r - arc.radius for r in radii)
+    room = 3.0 * sd * arc.radius
+    if high < -room or low > MOST_THICKNESS + room:
+        report.add(
+            ("zero", "belt_speed"),
+            f"puts the tension member {1e3 * high:.3g} mm above the lagging surface; a belt has it "
+            f"0 to {1e3 * MOST_THICKNESS:g} mm above",
+            "Are drum and belt speed mixed up, or is the diameter that of the bare drum? Check the "
+            "radius of the wheel; where it is not well known, give belt_speed in [errors].",
+        )
 
 
 def _folded(

@@ -10,18 +10,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc import ArcResult, Distributed, WrapArc
+from wraparc.arc import ArcResult, Distributed
 from wraparc.calibrate.problem import (
     OVERRUN_UNIT,
     Problemset,
     Trace,
+    arc_of,
     calibrated_drive,
+    speed_ratio,
     value_of,
     variable_of,
 )
+from wraparc.drive import Tensions
 from wraparc.errors import InputError, MissingExtraError, Problem
 
 Array = NDArray[np.float64]
+Solved = dict[tuple[str, Tensions | None], ArcResult]
 
 # how exactly to fit: the best fit, and a refit of which only the sum of squares counts
 _FULLY: dict[str, Any] = {"xtol": 1e-7, "ftol": 1e-9, "gtol": 1e-9, "max_nfev": 60}
@@ -44,8 +48,11 @@ class Fit:
             rigid = [n for n in problem.parameters if not math.isfinite(start[n])]
             message = "infinite in the drive, so there is nothing to start from"
             raise InputError(Problem(key=f"parameters.{rigid[0]}", message=message))
-        self.start = np.array([variable_of(n, start[n]) for n in problem.parameters])
-        self._known: dict[bytes, tuple[list[float], list[Array]]] = {}
+        self.names = problem.variables
+        self.start = np.array([variable_of(n, start[n]) for n in self.names])
+        # a zero of the speeds changes no arc: those are solved for the other variables
+        self._arcs_of = [k for k, n in enumerate(self.names) if n != "speed_zero"]
+        self._known: dict[bytes, Solved] = {}
         self.first_sd = [
             t.sd if t.sd is not None else 0.01 * float(np.abs(t.value).max())
             for t in problem.traces
@@ -53,37 +60,53 @@ class Fit:
 
     def values(self, x: Array) -> dict[str, float]:
         """Parameters by name [SI]."""
-        return {n: value_of(n, v) for n, v in zip(self.problem.parameters, x.tolist(), strict=True)}
+        return {n: value_of(n, v) for n, v in zip(self.names, x.tolist(), strict=True)}
 
     def model(self, x: Array) -> tuple[list[float], list[Array]]:
         """What would be measured with parameters."""
-        key = x.tobytes()
+        p, key = self.problem, x[self._arcs_of].tobytes()
         if key not in self._known:
             self._known = {key: self._solved(x)}  # the last one only: it is asked for again
-        return self._known[key]
-
-    def _solved(self, x: Array) -> tuple[list[float], list[Array]]:
-        p = self.problem
-        drive = calibrated_drive(p.drive, p.pulley, self.values(x))
-        used = {n.load_case for n in p.numbers} | {t.load_case for t in p.traces}
-        results = {
-            name: p.method.solve(WrapArc.of(drive, drive.pulley(p.pulley), drive.load_case(name)))
-            for name in sorted(used)
-        }
+        results = self._known[key]
+        zero = self.values(x).get("speed_zero", 1.0)
         beyond = {name: 0.0 if r.status.solved else _beyond(r) for name, r in results.items()}
         numbers = []
         for n in p.numbers:
-            value = float(results[n.load_case].scalars()[n.quantity])
-            far = beyond[n.load_case]
+            result, far = results[n.state], beyond[n.state]
+            value = float(result.scalars()[n.quantity])
+            if n.apparent:
+                value = speed_ratio(result.arc, value, zero)
             numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:
-            profile, far = results[t.load_case].profile, beyond[t.load_case]
+            state = (t.load_case, None)
+            profile, far = results[state].profile, beyond[state]
             if far:
                 traces.append(t.value + far * float(np.abs(t.value).max()))
                 continue
             traces.append(np.interp(t.position, profile.position, getattr(profile, t.quantity)))
         return numbers, traces
+
+    def _solved(self, x: Array) -> Solved:
+        p, values = self.problem, self.values(x)
+        drive = calibrated_drive(p.drive, p.pulley, values)
+        errors = {name: values[name] for name in p.errors}
+        used = {n.state: None for n in p.numbers} | {(t.load_case, None): None for t in p.traces}
+        return {state: p.method.solve(arc_of(drive, p.pulley, state, errors)) for state in used}
+
+    def offset(self, x: Array) -> float | None:
+        """Offset e that the zero record shows with drum and wheel as stated [m], None without one.
+
+        (1 - shown) R = (R - delta + e)(1 - g), corrected for the compression and the creep there.
+        """
+        zero = self.problem.zero
+        if zero is None:
+            return None
+        self.model(x)
+        result = self._known[x[self._arcs_of].tobytes()][zero.state]
+        g = float(result.scalars()[zero.quantity])
+        arc = result.arc
+        return (1.0 - zero.value) * arc.radius / (1.0 - g) - arc.radius + arc.compression
 
     def data_residuals(self, x: Array, scales: Sequence[float]) -> Array:
         """Misfits over their standard deviations."""
@@ -97,12 +120,14 @@ class Fit:
     def prior_residuals(self, x: Array) -> Array:
         """How far the parameters are from their priors, and a loose rein on those without."""
         rows = []
-        for k, name in enumerate(self.problem.parameters):
+        for k, name in enumerate(self.names):
             prior = self.problem.priors.get(name)
             centre, sd = float(self.start[k]), _REIN
             if prior is not None:
                 centre = variable_of(name, prior.mean)
                 sd = prior.sd / OVERRUN_UNIT if name == "overrun" else prior.sd / prior.mean
+            elif name in self.problem.errors:
+                sd = self.problem.errors[name]
             elif name == "overrun":
                 sd = 100.0
             rows.append((x[k] - centre) / sd)
@@ -130,7 +155,7 @@ class Fit:
 
         if not free:
             return x, float(np.sum(residuals(x[free]) ** 2))
-        names = [self.problem.parameters[k] for k in free]
+        names = [self.names[k] for k in free]
         low = [0.0 if n == "overrun" else -np.inf for n in names]
         begin = np.maximum(x[free], np.array(low) + 1e-6)
         found: Any = least_squares(
@@ -144,12 +169,12 @@ class Fit:
 
     def jacobian(self, residuals: Callable[[Array], Array], x: Array) -> Array:
         """Differences of residuals by each variable."""
-        return _jacobian(residuals, self.problem.parameters, x)
+        return _jacobian(residuals, self.names, x)
 
     def misfit(self, x: Array, trace: Trace) -> float:
         """Root mean square misfit of a trace, for as many degrees of freedom as it has."""
         m = self.model(x)[1][self.problem.traces.index(trace)]
-        free = max(len(m) - len(x) / max(1, len(self.problem.traces)), 1.0)
+        free = max(len(m) - len(self.problem.parameters) / max(1, len(self.problem.traces)), 1.0)
         return float(np.sqrt(np.sum((m - trace.value) ** 2) / free))
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Distributed, Method, WrapArc
-from wraparc.drive import Drive
+from wraparc.drive import Drive, Tensions
 from wraparc.drive.changes import with_pulley
 from wraparc.errors import InputError, Problem
 
@@ -27,8 +27,24 @@ QUANTITIES = (
     "entry_creep_ratio",
     "exit_creep_ratio",
 )
+#: what is measured with errors of its own, common to all load cases: factors near 1
+ERRORS = (
+    "speed_zero",
+    "entry_tension",
+    "exit_tension",
+    "effective_tension",
+    "compression",
+)
+#: standard deviation of the zero of the speed ratio where only a zero record tells it [-]: more
+#: than any belt is thick
+OPEN_ZERO = 0.1
 #: unit of the overrun in the fit [m]
 OVERRUN_UNIT = 1e-4
+
+
+def usual_method() -> Method:
+    """Return what solves the arcs of a calibration."""
+    return Distributed(points=120, capacities=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -51,12 +67,24 @@ class Number:
         Measured value and its standard deviation [SI].
     load_case
         In which load case.
+    apparent
+        Whether the value compares the belt with the shaft of the drum, 1 - v/(omega R); a creep
+        ratio compares it with the surface.
+    tensions
+        T1 and T2 of a record of its own, such as the zero record; those of the load case if None.
     """
 
     quantity: str
     value: float
     sd: float
     load_case: str
+    apparent: bool = False
+    tensions: Tensions | None = None
+
+    @property
+    def state(self) -> tuple[str, Tensions | None]:
+        """In which load case and at which tensions it was measured."""
+        return self.load_case, self.tensions
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -98,6 +126,11 @@ class Problemset:
         Measurements.
     priors
         By parameter.
+    errors
+        Standard deviations of the logarithms of what of `ERRORS` the drive was measured with [-]:
+        these are fitted along, each held by its own.
+    zero
+        The record at little load that zeroes the speed ratio, or None.
     method
         What solves the arc.
 
@@ -113,10 +146,13 @@ class Problemset:
     numbers: tuple[Number, ...] = ()
     traces: tuple[Trace, ...] = ()
     priors: Mapping[str, Prior] = field(default_factory=dict)
-    method: Method = field(default_factory=lambda: Distributed(points=120, capacities=False))
+    errors: Mapping[str, float] = field(default_factory=dict)
+    zero: Number | None = None
+    method: Method = field(default_factory=usual_method)
 
     def __post_init__(self) -> None:
-        data = len(self.numbers) + sum(len(t.position) for t in self.traces)
+        data = sum(n is not self.zero for n in self.numbers)
+        data += sum(len(t.position) for t in self.traces)
         known = data + len(self.priors)
         if known < len(self.parameters):
             what = "1 number" if known == 1 else f"{known} numbers"
@@ -130,6 +166,11 @@ class Problemset:
             )
 
     @property
+    def variables(self) -> tuple[str, ...]:
+        """What is fitted: the parameters, and the errors beside them."""
+        return self.parameters + tuple(self.errors)
+
+    @property
     def start(self) -> dict[str, float]:
         """Values of the parameters in the drive as it is [SI]."""
         pulley = self.drive.pulley(self.pulley)
@@ -141,6 +182,7 @@ class Problemset:
             "shear_modulus": pulley.lagging.shear_modulus,
             "overrun": overrun,
             "belt_modulus": self.drive.belt.modulus,
+            **dict.fromkeys(ERRORS, 1.0),
         }
 
 
@@ -157,6 +199,57 @@ def calibrated_drive(drive: Drive, pulley: str, values: Mapping[str, float]) -> 
     if "belt_modulus" in values:
         changed = replace(changed, belt=replace(drive.belt, modulus=values["belt_modulus"]))
     return changed
+
+
+def arc_of(
+    drive: Drive,
+    pulley: str,
+    state: tuple[str, Tensions | None],
+    errors: Mapping[str, float],
+) -> WrapArc:
+    """Return the arc of a pulley as it really was, where what was measured is off by factors.
+
+    Parameters
+    ----------
+    drive, pulley
+        The drive and the name of its pulley.
+    state
+        Load case, and tensions where they are not those of the load case.
+    errors
+        Factors by name, of `ERRORS`; 1 where there is none. A factor on the effective tension
+        holds the exit tension, or the entry tension where only that has a factor.
+    """
+    arc = WrapArc.of(drive, drive.pulley(pulley), drive.load_case(state[0]))
+    entry, leaving = arc.entry_tension, arc.exit_tension
+    if state[1] is not None:
+        entry, leaving = state[1].entry, state[1].exit
+    pull = (entry - leaving) * errors.get("effective_tension", 1.0)
+    entry *= errors.get("entry_tension", 1.0)
+    leaving *= errors.get("exit_tension", 1.0)
+    if "effective_tension" in errors and "entry_tension" in errors:
+        leaving = entry - pull
+    elif "effective_tension" in errors:
+        entry = leaving + pull
+    modulus = arc.compression_modulus / errors.get("compression", 1.0)
+    return replace(arc, entry_tension=entry, exit_tension=leaving, compression_modulus=modulus)
+
+
+def speed_ratio(arc: WrapArc, creep_ratio: float, zero: float = 1.0) -> float:
+    """Return what a tachometer pair shows, 1 - v/(omega R) [-].
+
+    v = omega (R - delta + e)(1 - g): belt and shaft are compared at the radius over the unloaded
+    lagging, where the belt runs at the pitch radius.
+
+    Parameters
+    ----------
+    arc
+        The arc; without its offset e the belt runs at the lagging surface.
+    creep_ratio
+        g at the nip where the belt is measured [-].
+    zero
+        What the measured ratio of the speeds is off by, a factor near 1 [-].
+    """
+    return 1.0 - zero * arc.pitch_radius / arc.radius * (1.0 - creep_ratio)
 
 
 def variable_of(name: str, value: float) -> float:

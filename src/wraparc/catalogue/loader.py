@@ -4,7 +4,7 @@ import math
 import tomllib
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
@@ -43,16 +43,31 @@ class CatalogueBelt:
         Belt modulus [N/m].
     least_pulley_diameter
         Smallest drive pulley at 75-100 % of the rating [m], or None if not published.
+    carcass
+        Thickness of the carcass, or diameter of the cords [m], or None if not published.
+    carcass_mass, cover_mass
+        Mass of the carcass [kg/m2], and of the covers per thickness [kg/m3], or None.
     provenance
         The publication.
+    carcass_source
+        Where in it the carcass is, or None.
     """
 
     name: str
     kind: str
     rating: float
     modulus: float
-    least_pulley_diameter: float | None
+    least_pulley_diameter: float | None = None
+    carcass: float | None = None
+    carcass_mass: float | None = None
+    cover_mass: float | None = None
     provenance: Provenance
+    carcass_source: Provenance | None = None
+
+    @property
+    def sources(self) -> dict[str, Provenance]:
+        """Where single numbers came from, by field, if elsewhere."""
+        return {"carcass": self.carcass_source} if self.carcass_source else {}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,10 +142,7 @@ def belts() -> tuple[CatalogueBelt, ...]:
 @cache
 def _belts(folder: Path | None) -> tuple[CatalogueBelt, ...]:
     own = () if folder is None else own_belts(folder)
-    given = [
-        CatalogueBelt(**{"least_pulley_diameter": None, **row, "provenance": origin})
-        for row, origin in own
-    ]
+    given = [CatalogueBelt(**{**row, "provenance": origin}) for row, origin in own]
     shipped = tuple(_shipped_belts())
     places = [(b.name, f"belt.{n}.name") for n, b in enumerate(given, start=1)]
     file = "" if folder is None else str(folder / BELTS_FILE)
@@ -157,7 +169,11 @@ def _shipped_belts() -> Iterable[CatalogueBelt]:
                 if "least_pulley_diameter" in row
                 else None
             ),
+            carcass=parse_quantity(row["carcass"], "length"),
+            carcass_mass=row["carcass_mass"],
+            cover_mass=1e3 * group["cover_mass"],
             provenance=_published(group),
+            carcass_source=replace(_published(group), note=group["carcass_page"]),
         )
         for group in _data("belts")["group"]
         for row in group["belts"]

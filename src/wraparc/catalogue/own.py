@@ -44,6 +44,11 @@ BELTS = Table(
                     "Smallest drive pulley at 75-100 % of the rating.",
                     Quantity("length", Limit("length", open=True)),
                 ),
+                Entry(
+                    "carcass",
+                    "Thickness of the carcass, or diameter of the cords.",
+                    Quantity("length", Limit("length", open=True, most=0.06)),
+                ),
                 Entry("provenance", "Where its numbers came from.", PROVENANCE),
             ),
             1,

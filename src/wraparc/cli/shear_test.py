@@ -258,6 +258,20 @@ def _progress() -> Any:
     help="Scatter of friction and peak slip between samples.",
 )
 @click.option(
+    "--cover",
+    type=click.FloatRange(0, 30),
+    default=0.0,
+    show_default=True,
+    help="Belt cover that shears in the rig [mm].",
+)
+@click.option(
+    "--cover-modulus",
+    type=click.FloatRange(0.1, 100),
+    default=1.0,
+    show_default=True,
+    help="Its shear modulus [MPa].",
+)
+@click.option(
     "--dialect",
     "dialects",
     multiple=True,

@@ -10,6 +10,7 @@ from typing import Any
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files import load_lagging
+from wraparc.friction import COVER_SHEAR
 from wraparc.provenance import Kind
 from wraparc.saving import save_file, unwritable
 from wraparc.schema.emit import document_text
@@ -37,16 +38,21 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
     **said
         ``conditions``, each a name or ``NAME=FACTOR`` on friction; ``dialects``, names of
         `DIALECTS`, taken in turn; ``repeats``, ``points``, ``noise``, ``lash`` [mm],
-        ``scatter``, ``seed``.
+        ``scatter``, ``seed``; ``cover`` [mm] and ``cover_modulus`` [MPa] of the belt in the rig.
     """
     of = load_lagging(lagging)
     values = _pressures(pressures)
     writers = _dialects(said["dialects"])
     conditions = _conditions(said["conditions"])
+    if said["cover"] and COVER_SHEAR in (of.law.slip_includes or ()):
+        message = "the slip of this law includes the cover shear already: it would be there twice"
+        remedy = "Leave --cover out, or test another lagging."
+        value = f"{said['cover']:g} mm"
+        raise InputError(Problem(message=message, remedy=remedy, key="--cover", value=value))
     rig = VirtualRig(
         law=of.law,
         area=_AREA,
-        shear_compliance=of.shear_compliance,
+        shear_compliance=of.shear_compliance + said["cover"] / said["cover_modulus"] * 1e-9,
         lash=said["lash"] * 1e-3,
         points=said["points"],
         noise=said["noise"],
@@ -112,9 +118,17 @@ def _plan(lagging: Lagging, tests: list[dict[str, Any]], said: dict[str, Any]) -
     changed = [f"{n} {f:g}" for n, f in _conditions(said["conditions"]).items() if f != 1.0]
     if changed:
         note += f"; friction times, by condition: {', '.join(changed)}"
+    belt, of = dict[str, Any](), lagging.law
+    if said["cover"]:
+        modulus = quantity_text(said["cover_modulus"] * 1e6, "pressure")
+        thickness = quantity_text(said["cover"] * 1e-3, "length")
+        belt = {"test_belt": {"cover_thickness": thickness, "cover_shear_modulus": modulus}}
+    elif of.slip_includes is not None and COVER_SHEAR not in of.slip_includes:
+        belt = {"test_belt": {"cover_thickness": "0 mm"}}  # nothing shears but the sample
     return {
         "format": 1,
         "lagging": sample,
+        **belt,
         "rig": {"name": "virtual rig", "sample_area": quantity_text(_AREA, "area"), "faces": 2},
         "uncertainty": _NO_ERRORS,
         "provenance": {"kind": Kind.ILLUSTRATIVE.value, "source": "virtual rig", "note": note},

@@ -99,20 +99,20 @@ def with_belt(drive: Drive, row: CatalogueBelt) -> Drive:
 def belt_of(row: CatalogueBelt, like: Belt) -> Belt:
     """Return a belt of the catalogue in the width and at the speed of another.
 
-    Width and speed keep the provenance they had there.
+    Width, speed and covers keep the provenance they had there.
     """
+    kept = ("width", "speed", "pulley_cover", "carry_cover", "cover_shear_modulus")
+    sources = {key: like.source_of(key) for key in kept if getattr(like, key) is not None}
     return Belt(
         name=row.name,
         kind=row.kind,
-        width=like.width,
-        speed=like.speed,
         modulus=row.modulus,
         rating=row.rating,
         least_pulley_diameter=row.least_pulley_diameter,
+        carcass=row.carcass,
         provenance=row.provenance,
-        sources={
-            key: like.source_of(key) for key in ("width", "speed") if getattr(like, key) is not None
-        },
+        sources=sources | row.sources,
+        **{key: getattr(like, key) for key in kept},
     )
 
 

@@ -12,7 +12,7 @@ from wraparc.drive.compression import Block, compression_modulus
 from wraparc.drive.factors import ConditionFactor, Factors
 from wraparc.drive.fit import Fit
 from wraparc.errors import Problem, shown
-from wraparc.friction import FrictionLaw
+from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.provenance import Provenance
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 from wraparc.views import Viewable
@@ -161,7 +161,12 @@ class Lagging(Viewable):
 
     @property
     def shear_compliance(self) -> float:
-        """h/G, shear displacement per shear stress [m/Pa]."""
+        """h/G, shear displacement per shear stress beside the slip of the law [m/Pa].
+
+        0 where the slip includes it.
+        """
+        if LAGGING_SHEAR in (self.law.slip_includes or ()):
+            return 0.0
         return self.thickness / self.shear_modulus
 
     @property

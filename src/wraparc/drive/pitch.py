@@ -25,9 +25,6 @@ from wraparc.provenance import Provenance
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
-#: What the slip of a law may include beside slip, as its `slip_includes` says.
-LAGGING_SHEAR, COVER_SHEAR = "lagging shear", "cover shear"
-
 
 class Layers(NamedTuple):
     """The layers of a belt, nan where they are not known."""
@@ -119,8 +116,7 @@ ESTIMATED_COVER = Provenance(
 
 def counts_shear(law: FrictionLaw, part: str) -> bool | None:
     """Return whether the slip of a law includes the shear of a part; None if it does not say."""
-    told = getattr(law, "slip_includes", None)
-    return None if told is None else part in told
+    return None if law.slip_includes is None else part in law.slip_includes
 
 
 def thin_belt(

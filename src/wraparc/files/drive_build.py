@@ -24,7 +24,7 @@ from wraparc.schema.problems import Place, Report
 from wraparc.schema.tables import Record
 
 _FROM_PATH = Provenance(note="from the coordinates of the pulleys")
-_PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter")
+_PRESET_KEYS = ("name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass")
 # Keys of a lagging that hold numbers.
 _NUMBERS = {e.key for e in LAGGING_GIVEN.entries} - {
     "preset", "name", "title", "description", "surface", "notes", "sources", "provenance",
@@ -43,8 +43,11 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         preset = report.tried(lambda: catalogue.belt(record["preset"]), place, record["preset"])
         if preset is None:
             return None
-        sources = {key: own for key in Belt.LIMITS if key in record} | sources
         more = {key: getattr(preset, key) for key in (*_PRESET_KEYS, "provenance")}
+        published = preset.sources
+        if "thickness" in record:  # the carcass is what the covers leave of it
+            more, published = {**more, "carcass": None}, {}
+        sources = published | {key: own for key in Belt.LIMITS if key in record} | sources
     elif "modulus" not in record and record.sound("modulus"):
         remedy = 'Write modulus = "12960 kN/m", or choose a belt by preset.'
         report.add((*record.place, "modulus"), "missing", remedy)

@@ -12,6 +12,7 @@ from wraparc.drive import (
     Limit,
 )
 from wraparc.friction import (
+    SLIP_INCLUDES,
     Constant,
     ElasticPlastic,
     IntegralLog,
@@ -166,6 +167,11 @@ _LAW = (
         PROVENANCE,
     ),
     Entry("fit", "Statistics of the fit.", FIT),
+    Entry(
+        "slip_includes",
+        "What the slip holds besides the sliding, [] for nothing; not known if left out.",
+        Rows(Choice(SLIP_INCLUDES), most=2),
+    ),
     Entry("slip_speed_factor", "What slip speed does to the tested friction.", SPEED_FACTOR),
     Entry("temperature_factor", "What temperature does to it.", TEMPERATURE_FACTOR),
     Entry("notes", "What a reader must know of this law.", _NOTES),

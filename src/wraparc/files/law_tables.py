@@ -29,6 +29,8 @@ def law_table(law: FrictionLaw, **more: Any) -> Tables:
     InputError
         If the file format has no word for such a law.
     """
+    in_slip = None if law.slip_includes is None else list(law.slip_includes)
+    more["slip_includes"] = in_slip
     for kind, table in LAW.tables.items():
         if table.of is type(law):
             return table.written(law, kind=kind, **_tested(law), **_parts(law), **more)

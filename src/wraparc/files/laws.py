@@ -1,6 +1,7 @@
 """Friction laws in lagging files: tables of keys to law objects."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import pairwise
 
 from wraparc.errors import InputError, Problem, shown
@@ -38,11 +39,15 @@ def read_law(record: Record, report: Report) -> FrictionLaw | None:
     kind = record["kind"]
     names = _FILE_KEYS | {"pressure": _PRESSURE_KEY.get(kind, "tested_pressure")}
     try:
+        law: FrictionLaw | None
         if kind == "integral-log":
-            return _integral_log(record)
-        if kind == "table":
-            return _table(record)
-        law: FrictionLaw | None = LAW.built(record, report, tested=_tested(record))
+            law = _integral_log(record)
+        elif kind == "table":
+            law = _table(record)
+        else:
+            law = LAW.built(record, report, tested=_tested(record))
+        if law is not None and "slip_includes" in record:
+            law = replace(law, slip_includes=tuple(dict.fromkeys(record["slip_includes"])))
         return law
     except InputError as error:
         report.take(error, record.place, record.raw, names)

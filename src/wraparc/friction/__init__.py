@@ -1,6 +1,13 @@
 """Friction laws of a lagging: mu as a function of slip and wrap pressure."""
 
-from wraparc.friction.base import Equation, FrictionLaw, TestedRange
+from wraparc.friction.base import (
+    COVER_SHEAR,
+    LAGGING_SHEAR,
+    SLIP_INCLUDES,
+    Equation,
+    FrictionLaw,
+    TestedRange,
+)
 from wraparc.friction.coefficients import (
     CoefficientPieces,
     Piece,
@@ -16,6 +23,9 @@ from wraparc.friction.table import MeasuredTable
 from wraparc.friction.trend import Trend
 
 __all__ = [
+    "COVER_SHEAR",
+    "LAGGING_SHEAR",
+    "SLIP_INCLUDES",
     "CoefficientPieces",
     "CompactLaw",
     "Constant",

@@ -79,18 +79,33 @@ class Equation:
     words: str
 
 
+#: What the slip of a law may hold besides the sliding, where its tests did not take it out.
+SLIP_INCLUDES = LAGGING_SHEAR, COVER_SHEAR = ("lagging shear", "cover shear")
+
+
+@dataclass(frozen=True, kw_only=True)
 class FrictionLaw(ABC):
     """Friction of a lagging, mu(x, p): an odd function of slip x that depends on wrap pressure p.
 
     Below the lowest tested pressure friction is held; above the highest the traction mu p is held.
     Slip is never clamped. Laws are frozen data: equal numbers make equal laws.
+
+    Attributes
+    ----------
+    slip_includes
+        What the slip holds besides the sliding, of `SLIP_INCLUDES`; None where it is not known.
     """
 
     #: What engineers call the law.
     title: ClassVar[str]
     equation: ClassVar[Equation]
 
-    tested: TestedRange | None
+    slip_includes: tuple[str, ...] | None = None
+
+    @property
+    @abstractmethod
+    def tested(self) -> TestedRange | None:
+        """The range it was measured in, or None."""
 
     @abstractmethod
     def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:

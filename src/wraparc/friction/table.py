@@ -104,7 +104,7 @@ class MeasuredTable(FrictionLaw):
         )
 
     @property
-    def tested(self) -> TestedRange:  # type: ignore[override]
+    def tested(self) -> TestedRange:
         """The range of the table."""
         return TestedRange(
             pressure_min=self.pressure[0], pressure_max=self.pressure[-1], slip_max=self.slip[-1]

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from wraparc.arc import ArcResult
-from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Problemset
+from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Problemset
 from wraparc.calibrate.fold import Folded
+from wraparc.calibrate.problem import OPEN_ZERO, speed_ratio
 from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
@@ -22,6 +23,16 @@ _PARAMETERS: dict[str, tuple[str, Dimension]] = {
     "overrun": ("Entry overrun", "length"),
     "belt_modulus": ("Belt modulus", "force_per_width"),
 }
+_ERRORS = {
+    "speed_zero": "Zero of the speed ratio",
+    "entry_tension": "Entry tension T1",
+    "exit_tension": "Exit tension T2",
+    "effective_tension": "Effective tension T1 - T2",
+    "compression": "Compression of the lagging",
+    "readings": "Readings",
+}
+#: Standard deviations beyond which an error is not what was stated of it [-].
+_UNLIKELY = 3.0
 _MOST_CORRELATED = 0.9
 #: Misfit that is no noise any more: of a course over its largest value, of a number over its
 #: standard deviation [-].
@@ -43,11 +54,14 @@ def calibrate_sheet(
         Table(
             "Estimates",
             tuple(rows),
-            ("value", "95 % interval", "spread by the data"),
-            "Spread: one standard deviation. Intervals are from the curvature at the best fit, or "
+            ("value", "95 % interval", "spread by the data", "expected"),
+            "Spread: one standard deviation. Expected: half the 95 % interval that such data "
+            "promise before they are fitted. Intervals are from the curvature at the best fit, or "
             "from the profile likelihood where the curvature at the drive file's values disagrees.",
             "estimates",
         ),
+        _widths(found),
+        _deviations(found),
         _correlations(found),
         _misfits(found, problem, system),
     ]
@@ -56,7 +70,7 @@ def calibrate_sheet(
         subtitle=description,
         verdict=_verdict(found, problem, system),
         tables=tuple(t for t in tables if t.rows),
-        remarks=tuple(_remarks(found)),
+        remarks=tuple(_remarks(found, system)),
         sources=sources,
     )
 
@@ -66,11 +80,14 @@ def _row(e: Estimate, system: System) -> Row:
     spread = "none" if math.isinf(e.spread) else percent(e.spread, 2)
     if e.name == "overrun" and math.isfinite(e.spread):
         spread = quantity(e.spread * 1e-4, "length", system)
+    expected = "nothing" if math.isinf(e.expected) else percent(e.expected, 2)
+    if e.name == "overrun" and math.isfinite(e.expected):
+        expected = quantity(e.expected * 1e-4, "length", system)
     if e.value is None or e.low is None or e.high is None:
-        return Row(title, ("not identified", "-", spread), level=Level.ATTENTION)
+        return Row(title, ("not identified", "-", spread, expected), level=Level.ATTENTION)
     value, low, high = (quantity(v, dimension, system) for v in (e.value, e.low, e.high))
     note = "from the prior, not from the data" if e.from_prior else ""
-    return Row(title, (value, f"{low} to {high}", spread), note=note)
+    return Row(title, (value, f"{low} to {high}", spread, expected), note=note)
 
 
 def _verdict(found: Calibration, problem: Problemset, system: System) -> Verdict:
@@ -106,9 +123,15 @@ def _apart(found: Calibration, problem: Problemset, system: System) -> Iterator[
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
         if abs(miss) > _FAR_NUMBER * n.sd:
             yield (
-                f"{GLOSSARY[n.quantity].title}, {n.load_case}: the best fit misses the measured "
-                f"{named(n.quantity, n.value, system)} by {named(n.quantity, abs(miss), system)}. "
+                f"{_title(n, problem)}: the best fit misses the measured "
+                f"{_value(n, n.value, system)} by {_value(n, abs(miss), system)}. "
                 f"{_OTHER}"
+            )
+    for d in found.deviations:
+        if abs(math.log(d.factor)) > _UNLIKELY * d.stated:
+            yield (
+                f"{_ERRORS[d.name]}: the best fit moves it by {percent(d.factor - 1.0, 2)}, where "
+                f"{percent(d.stated, 2)} is stated as its standard deviation. {_OTHER}"
             )
     for t, miss in zip(problem.traces, found.misfit[count:], strict=True):
         most = float(np.abs(t.value).max())
@@ -118,6 +141,58 @@ def _apart(found: Calibration, problem: Problemset, system: System) -> Iterator[
                 f"it by {named(t.quantity, miss, system)} in the mean, {percent(miss / most, 2)} "
                 f"of its largest value. {_OTHER}"
             )
+
+
+def _title(n: Number, problem: Problemset) -> str:
+    """Return what a number is and where it was measured."""
+    what = GLOSSARY[n.quantity].title
+    if n.apparent:
+        what = f"Shaft to belt, {'exit' if n.quantity.startswith('exit') else 'entry'}"
+    return f"{what}, {'zero record' if n is problem.zero else n.load_case}"
+
+
+def _value(n: Number, value: float, system: System) -> str:
+    """Return a value of a number in words: what tachometers show is a percentage."""
+    if n.apparent:
+        return percent(_unless_noise(value, n.sd))
+    return named(n.quantity, value, system)
+
+
+def _unless_noise(value: float, size: float) -> float:
+    """Return a value, 0 where it is none beside a standard deviation: what a search leaves."""
+    return value if abs(value) > 1e-2 * size else 0.0
+
+
+def _widths(found: Calibration) -> Table:
+    """Shares of the variance of every parameter by what it comes from."""
+    told = [e for e in found.estimates if e.parts]
+    parts = list(told[0].parts) if told else []
+    rows = [Row(_ERRORS[p], tuple(percent(e.parts[p], 2) for e in told)) for p in parts]
+    heads = tuple(e.name.replace("_", " ") for e in told)
+    return Table("What the intervals come from, shares of the variance", tuple(rows), heads)
+
+
+def _deviations(found: Calibration) -> Table:
+    rows = [
+        Row(
+            _ERRORS[d.name],
+            (
+                "open"
+                if d.stated >= OPEN_ZERO and d.name == "speed_zero"
+                else percent(d.stated, 2),
+                percent(_unless_noise(d.factor - 1.0, d.stated), 2),
+                percent(d.left, 2),
+            ),
+        )
+        for d in found.deviations
+    ]
+    note = (
+        "Standard deviations, common to all load cases. The zero of the speed ratio holds the "
+        "radius of the wheel, the diameter of the drum and the thickness of the belt: each shifts "
+        "every ratio alike, so no record tells them apart."
+    )
+    heads = ("stated", "found off by", "left")
+    return Table("Errors of what was measured with", tuple(rows), heads, note)
 
 
 def _mixed_words(found: Calibration) -> Iterator[str]:
@@ -134,7 +209,7 @@ def _mixed_words(found: Calibration) -> Iterator[str]:
             "data as well once the other parameters are refitted."
         )
     for group in found.mixed:
-        words = [n.replace("_", " ") for n in group]
+        words = [_ERRORS.get(n, n.replace("_", " ")).lower() for n in group]
         if len(words) == 1:
             yield f"The data hardly depend on {words[0]}."
         elif words:
@@ -158,9 +233,11 @@ def _correlations(found: Calibration) -> Table:
 def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
     rows = []
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
-        title = f"{GLOSSARY[n.quantity].title}, {n.load_case}"
         rows.append(
-            Row(title, (named(n.quantity, n.value, system), named(n.quantity, miss, system)))
+            Row(
+                _title(n, problem),
+                (_value(n, n.value, system), _value(n, miss, system)),
+            )
         )
     for t, miss in zip(problem.traces, found.misfit[len(problem.numbers) :], strict=True):
         title = f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}"
@@ -169,13 +246,23 @@ def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
     return Table("Misfit", tuple(rows), ("measured", "rms misfit"), name="misfit")
 
 
-def _remarks(found: Calibration) -> Iterator[str]:
+def _remarks(found: Calibration, system: System) -> Iterator[str]:
+    if found.offset is not None:
+        yield (
+            "By the zero record, with drum and wheel as stated, the tension member runs "
+            f"{named('pitch_offset', found.offset, system)} above the lagging surface."
+        )
     names = [e.name.replace("_", " ") for e in found.estimates]
     for i in range(len(names)):
         for k in range(i):
             r = float(found.correlation[i, k])
             if abs(r) > _MOST_CORRELATED:
                 yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
+    if not any(d.name.endswith("tension") for d in found.deviations):
+        yield (
+            "The tensions are taken as exact: their errors enter the intervals where [errors] "
+            "states them."
+        )
     yield (
         "Calibration makes the model agree with the data it was calibrated to; that agreement is "
         "no validation."
@@ -194,10 +281,14 @@ def overlay_sheet(
     """Return measured values beside the prediction of both methods."""
     rows = []
     for n in problem.numbers:
+        if n.tensions is not None:
+            continue  # no load case of the drive
         results = predicted[n.load_case]
         values = [float(r.scalars()[n.quantity]) for r in results]
-        texts = [named(n.quantity, v, system) for v in (n.value, *values)]
-        rows.append(Row(f"{GLOSSARY[n.quantity].title}, {n.load_case}", tuple(texts)))
+        if n.apparent:
+            values = [speed_ratio(r.arc, v) for r, v in zip(results, values, strict=True)]
+        texts = [_value(n, v, system) for v in (n.value, *values)]
+        rows.append(Row(_title(n, problem), tuple(texts)))
     for t in problem.traces:
         at_peak = [float(np.abs(t.value).max())]
         apart = []
@@ -259,9 +350,16 @@ def calibrate_document(found: Calibration) -> dict[str, Any]:
                 "high": e.high,
                 "spread": e.spread,
                 "from_prior": e.from_prior,
+                "expected": None if math.isinf(e.expected) else e.expected,
+                "parts": dict(e.parts),
             }
             for e in found.estimates
         ],
+        "errors": [
+            {"name": d.name, "factor": d.factor, "stated": d.stated, "left": d.left}
+            for d in found.deviations
+        ],
+        "pitch_offset": found.offset,
         "correlation": found.correlation.tolist(),
         "not_told_apart": [list(group) for group in found.mixed],
         "too_loose": list(found.loose),

@@ -198,6 +198,10 @@ def _cost_table(lagging: Lagging) -> Table:
     return Table("Cost", rows, name="cost")
 
 
+def _weight(mass: float | None, unit: float) -> str:
+    return NONE if mass is None else f"{mass / unit:.3g} kg/m2"
+
+
 def belts_sheet(system: System = "si") -> Sheet:
     """List the belts of the catalogue."""
     of = Sources()
@@ -208,14 +212,25 @@ def belts_sheet(system: System = "si") -> Sheet:
         notes: dict[str, None] = {}
         for belt in belts:
             if belt.kind == kind:
-                notes[of.note(belt.provenance)] = None
+                origins = (belt.provenance, *belt.sources.values())
+                notes |= {of.note(origin): None for origin in origins}
                 least = belt.least_pulley_diameter
                 values = (
                     quantity(belt.rating, "force_per_width", system),
                     quantity(belt.modulus, "force_per_width", system),
                     NONE if least is None else quantity(least, "length", system),
+                    NONE if belt.carcass is None else quantity(belt.carcass, "length", system),
+                    _weight(belt.carcass_mass, 1.0),
+                    _weight(belt.cover_mass, 1e3),
                 )
                 rows.append(Row(belt.name, values))
-        heads = ("rating", "modulus M", "least drive pulley")
+        heads = (
+            "rating",
+            "modulus M",
+            "least drive pulley",
+            "carcass",
+            "its mass",
+            "1 mm of cover",
+        )
         tables.append(Table(f"Belts, {kind}", tuple(rows), heads, "; ".join(notes)))
     return Sheet("Belts of the catalogue", "", None, tuple(tables), (), of.listed())

@@ -208,6 +208,7 @@ def _lagging_data(lagging: Lagging) -> Data:
         "condition": lagging.condition,
         "surface": lagging.surface,
         "law": type(lagging.law).__name__,
+        "slip_includes": lagging.law.slip_includes,
         "tested": ends or None,
         "lagging_thickness": lagging.thickness,
         "shear_modulus": lagging.shear_modulus,

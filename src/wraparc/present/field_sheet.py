@@ -5,9 +5,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
+from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.present.train_words import surface_sentence
 from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.units import System
 
@@ -28,15 +30,26 @@ def field_sheet(
             verdict=in_words(judged, system, [*judged.sentences(system)]),
         )
     rows = [
-        Row(f"Healthy, {name}", (percent(entry), percent(leaving)), "g, g2")
-        for name, (entry, leaving) in found.healthy.items()
+        Row(
+            f"Healthy, {name}",
+            tuple(percent(v) for v in (*pair, *(found.shown[name] if found.shown else ()))),
+            "g, g2",
+        )
+        for name, pair in found.healthy.items()
     ]
+    by_shaft = ("shaft to belt at entry", "at exit") if found.shown else ()
     speeds = Table(
         "Drum speed less belt speed, over drum speed",
         tuple(rows),
-        ("belt at entry", "belt at exit"),
+        ("belt at entry", "belt at exit", *by_shaft),
         "drum speed: of the lagging surface under the belt, which runs on the radius less its "
-        "compression",
+        "compression"
+        + (
+            "; shaft to belt: 1 - v/(omega R), what a tachometer pair shows, as the belt runs on "
+            "the radius of its tension member"
+            if found.shown
+            else ""
+        ),
         "speeds",
     )
     return Sheet(
@@ -57,13 +70,18 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
         as_is = [as_it_is(judged, system)]
     at_once, again = [*_at_once(found, worst)], _circumference(found, system)
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
+    # no level that a tachometer pair is set by is an OK without the thickness of the belt
+    surface = () if found.shown else (surface_sentence(found.diameter, system),)
+    open_ = not found.shown and judged.level is Level.OK
     return Verdict(
-        judged.level,
-        f"{why}{who} shows at most {percent(worst)} between drum and belt; alarm at "
-        f"{percent(found.alarm)}, trip at {percent(found.trip)}.",
-        (*as_is, *at_once, *_rules(found, worst), again),
-        judged.word,
-        kept=(*as_is, *at_once, again),
+        Level.ATTENTION if open_ else judged.level,
+        f"{why}{who} shows at {'most' if found.side > 0.0 else 'least'} "
+        f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'drum'} and belt; alarm "
+        f"at {percent(found.seen(found.alarm, 0.0))}, trip at "
+        f"{percent(found.seen(found.trip, 0.0))}.",
+        (*as_is, *at_once, *surface, *_rules(found, worst), again),
+        "" if open_ else judged.word,
+        kept=(*as_is, *at_once, *surface, again),
     )
 
 
@@ -72,9 +90,12 @@ def _circumference(found: FieldNumbers, system: System) -> str:
     worn, again = (quantity(share * found.wear_to_alarm, "length", system) for share in (1.0, 0.25))
     moved = percent(2.0 * found.depth / found.diameter)
     depth = quantity(found.depth, "length", system)
+    step = 1e-3 if system == "si" else 0.0254 / 16.0
+    each, moved_each = quantity(step, "length", system), percent(step * found.drift)
     return (
         f"These levels need the drum speed from a measured circumference: {worn} of wear since it "
-        f"was measured raises the alarm by itself, and {depth} moves every difference by {moved}. "
+        f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
+        f"and {depth} by {moved}. "
         f"Measure the circumference again for every {again} worn off, or measure the drum's "
         "surface instead of its shaft."
     )
@@ -100,9 +121,11 @@ def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
 
 def _levels(found: FieldNumbers, system: System) -> Table:
     def row(title: str, share: float, symbol: str = "", note: str = "") -> Row:
-        return Row(title, (percent(share), percent(found.seen(share, found.depth))), symbol, note)
+        shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
+        return Row(title, tuple(shown), symbol, note)
 
-    rows = [row("Healthy, at most", found.worst)]
+    healthy = (found.worst_seen, found.worn_seen(found.depth))
+    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
     if found.at_limit is not None:
         rows.append(row("At the creep limit", found.at_limit, "g2"))
     rows.append(row("Alarm", found.alarm, note="at the creep limit"))
@@ -170,6 +193,16 @@ def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, A
         "at_gross_slip": found.at_breakaway,
         "alarm": found.alarm,
         "trip": found.trip,
+        "shown": {
+            "healthy": {
+                name: {"entry": a, "exit": b} for name, (a, b) in (found.shown or {}).items()
+            },
+            "alarm": found.seen(found.alarm, 0.0),
+            "trip": found.seen(found.trip, 0.0),
+        }
+        if found.shown
+        else None,
+        "drift": found.drift,
         "alarm_when_worn": found.seen(found.alarm, found.depth),
         "wear_to_alarm": found.wear_to_alarm,
         "customary_trips": {r.name: 1.0 - r.speed_share for r in TRIP_RULES},

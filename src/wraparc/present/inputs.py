@@ -212,6 +212,9 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
     if SCALED in lagging.sources:
         scaled = lagging.notes[-1]
         yield Input(group, "Scaled to the condition", scaled, origin=lagging.sources[SCALED])
+    yield Input(
+        group, "Slip of the law includes", in_slip(lagging.law.slip_includes), origin=by_law
+    )
     yield from _factors(group, lagging)
     for name, key in (
         ("lagging_thickness", "thickness"),
@@ -227,6 +230,13 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
         yield Input(group, "Tested to a pressure of", most, "pressure", "p", by_law)
         yield Input(group, "Tested to a slip of", tested.slip_max, "length", "x", by_law)
         yield Input(group, "Tested at a slip speed of", tested.slip_speed, "speed", "", by_law)
+
+
+def in_slip(parts: tuple[str, ...] | None) -> str:
+    """Say what the slip of a law holds besides the sliding."""
+    if parts is None:
+        return "sliding; whether belt cover or lagging shear with it is not stated"
+    return " and ".join(("sliding", *parts))
 
 
 def _factors(group: str, lagging: Lagging) -> Iterator[Input]:

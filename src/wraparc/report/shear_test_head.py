@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
+from wraparc.present.inputs import in_slip
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
@@ -101,12 +102,8 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
 
 def _slip_includes(plan: TestPlan) -> str:
     """What the slip of the law holds besides the sliding: a drive must not count it twice."""
-    parts = ["the shear of the belt cover in the rig"]
-    if not plan.removes_shear:
-        parts.append("the sample's own shear")
-    if not plan.rig.compliance:
-        parts.append("the rig's own travel")
-    return ", ".join(parts)
+    rig = () if plan.rig.compliance else ("the rig's own travel",)
+    return in_slip((*(plan.slip_includes or ()), *rig))
 
 
 def _normal_force(result: PlanResult) -> list[tuple[str, str]]:

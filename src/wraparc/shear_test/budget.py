@@ -126,7 +126,7 @@ class Common:
     compliance
         Largest error of the rig's compliance [m/N].
     shear_compliance
-        h/G of the sample's own shear that is taken off the travel, 0 if it is left in [m/Pa].
+        h/G of the shear of sample and belt cover that is taken off the travel [m/Pa].
     weighed
         Whether the normal force was given or measured; else the pressure, which the area turns
         into the normal force.
@@ -163,7 +163,7 @@ class Common:
         friction = np.broadcast_to([0.0, 1.0], at.shape)
         slip = np.broadcast_to([1.0, 0.0], at.shape)
         over_slip = self.bent / np.exp(at[:, :1])
-        # what the sample shears is taken off by the stress, F_x over the area
+        # what sample and cover shear is taken off by the stress, F_x over the area
         shear = self.shear_compliance * stress[:, None] * over_slip
         # a pressure that was set is the normal force, but for the area
         area = slope if self.weighed else -friction

@@ -134,7 +134,7 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
     sample = Sample(
         area=plan.rig.area,
         faces=plan.rig.faces,
-        shear_compliance=known,
+        shear_compliance=known + plan.cover_compliance,
         compliance=plan.rig.compliance,
         normal_force=_set_force(plan, test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
@@ -161,8 +161,8 @@ def _is_finite(result: TestResult) -> bool:
 def _fitted(
     plan: TestPlan, test: PlannedTest, record: MachineRecord, curve: FrictionCurve, known: float
 ) -> TestResult:
-    rig_only = curve.bending - known * curve.pressure
-    bending, other = curve.bending, rig_only
+    left_in = curve.bending - known * curve.pressure
+    bending, other = curve.bending, left_in
     if not plan.removes_shear:
         bending, other = other, bending
     _refuse_long_lash(plan, test, float(curve.travel[-1]))

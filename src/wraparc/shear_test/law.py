@@ -1,5 +1,6 @@
 """What was found as a lagging: the law at its knots, and their covariance."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 from typing import Any
 
@@ -174,6 +175,7 @@ def lagging_of(
     if of.by_slip_speed is not None:
         speed = of.by_slip_speed.at[0]
     law = law_through(pressure, peaks, found.tails, _slip_max(found), speed)
+    law = replace(law, slip_includes=plan.slip_includes)
     factors = None
     if of.by_slip_speed is not None or of.by_temperature is not None:
         factors = Factors(law=law, by_slip_speed=of.by_slip_speed, by_temperature=of.by_temperature)

@@ -3,8 +3,10 @@
 Plans are read from TOML by `wraparc.files`; everything here is in SI units.
 """
 
+import math
 from dataclasses import dataclass, field
 
+from wraparc.friction import SLIP_INCLUDES
 from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.circumstances import LoadCell, ReportHead
@@ -199,6 +201,9 @@ class TestPlan:
     remove_shear
         Whether the sample's own shear is taken off the travel; None to do so if thickness
         and shear modulus are known.
+    cover_thickness, cover_shear_modulus
+        Cover of the test belt between a sliding face and the carcass [m] and its G [Pa], to take
+        its shear off the travel; None leaves it in. A thickness of 0 is no cover.
     options
         How to look for the pressure dependence.
     held
@@ -229,6 +234,8 @@ class TestPlan:
     compression_modulus: float | None = None
     roughness: float | None = None
     remove_shear: bool | None = None
+    cover_thickness: float | None = None
+    cover_shear_modulus: float | None = None
     options: PressureOptions = field(default_factory=PressureOptions)
     held: Held = FREE
     provenance: Provenance = field(default_factory=lambda: Provenance(Kind.MEASURED))
@@ -266,6 +273,24 @@ class TestPlan:
     def removes_shear(self) -> bool:
         """Whether the sample's own shear is taken off."""
         return self.shear_compliance > 0.0 and self.remove_shear is not False
+
+    @property
+    def cover_compliance(self) -> float:
+        """h/G of the test belt's cover, 0 if there is none or it is not known [m/Pa]."""
+        return (self.cover_thickness or 0.0) / (self.cover_shear_modulus or math.inf)
+
+    @property
+    def removed_compliance(self) -> float:
+        """h/G of what is taken off the travel [m/Pa]."""
+        return self.cover_compliance + (self.shear_compliance if self.removes_shear else 0.0)
+
+    @property
+    def slip_includes(self) -> tuple[str, ...] | None:
+        """What the slip of the law holds besides the sliding; None where a figure tells not."""
+        if self.digitised is not None and self.cover_thickness is None:
+            return None
+        in_slip = (not self.removes_shear, self.cover_thickness is None)
+        return tuple(part for part, there in zip(SLIP_INCLUDES, in_slip, strict=True) if there)
 
     @property
     def saturation_pressure(self) -> float | None:

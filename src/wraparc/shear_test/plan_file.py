@@ -74,6 +74,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         for position, item in enumerate(record.get("test") or (), start=1)
         if isinstance(item, Record)
     ]
+    _check_cover(record.get("test_belt"), report)
     uncertainty = _uncertainty(record.get("uncertainty"), report)
     digitised = _digitised(record.get("digitised"), report)
     fit = record.get("fit", {})
@@ -87,6 +88,7 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         tests=tuple(tests),
         options=FIT_OPTIONS.built(fit, report) or PressureOptions(),
         remove_shear=fit.get("remove_shear"),
+        **record.get("test_belt", {}),
         held=FIXED.built(fit.get("fixed"), report) or FREE,
         provenance=digitised.provenance(provenance)
         if digitised
@@ -98,6 +100,19 @@ def plan_from_document(document: Document, *, file: str = "", folder: str = "") 
         folder=folder,
         **record["lagging"],
     )
+
+
+def _check_cover(record: Any, report: Report) -> None:
+    """Report a cover that shears by nobody knows how much."""
+    if not isinstance(record, Record) or not record.sound():
+        return
+    if record.get("cover_thickness") and "cover_shear_modulus" not in record:
+        report.add(
+            (*record.place, "cover_shear_modulus"),
+            "missing, and the cover shears",
+            "Give it (0.8 to 1.5 MPa is usual), or leave [test_belt] out: its shear then stays in "
+            "the slip, and the law says so.",
+        )
 
 
 def _sourced(provenance: Provenance, head: ReportHead) -> Provenance:

@@ -150,6 +150,21 @@ RIG = Table(
     of=Rig,
 )
 
+TEST_BELT = Table(
+    "Belt of the tests",
+    need(
+        "cover_thickness",
+        "Rubber between a sliding face and the carcass; 0 mm where nothing shears.",
+        Quantity("length", Limit("length", most=0.06)),
+        example='cover_thickness = "4 mm"',
+    ),
+    Entry(
+        "cover_shear_modulus",
+        "Shear modulus of that rubber.",
+        Quantity("pressure", Limit("pressure", 1e4)),
+    ),
+)
+
 _PART = Percent(0.5)
 UNCERTAINTY = Table(
     "Largest errors, common to all tests",
@@ -258,6 +273,7 @@ PLAN = Table(
     FORMAT_ENTRY,
     need("lagging", kind=LAGGING, example="a [lagging] table"),
     need("rig", kind=RIG, example='[rig] with sample_area = "400 cm2"'),
+    Entry("test_belt", "Its cover, to take its shear off the travel.", TEST_BELT),
     Entry("columns", kind=COLUMNS),
     Entry("all_tests", "What holds for all tests; a [[test]] overrules it.", ALL_TESTS),
     Entry("report", "Title block and signatures of the report.", REPORT),

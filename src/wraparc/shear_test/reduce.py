@@ -56,7 +56,8 @@ class Sample:
     faces
         Number of faces that slide.
     shear_compliance
-        h/G of the lagging, to take its own shear off the travel [m/Pa]; 0 to leave it in.
+        h/G of lagging and belt cover, to take their shear off the travel [m/Pa]; 0 to leave it
+        in.
     compliance
         Of the rig [m/N].
     normal_force

@@ -48,6 +48,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
     misfit += surface_questions(plan.surface, found.condition, peaks, plan.rig.faces)
     remarks = [
         _shear_sentence(plan),
+        _cover_sentence(plan),
         _tests_sentence(tests, found.levels),
         *_unused(plan),
         *_held(plan),
@@ -289,6 +290,23 @@ def _predictions(left_out: Sequence[LeftOut]) -> list[str]:
 def _in_noise(item: LeftOut) -> str:
     levels = item.noise_levels
     return f"{levels:.1f} noise levels" if levels < _CLEARLY else "far above the noise"
+
+
+def _cover_sentence(plan: TestPlan) -> str:
+    """Say what became of the shear of the test belt's cover."""
+    if plan.cover_compliance > 0.0:
+        return (
+            f"the shear of the test belt's cover, h/G = {plan.cover_compliance * 1e9:.3g} mm/MPa "
+            "times the shear stress, is taken off the travel"
+        )
+    if plan.cover_thickness is not None:
+        return "the test belt has no cover that shears, as the plan says"
+    if plan.digitised is not None:
+        return "whether the slip of the figure includes the shear of a belt cover is not stated"
+    return (
+        "the shear of the test belt's cover is in the slip, for its thickness and modulus were not "
+        "given ([test_belt])"
+    )
 
 
 def _shear_sentence(plan: TestPlan) -> str:

@@ -25,7 +25,7 @@ class VirtualRig:
     faces
         Number of sliding faces.
     shear_compliance
-        h/G of the sample [m/Pa].
+        h/G of the sample and of the belt cover that it slides on [m/Pa].
     compliance
         Of the rig [m/N].
     lash

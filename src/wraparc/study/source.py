@@ -15,8 +15,8 @@ from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import held_by
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
-from wraparc.drive.tension_rules import LoadGiven
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
+from wraparc.drive.tension_rules import LoadGiven
 from wraparc.errors import InputError
 from wraparc.files.conditions import refuse_several
 from wraparc.files.tensions import KEYS, Given, spread
