@@ -46,6 +46,9 @@ export class Description {
     recovery,
     belt_speed,
     wear_coefficient,
+    shear_compliance,
+    pitch_offset,
+    centrifugal,
   ) {
     this.entry_tension = entry_tension;
     this.exit_tension = exit_tension;
@@ -60,6 +63,9 @@ export class Description {
     this.recovery = recovery;
     this.belt_speed = belt_speed;
     this.wear_coefficient = wear_coefficient;
+    this.shear_compliance = shear_compliance;
+    this.pitch_offset = pitch_offset;
+    this.centrifugal = centrifugal;
   }
   *[Symbol.iterator]() {
     yield this.entry_tension;
@@ -75,6 +81,9 @@ export class Description {
     yield this.recovery;
     yield this.belt_speed;
     yield this.wear_coefficient;
+    yield this.shear_compliance;
+    yield this.pitch_offset;
+    yield this.centrifugal;
   }
 }
 
@@ -705,19 +714,6 @@ export class Loaded {
   }
 }
 
-export class AtLimit {
-  constructor(limit, cause, met) {
-    this.limit = limit;
-    this.cause = cause;
-    this.met = met;
-  }
-  *[Symbol.iterator]() {
-    yield this.limit;
-    yield this.cause;
-    yield this.met;
-  }
-}
-
 export class Line {
   constructor(tight, slack, tight_rise, slack_rise) {
     this.tight = tight;
@@ -730,6 +726,19 @@ export class Line {
     yield this.slack;
     yield this.tight_rise;
     yield this.slack_rise;
+  }
+}
+
+export class AtLimit {
+  constructor(limit, cause, met) {
+    this.limit = limit;
+    this.cause = cause;
+    this.met = met;
+  }
+  *[Symbol.iterator]() {
+    yield this.limit;
+    yield this.cause;
+    yield this.met;
   }
 }
 
@@ -1120,7 +1129,7 @@ export function load_case__pull_of_power(power, speed) {
 /** Effective tension that a drive gives, nan where it gives both tensions [N]. */
 export function in_page__pull_of(given) {
   if (given.torque === given.torque) {
-    return load_case__pull_of_torque(given.torque, given.diameter);
+    return load_case__pull_of_torque(given.torque, given.diameter + 2.0 * given.pitch_offset);
   }
   if (given.power === given.power) {
     return load_case__pull_of_power(given.power, given.speed);
@@ -1131,6 +1140,17 @@ export function in_page__pull_of(given) {
 /** Return the exit tension; that of the entry where rounding alone sets the two apart [N]. */
 export function load_case__exit_behind(entry, leaving) {
   return Math.abs(entry - leaving) <= ROUNDING * entry ? entry : leaving;
+}
+
+/** M v^2, what of the tension presses on no pulley [N]. */
+export function pitch__centrifugal_force(mass, speed) {
+  return mass * speed * speed;
+}
+
+/** M v^2 of a belt [N]; 0 where its mass or its speed is not known. */
+export function in_page__lift_of(given) {
+  let force = pitch__centrifugal_force(given.mass, given.speed);
+  return force === force ? force : 0.0;
 }
 
 /** Arc of a drive by its numbers. */
@@ -1153,7 +1173,16 @@ export function in_page__description_of(given) {
     given.recovery,
     given.speed,
     given.wear_coefficient,
+    (given.slip_with_shear ? 0.0 : given.thickness / given.shear_modulus) + given.cover_compliance,
+    given.pitch_offset,
+    in_page__lift_of(given),
   );
+}
+
+/** Radius [m], wrap angle [rad] and width [m] of the same arc without thickness. */
+export function pitch__thin_belt(radius, wrap_angle, width, offset) {
+  let share = radius / (radius + offset);
+  return [radius + offset, wrap_angle * share, width * share];
 }
 
 /** Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5]. */
@@ -1171,28 +1200,37 @@ export function summary__recovery_compliance(arc) {
   return (2.0 * squeeze) / (arc.width * arc.diameter * (0.5 * arc.diameter));
 }
 
-/** Numbers of the arc for the march; `onset` is that of its law [m/Pa]. */
+/** Numbers of the arc for the solver; `onset` is that of its law [m/Pa]. */
 export function summary__geometry_of(arc, onset) {
   let radius = 0.5 * arc.diameter;
+  const found1 = pitch__thin_belt(radius, arc.wrap_angle, arc.width, arc.pitch_offset);
+  let pitch = found1[0];
+  let wrap = found1[1];
+  let width = found1[2];
   let given = arc.overrun === arc.overrun;
   let by_formula = summary__overrun_coefficient(arc.thickness / arc.compression_modulus, radius);
   return new Geometry(
     arc.entry_tension >= arc.exit_tension ? 1.0 : -1.0,
-    radius,
-    arc.wrap_angle,
-    arc.width,
+    pitch,
+    wrap,
+    width,
     1.0 / arc.axial_stiffness + summary__recovery_compliance(arc),
-    arc.thickness / arc.shear_modulus,
+    arc.shear_compliance,
     given ? arc.overrun : 0.0,
     given ? 0.0 : by_formula,
     onset,
   );
 }
 
+/** Wrap pressure at a tension [N], 2 (T - m v^2)/(B D) [Pa]. */
+export function summary__pressure_of(arc, tension) {
+  return (2.0 * (tension - arc.centrifugal)) / (arc.width * arc.diameter);
+}
+
 /** Whether friction falls so steeply that slip and shear of the lagging are not unique. */
 export function summary__too_steep(arc, fall) {
-  let top = (2.0 * max(arc.entry_tension, arc.exit_tension)) / (arc.width * arc.diameter);
-  return (arc.thickness / arc.shear_modulus) * top * fall <= -1.0;
+  let tight = max(arc.entry_tension, arc.exit_tension);
+  return arc.shear_compliance * summary__pressure_of(arc, tight) * fall <= -1.0;
 }
 
 /** Whether a law holds the belt without slip: its friction begins above zero. */
@@ -1540,8 +1578,11 @@ export function in_page__refused(law, arc, fall) {
   if (!(min(entry, leaving) >= LEAST_TENSION && max(entry, leaving) <= MOST_TENSION)) {
     return true;
   }
+  if (arc.centrifugal >= min(entry, leaving)) {
+    return true;
+  }
   let geometry = summary__geometry_of(arc, law.onset_compliance);
-  let pressure = (2.0 * entry) / (arc.width * arc.diameter);
+  let pressure = summary__pressure_of(arc, entry);
   return summary__too_steep(arc, fall) || summary__kicked_loose(law, geometry, pressure);
 }
 
@@ -1556,7 +1597,8 @@ export function in_page__load_of(given, arc, tested) {
   }
   let limit = given.creep_limit;
   let fall = given.steepest_fall;
-  return new Load(arc.entry_tension, arc.exit_tension, limit, low, high, slip, fall);
+  let lift = arc.centrifugal;
+  return new Load(arc.entry_tension - lift, arc.exit_tension - lift, limit, low, high, slip, fall);
 }
 
 /** Traction of an arc by its law. */
@@ -3382,8 +3424,8 @@ export function summary__columns_of(law, arc, rest, out, count) {
     s = out[o];
     slip = out[o + 2];
     tau = out[o + 4];
-    tension = arc.entry_tension * Math.exp(out[o + 1]);
-    pressure = (2.0 * tension) / (arc.width * arc.diameter);
+    tension = (arc.entry_tension - arc.centrifugal) * Math.exp(out[o + 1]) + arc.centrifugal;
+    pressure = summary__pressure_of(arc, tension);
     slides = (s > rest || rest === 0.0) && (slip !== 0.0 || tau === 0.0);
     felt = slides ? slip : copysign(NEXT_SLIP, tau === 0.0 ? side : tau);
     columns.position[i] = s / (0.5 * arc.diameter);
@@ -3742,7 +3784,7 @@ export function summary__summary_of(geometry, arc, tested, found) {
   }
   let entry = arc.entry_tension;
   let exit_tension = arc.exit_tension;
-  let radius = geometry.radius;
+  let radius = 0.5 * arc.diameter;
   let told = profile__read(geometry, found.met, summary__range_of(tested));
   let pull = entry - exit_tension;
   let g = told.creep_ratio;
@@ -3750,16 +3792,18 @@ export function summary__summary_of(geometry, arc, tested, found) {
   let kappa = summary__recovery_compliance(arc);
   let compliance = 1.0 / arc.axial_stiffness + kappa;
   let recovery = compliance > 0.0 ? kappa / compliance : 0.0;
-  let overrun = collocation__overrun_at(geometry, entry)[0];
+  let overrun = collocation__overrun_at(geometry, entry - arc.centrifugal)[0];
   let distributed = told.creep - overrun - g * length;
-  let shear = arc.thickness / arc.shear_modulus;
-  let kept = 0.5 * shear * (told.stress * told.stress - told.entry_stress * told.entry_stress);
+  let kept =
+    0.5 *
+    arc.shear_compliance *
+    (told.stress * told.stress - told.entry_stress * told.entry_stress);
   let work = told.loss - kept;
   if (Math.abs(work) < 1e-12 * (Math.abs(told.loss) + Math.abs(kept))) {
     work = 0.0;
   }
   let speed = g < 1.0 ? arc.belt_speed / (1.0 - g) : NaN;
-  let part = Math.abs(pull) > 1e-6 * entry ? (arc.width * told.loss) / Math.abs(pull) : NaN;
+  let part = Math.abs(pull) > 1e-6 * entry ? (geometry.width * told.loss) / Math.abs(pull) : NaN;
   let efficiency = pull > 0.0 ? 1.0 - part : 1.0 / (1.0 + part);
   return new Summary(
     entry,
@@ -3782,14 +3826,14 @@ export function summary__summary_of(geometry, arc, tested, found) {
     told.outside,
     told.stuck / radius,
     speed * pull,
-    speed * arc.width * work,
-    speed * arc.width * kept,
-    speed * arc.width * told.loss,
+    speed * geometry.width * work,
+    speed * geometry.width * kept,
+    speed * geometry.width * told.loss,
     efficiency,
     work,
     1000000.0 * arc.wear_coefficient * work,
-    (arc.width * told.miss) /
-      max(max(Math.abs(arc.width * told.loss), 1e-6 * entry * Math.abs(g)), 1e-300),
+    (geometry.width * told.miss) /
+      max(max(Math.abs(geometry.width * told.loss), 1e-6 * entry * Math.abs(g)), 1e-300),
   );
 }
 
@@ -4351,11 +4395,6 @@ export function sliding__pull_at_sliding(of, line, begin) {
   return first.place === Infinity ? sliding__slide_place(of, line, 1.0, 0.0, 1.0) : first;
 }
 
-/** Pressure of the belt on the pulley, 2 T/(B D) [Pa]. */
-export function numbers__wrap_pressure_of(tension, width, diameter) {
-  return (2.0 * tension) / (width * diameter);
-}
-
 /** Largest magnitude in a column. */
 export function numbers__largest(column, count) {
   let i;
@@ -4398,17 +4437,29 @@ export function numbers__passes_an_hour(speed, diameter) {
   return (3600.0 * speed) / (3.141592653589793 * diameter);
 }
 
-/** Capacities and margins of an arc with its tensions [N] and its wrap angle [rad]. */
-export function summary__capacity_numbers(entry, leaving, wrap_angle, carried) {
+/** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
+export function summary__tension_ratio_of(arc, carried) {
+  if (arc.centrifugal === 0.0) {
+    return Math.exp(carried);
+  }
+  let tight = max(arc.entry_tension, arc.exit_tension);
+  return tight / ((tight - arc.centrifugal) * Math.exp(-carried) + arc.centrifugal);
+}
+
+/** Capacities and margins of an arc. */
+export function summary__capacity_numbers(arc, carried) {
+  let entry = arc.entry_tension;
+  let leaving = arc.exit_tension;
+  let wrap_angle = arc.wrap_angle;
   let actual = max(entry, leaving) / min(entry, leaving);
-  let creep = Math.exp(carried.creep_limit);
-  let slip = Math.exp(carried.tested_slip);
-  let gross = Math.exp(carried.gross_slip);
+  let creep = summary__tension_ratio_of(arc, carried.creep_limit);
+  let slip = summary__tension_ratio_of(arc, carried.tested_slip);
+  let gross = summary__tension_ratio_of(arc, carried.gross_slip);
   return new CapacityNumbers(
     creep,
     creep / actual,
     Math.log(creep) / wrap_angle,
-    carried.least_slack,
+    carried.least_slack + arc.centrifugal,
     carried.most_pull,
     slip,
     slip / actual,
@@ -4461,11 +4512,13 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
   let area = arc.width * (0.5 * arc.diameter);
-  let top = capacity__highest_tight(limits.tested_pressure_max, area, tight);
-  let of = new Pull(Math.abs(entry - leaving), tight, top);
+  let flung = arc.centrifugal;
+  let top = capacity__highest_tight(limits.tested_pressure_max, area, tight - flung);
+  let of = new Pull(Math.abs(entry - leaving), tight - flung, top);
   let by_slip = NaN;
   if (limits.tested_slip < given.creep_limit) {
-    by_slip = least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
+    by_slip =
+      flung + least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
   let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise, begin);
   return new Asked(
@@ -4473,9 +4526,9 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
     end - slack + by_slip,
     end - slack + limits.design_standard,
     end + (lift === lift ? lift : Infinity),
-    end - slack + limits.tested_pressure_min * area,
-    end - tight + limits.tested_pressure_max * area,
-    end - tight + limits.face_pressure * area,
+    end - slack + limits.tested_pressure_min * area + flung,
+    end - tight + limits.tested_pressure_max * area + flung,
+    end - tight + limits.face_pressure * area + flung,
     end - tight + limits.belt_tension,
     limits.sag + end - among.slack_end,
     end,
@@ -4548,10 +4601,10 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
-  let tight = max(entry, leaving);
-  let slack = min(entry, leaving);
-  let begin = sliding__at_limits(loaded);
+  let tight = max(entry, leaving) - arc.centrifugal;
+  let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
+  let begin = sliding__at_limits(loaded);
   let sliding = sliding__pull_at_sliding(loaded, line, begin);
   if (sliding.place !== sliding.place) {
     return null;
@@ -4562,19 +4615,19 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     Math.abs(summary.exit_creep),
     max(entry, leaving),
     max(entry, leaving),
-    numbers__wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
+    summary__pressure_of(arc, max(entry, leaving)),
     summary.peak_shear_stress,
     summary.peak_shear_stress,
-    numbers__wrap_pressure_of(max(entry, leaving), arc.width, arc.diameter),
-    numbers__wrap_pressure_of(min(entry, leaving), arc.width, arc.diameter),
+    summary__pressure_of(arc, max(entry, leaving)),
+    summary__pressure_of(arc, min(entry, leaving)),
     numbers__largest(profile.slip, count),
     arc.belt_speed *
       numbers__steepest(
         profile.position,
         profile.slip,
         count,
-        geometry.radius,
-        geometry.radius * arc.wrap_angle,
+        0.5 * arc.diameter,
+        0.5 * arc.diameter * arc.wrap_angle,
       ),
     numbers__balance_miss(
       summary.identity_error,
@@ -4591,7 +4644,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   return new Judged(
     solved,
     summary,
-    summary__capacity_numbers(entry, leaving, arc.wrap_angle, carried),
+    summary__capacity_numbers(arc, carried),
     values,
     limits,
     others.held,
@@ -4599,7 +4652,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
       loaded,
       begin,
       arc,
-      carried.least_slack,
+      carried.least_slack + arc.centrifugal,
       limits,
       given,
       criteria.safety,
