@@ -16,7 +16,8 @@ from wraparc.train.newton import linearized
 from wraparc.train.result import MotorPoint
 from wraparc.train.system import Line, System
 from wraparc.train.train import Pair, along
-from wraparc.units import GIVEN_DIGITS, System, display
+from wraparc.units import GIVEN_DIGITS, display
+from wraparc.units import System as Units
 
 #: Pull over tension that is rounding only.
 _IDLE = 1e-11
@@ -122,7 +123,7 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     )
 
 
-def surface_sentence(diameter: float, system: System) -> str:
+def surface_sentence(diameter: float, system: Units) -> str:
     """Return what the speed of a drum [m] misses without the thickness of the belt."""
     shift = 100.0 * USUAL_OFFSET / (0.5 * diameter)
     belt, drum = (display(d, "length", system, 3) for d in (2.0 * USUAL_OFFSET, diameter))
