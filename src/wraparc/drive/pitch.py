@@ -25,14 +25,9 @@ from wraparc.provenance import Provenance
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
-<<<<<<< HEAD
-=======
 #: Offset of the tension member in a belt of 10 mm, for the size of what is missing without one [m].
 USUAL_OFFSET = 5e-3
-#: What the slip of a law may include beside slip, as its `slip_includes` says.
-LAGGING_SHEAR, COVER_SHEAR = "lagging shear", "cover shear"
 
->>>>>>> belt
 
 class Layers(NamedTuple):
     """The layers of a belt, nan where they are not known."""

@@ -7,22 +7,15 @@ from collections.abc import Iterator
 
 from wraparc.alike import largest, least
 from wraparc.checks import Level, judge_run
-<<<<<<< HEAD
 from wraparc.checks.of_run import otherwise
-=======
 from wraparc.drive.pitch import pitch_offset
->>>>>>> belt
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.present.checks_table import check_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
-<<<<<<< HEAD
 from wraparc.present.words import in_words, told_twice
-=======
-from wraparc.present.words import in_words
 from wraparc.train import Train
 from wraparc.train.turning import surface_sentence
->>>>>>> belt
 from wraparc.units import Dimension, System, display
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
