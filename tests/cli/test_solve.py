@@ -32,7 +32,9 @@ def drive(tmp_path: Path) -> Path:
 def test_a_drive_within_its_limit(drive: Path) -> None:
     ran = wraparc("solve", drive, "--load-case", "empty")
     assert (ran.code, ran.err) == (0, "")
-    assert ran.out.startswith("Head drive\n\nOK dry only, on illustrative data  All 9 checks are kept")
+    assert ran.out.startswith(
+        "Head drive\n\nOK dry only, on illustrative data  All 9 checks are kept"
+    )
     assert "CEMA, Belt Conveyors for Bulk Materials" in ran.out
 
 
