@@ -293,7 +293,10 @@ ROWS = (
     Row("an overrun that no lagging makes", (("diameter", 'overrun = "4 mm"\ndiameter'),),
         ("overrun", "4 mm", "2 mm"), ("OK",), level="ATTENTION"),
     # conveyors
-    Row("a conveyor that keeps its checks", (), ("OK dry only",), (), base=CONVEYOR, level="OK"),
+    Row("a conveyor that keeps its checks", (), ("OK dry only",), (), ALIKE, base=CONVEYOR,
+        level="OK"),
+    Row("what the page leaves to the program", (("22 kg/m", "0.022 kg/m"),),
+        ("check the units", "wraparc solve"), ("OK",), ("page",), base=CONVEYOR),
     Row("a belt of grams", (("22 kg/m", "22 g/m"),), ("belt mass", "22 kg/m"), ("OK",),
         base=CONVEYOR, level="ATTENTION"),
     Row("idlers of grams", (("16 kg/m", "16 g/m"),), ("carry idler mass", "16 kg/m"), ("OK",),
@@ -404,7 +407,8 @@ ROWS = (
         ("ATTENTION", "run out of event start, 20 mm", "2 mm"), ("OK",), ("run",), base=MOTION),
     # selection and studies
     Row("the cheapest has more wrap and tension for nothing", (),
-        ("OK dry only", "Choose full-ceramic, wrap 180 deg, slack side 20 kN"), ("210 deg",), ("choose",)),
+        ("OK dry only", "Choose full-ceramic, wrap 180 deg, slack side 20 kN"), ("210 deg",),
+        ("choose",)),
     Row("every candidate is below the standard", (("", '[take_up]\nkind = "fixed"\n'),
                                                   ("120 kN", "245 kN"), ("75 kN", "130 kN")),
         ("ATTENTION", "No candidate reaches", "Cw"), ("OK", "Choose"), ("choose",)),
