@@ -11,7 +11,7 @@ from wraparc.cli.output import Content, deliver
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
-from wraparc.train.matching import wet_laggings
+from wraparc.train.matching import WEAR, wet_laggings
 from wraparc.units import System, display, parse_quantity
 
 
@@ -33,7 +33,7 @@ from wraparc.units import System, display, parse_quantity
     show_default=True,
     help="Points of every curve.",
 )
-@click.option("--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a drum.")
+@click.option("--wear", metavar="DEPTH", help="Wear of a drum; 1 mm if not given.")
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
 @units_option
 @click.option("--set", "settings", multiple=True, metavar="KEY=VALUE", help="As for solve.")
@@ -46,7 +46,7 @@ def trim(
     load_case: str,
     span: tuple[str, str] | None,
     points: int,
-    wear: str,
+    wear: str | None,
     with_map: bool,
     units: System,
     settings: tuple[str, ...],
@@ -76,7 +76,7 @@ def trim(
     read = load_whole(file, overrides=settings)
     train = read if isinstance(read, Train) else Train.of(read)
     drive = _drive(train, pulley, file)
-    depth = _wear(wear, train)
+    depth = WEAR if wear is None else _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
     _check_case(train, load_case, file)
     files: dict[str, Content] = {}

@@ -216,7 +216,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
             f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
         )
     judged = judge(result)
-    missed = f" As it is: {in_short(judged)}." if judged.missed else ""
+    missed = in_short(judged, system)
     sentences = [
         *([as_it_is(judged, system)] if judged.missed else []),
         *_who_and_why(matching),
@@ -225,7 +225,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
         *_changes(matching, system),
         *_losses(matching),
     ]
-    return Verdict(judged.level, f"{headline}.{missed}", tuple(sentences), judged.word)
+    return Verdict(judged.level, f"{headline}. {missed}".rstrip(), tuple(sentences), judged.word)
 
 
 def _to_set(matching: Matching, name: str) -> str:
