@@ -30,7 +30,7 @@ def lead(words: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def of_page() -> dict[str, dict[str, str]]:
+def of_page() -> dict[str, dict[str, str | None]]:
     """Return what the page of one file says first of its rows, and of the least tension."""
     rows = [row for row in ROWS if "page" in row.doors]
     told = {
@@ -83,10 +83,12 @@ def test_the_first_lines_say_what_is_the_matter(
 
 
 def test_the_page_tells_the_least_tension_of_the_program(
-    of_page: dict[str, dict[str, str]], tmp_path: Path
+    of_page: dict[str, dict[str, str | None]], tmp_path: Path
 ) -> None:
     path = tmp_path / "drive.toml"
-    for row in (row for row in ROWS if "page" in row.doors):
+    judged = [row for row in ROWS if of_page.get(row.name, {}).get("least") is not None]
+    assert len(judged) > 10
+    for row in judged:
         path.write_text(row.text, "utf-8")
         assert of_page[row.name]["least"] == least_sentence(solved(path)), row.name
 

@@ -27,7 +27,7 @@ def test_a_choice_names_the_data_of_its_lagging(tmp_path: Path) -> None:
     (tmp_path / "choose.toml").write_text(text, "utf-8")
     ran = wraparc("choose", tmp_path / "choose.toml")
     assert ran.code == 0, ran.err
-    assert "OK, on illustrative data Choose" in ran.words
+    assert "OK dry only, on illustrative data Choose" in ran.words
 
 
 def test_a_thinner_lagging_is_compressed_less_on_a_brake_too() -> None:

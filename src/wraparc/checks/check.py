@@ -370,15 +370,25 @@ class Verdict:
 
     def _kept(self, count: int, system: System) -> str:
         """Say that checks are kept; of a drive computed dry only, what wet would give."""
-        if not self.wet >= 0.0:
-            return f"All {count} checks are kept{', dry only' if math.isnan(self.wet) else ''}"
-        wet = "it slips through"
-        if math.isfinite(self.wet):
-            wet = f"it creeps {quantity_text(self.wet, 'length', system)}"
+        if self.over_wet:
+            return f"{self.beyond_wet(system)}: all {count} checks are kept dry only"
+        told = f"All {count} checks are kept"
+        if self.wet < 0.0:
+            return told
+        known = not math.isnan(self.wet)
+        return f"{told}, dry only{f' ({self._when_wet(system)})' if known else ''}"
+
+    def _when_wet(self, system: System) -> str:
+        if math.isinf(self.wet):
+            return "wet it slips through"
+        return f"wet it creeps {quantity_text(self.wet, 'length', system)}"
+
+    def beyond_wet(self, system: System = "si") -> str:
+        """Return, without a full stop, that wet a limit is missed which is kept dry; or nothing."""
         if not self.over_wet:
-            return f"All {count} checks are kept, dry only (wet {wet})"
+            return ""
         limit = ", beyond its limit" if math.isfinite(self.wet) else ""
-        return f"Wet {wet}{limit}: all {count} checks are kept dry only"
+        return f"{_capital(self._when_wet(system))}{limit}"
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""

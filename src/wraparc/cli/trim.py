@@ -9,7 +9,7 @@ from wraparc.cli.output import Content
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
-from wraparc.train.matching import wet_laggings
+from wraparc.train.matching import WEAR, wet_laggings
 from wraparc.units import System, display, parse_quantity
 
 
@@ -30,9 +30,7 @@ from wraparc.units import System, display, parse_quantity
     show_default=True,
     help="Points of every curve.",
 )
-@click.option(
-    "--wear", metavar="DEPTH", default="1 mm", show_default=True, help="Wear of a pulley."
-)
+@click.option("--wear", metavar="DEPTH", help="Wear of a drum; 1 mm if not given.")
 @click.option("--map", "with_map", is_flag=True, help="Add a map of share over trim and load.")
 @answers(
     "drives",
@@ -51,7 +49,7 @@ def trim(
     load_case: str,
     span: tuple[str, str] | None,
     points: int,
-    wear: str,
+    wear: str | None,
     with_map: bool,
     settings: tuple[str, ...],
 ) -> int:
@@ -66,7 +64,7 @@ def trim(
     read = load_whole(file, overrides=settings)
     train = read if isinstance(read, Train) else Train.of(read)
     drive = _drive(train, pulley, file)
-    depth = _wear(wear, train)
+    depth = WEAR if wear is None else _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
     with placed("--load-case", file):
         train.case(load_case)

@@ -13,6 +13,7 @@ from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.drive import Sag
+from wraparc.drive.conditions import DRY
 from wraparc.present.choose_words import (
     below_standard,
     design_name,
@@ -124,7 +125,11 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
     level = Level.ATTENTION if below or silent else Level.OK
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
-    ground = f"{level}, on {kind} data" if level is Level.OK and kind in WEAK else ""
+    ground = ""
+    if level is Level.OK:
+        dry = all(c.name == DRY for c in selection.search.conditions)
+        ground = f"{level}{' dry only' if dry else ''}"
+        ground += f", on {kind} data" if kind in WEAK else ""
     return Verdict(level, headline, tuple(sentences), ground)
 
 

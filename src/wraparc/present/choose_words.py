@@ -179,10 +179,14 @@ def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[s
     currency = selection.search.costing.currency
     if other is None:
         if len(selection.search.laggings) > 1:
-            yield (
-                f"No feasible candidate has a more expensive lagging than "
-                f"{design_name(selection, best)}, which also costs least over its life."
+            names = [lagging.name for lagging in selection.search.laggings]
+            ranking, total = selection.ranking, selection.costs.total
+            own, cheapest = (
+                names[selection.grid.places[0, i]]
+                for i in (best, int(ranking[np.argmin(total[ranking])]))
             )
+            also = ", which also costs least over its life" if own == cheapest else ""
+            yield f"No feasible candidate has a more expensive lagging than {own}{also}."
         return
     more = selection.costs.total[other] - selection.costs.total[best]
     changes = [

@@ -64,9 +64,9 @@ def field_sheet(
 
 def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
     worst, governing = found.worst, judged.governing
-    why, as_is = "", []
+    why, as_is = in_short(judged, system), []
+    why += " " if why else ""
     if governing is not None and governing.missed:
-        why = f"As it is: {in_short(judged)}. "
         as_is = [as_it_is(judged, system)]
     at_once, again = [*_at_once(found, worst)], _circumference(found, system)
     who = "A healthy drive" if found.alarm > worst else "The drive as described"

@@ -230,7 +230,7 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
             f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
         )
     judged = judge(result)
-    missed = f" As it is: {in_short(judged)}." if judged.missed else ""
+    missed = in_short(judged, system)
     as_is = [as_it_is(judged, system)] if judged.missed else []
     load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
@@ -243,7 +243,8 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
         *losses,
     ]
     kept = (*as_is, *load, *losses)
-    return Verdict(judged.level, f"{headline}.{missed}", tuple(sentences), judged.word, kept=kept)
+    words = f"{headline}. {missed}".rstrip()
+    return Verdict(judged.level, words, tuple(sentences), judged.word, kept=kept)
 
 
 def _to_set(matching: Matching, name: str) -> str:

@@ -14,7 +14,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.across_tables import across_data, compared_table
 from wraparc.present.least_tension import at_least, least_name, shown_least
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, row_of
-from wraparc.present.words import alone, as_it_is, short
+from wraparc.present.words import alone, as_it_is, in_short, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
 from wraparc.units import System
@@ -64,6 +64,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     rows += _standards(wholes, system)
     across = compared_table(_by_itself(found), heads, system)
     as_is = judge(wholes[0])
+    wet = "" if as_is.missed else in_short(as_is, system)
     sentences = [as_it_is(as_is, system)] if as_is.missed else []
     kept = [*sentences]
     for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
@@ -76,7 +77,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
         verdict=Verdict(
             as_is.level,
-            _headline(found, system),
+            f"{_headline(found, system)} {wet}".rstrip(),
             tuple(sentences),
             re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
             kept=tuple(kept),

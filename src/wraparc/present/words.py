@@ -66,12 +66,13 @@ def as_it_is(told: Judgement, system: System) -> str:
     return f"As it is: {told.headline(system)}"
 
 
-def in_short(told: Judgement) -> str:
-    """Return what governs a verdict that misses something, in a few words, and where."""
-    worst = told.governing
-    if worst is None:
-        return ""
-    return f"{worst.short} ({worst.place})" if str(worst.place) else worst.short
+def in_short(told: Judgement, system: System) -> str:
+    """Return what a drive misses as it is, in a few words, or what it misses wet; else nothing."""
+    worst, wet = told.governing, told.beyond_wet(system)
+    if worst is None or not worst.missed:
+        return f"{wet}." if wet else ""
+    where = f" ({worst.place})" if str(worst.place) else ""
+    return f"As it is: {worst.short}{where}."
 
 
 def level_of(result: DriveResult, arc: ArcResult) -> Level:
