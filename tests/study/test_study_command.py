@@ -49,6 +49,7 @@ def test_monte_carlo_of_a_wet_and_dry_drive(tmp_path: Path) -> None:
     ran = wraparc(
         "study", EXAMPLES / "wet-dry.toml", "-o", tmp_path / "a.parquet",
         "--set", "sampling.samples=64", "--set", 'load_cases=["design"]', "--units", "us",
+        "--full",
     )  # fmt: skip
     assert ran.code == 0, ran.err
     assert "design, wet: probability by exit tension" in ran.words
@@ -61,7 +62,7 @@ def test_sensitivity(tmp_path: Path) -> None:
     ran = wraparc(
         "study", EXAMPLES / "sensitivity.toml", "-o", tmp_path / "a.parquet",
         "--set", "sampling.samples=64", "--plot", tmp_path / "a.png",
-        "--report", tmp_path / "a.html",
+        "--report", tmp_path / "a.html", "--full",
     )  # fmt: skip
     assert ran.code == 0, ran.err
     assert "Creep at exit, design: part of the variance (Sobol indices)" in ran.words

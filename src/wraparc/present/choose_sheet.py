@@ -26,8 +26,18 @@ from wraparc.present.choose_words import (
     unpriced_words,
 )
 from wraparc.present.least_tension import at_least
-from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, number, percent, quantity
-from wraparc.provenance import Kind
+from wraparc.present.sheet import (
+    WEAK,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    named,
+    number,
+    percent,
+    quantity,
+    weak_sources,
+)
 from wraparc.units import System, display_unit
 
 _MOST_ROWS = 15
@@ -58,25 +68,24 @@ def choose_sheet(
     """
     search = selection.search
     tables = [_ranking(selection, system, most), _rejected(selection, system, most)]
+    told = _verdict(selection, system, lighter)
+    remarks, sources = tuple(_remarks(selection)), tuple(_sources(selection))
     return Sheet(
         title=search.title or f"Choice for {search.drive.title}",
         subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
         f"{len(selection)} designs, {len(selection.ranking)} keep every limit"
         f"{_but_edges(selection)}.",
-        verdict=_verdict(selection, system, lighter),
+        verdict=told,
         tables=tuple(t for t in tables if t.rows),
-        remarks=tuple(_remarks(selection)),
-        sources=tuple(_sources(selection)),
+        remarks=remarks,
+        sources=sources,
+        kept=(*remarks, *(() if told.word else weak_sources(sources))),
     )
 
 
 def _but_edges(selection: Selection) -> str:
     count = len(selection.unjudged)
     return f", {count} of them not solved across the width" if count else ""
-
-
-#: Data that an OK names.
-WEAK = (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
 
 
 def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) -> Verdict:

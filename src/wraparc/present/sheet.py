@@ -5,10 +5,12 @@ label, one unit and one remark wherever it appears.
 """
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY, Quantity
+from wraparc.provenance import Kind
 from wraparc.units import RESULT_DIGITS, Dimension, System, display, display_unit
 
 #: What stands where there is no number.
@@ -136,7 +138,7 @@ class Sheet:
     foot
         Lines at its foot, without a heading.
     kept
-        Those of the remarks that a short answer keeps; all of them unless given.
+        Remarks and sources that a short answer keeps; all remarks unless given.
     """
 
     title: str
@@ -147,6 +149,15 @@ class Sheet:
     sources: tuple[str, ...] = ()
     foot: tuple[str, ...] = ()
     kept: tuple[str, ...] | None = None
+
+
+#: Kinds of data that a short answer names.
+WEAK = (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
+
+
+def weak_sources(sources: Iterable[str]) -> tuple[str, ...]:
+    """Return the sources that tell of data which describe no product, or were fitted to a drive."""
+    return tuple(s for s in sources if any(f": {kind}" in s for kind in WEAK))
 
 
 def quantity(

@@ -85,7 +85,7 @@ _PICKED: dict[str, _Pick] = {
     "records": _Pick(),
     # many designs
     "groups": _Pick(tables=1000),
-    "together": _Pick(),
+    "together": _Pick(explained=True),
     "indices": _Pick(),
     "alone": _Pick(),
     "designs": _Pick(most=12),
@@ -142,10 +142,10 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
             shown.append(part)
     words = _words(sheet.verdict)
     remarks = (sheet.remarks if sheet.kept is None else sheet.kept)[:_REMARKS]
-    ground = sheet.sources if len(sheet.sources) == 1 else ()  # what all of it is based on
+    ground = () if len(sheet.sources) > 1 else sheet.sources  # what all of it is based on
     left_out = {
         "sentence": len(sheet.verdict.sentences) - len(words) if sheet.verdict else 0,
-        "remark": len(sheet.remarks) - len(remarks),
+        "remark": sum(remark not in remarks for remark in sheet.remarks),
         "row": cut,
         "table": len(sheet.tables) - len(shown),
     }
@@ -157,7 +157,7 @@ def short_sheet(sheet: Sheet, table_hint: str = "", rest: str = "") -> Sheet:
         foot=(
             *(table.brief for table in sheet.tables if table.brief),
             *remarks,
-            *ground,
+            *(source for source in ground if source not in remarks),
             *_attention(hidden, table_hint),
             *_rest(left_out, rest),
         ),

@@ -11,7 +11,18 @@ from wraparc.alike import ALIKE
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.page import sheet_page
-from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, percent, quantity, started
+from wraparc.present.sheet import (
+    NONE,
+    Row,
+    Sheet,
+    Table,
+    named,
+    number,
+    percent,
+    quantity,
+    started,
+    weak_sources,
+)
 from wraparc.present.study_words import group_name, subtitle, varied_table, verdict
 from wraparc.study.fields import Called, names_of
 from wraparc.study.monte_carlo import (
@@ -67,13 +78,15 @@ def study_sheet(
     if local is None and summary.groups:
         tables += _group_tables(summary, units, system)
     tables += varied_table(data)
+    told, said = verdict(summary, system), (*_remarks(summary), *remarks)
     return Sheet(
         title=str(data["title"]),
         subtitle=subtitle(data),
-        verdict=verdict(summary, system),
+        verdict=told,
         tables=tuple(tables),
-        remarks=(*_remarks(summary), *remarks),
+        remarks=said,
         sources=tuple(sources),
+        kept=(*said, *(() if told.word else weak_sources(sources))),
     )
 
 
