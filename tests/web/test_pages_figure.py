@@ -1,5 +1,6 @@
 """Curves clicked on the picture of a figure. Expected values: the law that was drawn."""
 
+import base64
 import io
 import json
 import tomllib
@@ -316,6 +317,28 @@ def test_a_picture_with_a_script_is_shown_and_runs_nothing(page: Page) -> None:
     page.wait_for_selector(".figure-view image")
     assert page.evaluate("window.ran === undefined && document.title !== 'ran'")
     assert page.evaluate("document.querySelectorAll('.figure-view script').length") == 0
+
+
+@pytest.mark.parametrize("way", ["drop", "paste"])
+def test_a_picture_is_dropped_or_pasted(visitor: Visitor, way: str) -> None:
+    page = visitor.open("tests")
+    page.evaluate(
+        """([way, text]) => {
+          const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+          const data = new DataTransfer();
+          data.items.add(new File([bytes], "fig9.png", { type: "image/png" }));
+          const how = { bubbles: true, cancelable: true };
+          if (way === "paste")
+            document.body.dispatchEvent(
+              new ClipboardEvent("paste", { clipboardData: data, ...how }));
+          else
+            document.querySelector("#tests .drop").dispatchEvent(
+              new DragEvent("drop", { dataTransfer: data, ...how }));
+        }""",
+        [way, base64.b64encode(Drawn().png).decode()],
+    )
+    expect(page.get_by_role("heading", name="Curves of fig9")).to_be_visible()
+    page.wait_for_selector(".figure-view image")
 
 
 def points(p: float, n: int = 14) -> list[list[float]]:

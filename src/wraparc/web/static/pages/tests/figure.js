@@ -51,7 +51,8 @@ const begun = () => ({
   chosen: -1,
 });
 /** @type {{picture: {url: string, name: string, width: number, height: number} | null,
- *   wrong: string, zoom: number, tried: boolean, past: ReturnType<typeof shot>[]} & ReturnType<typeof begun>} */
+ *   wrong: string, zoom: number, tried: boolean, past: ReturnType<typeof shot>[]}
+ *   & ReturnType<typeof begun>} */
 const state = { picture: null, wrong: "", zoom: 1, tried: false, past: [], ...begun() };
 
 export const hasFigure = () => Boolean(state.picture);
@@ -146,7 +147,7 @@ const pressure = (c) => number(c.name) * UNITS[c.unit];
 /** @param {Curve} c */
 const nameOf = (c) => (figured() === "friction" ? `${c.name.trim()} ${c.unit}` : c.name);
 
-/** All that is wrong, under the field it is of: marks `m0` ..., curves `c0` ... and their points. */
+/** All that is wrong, by its field: marks `m0` ..., curves `c0` ..., their points `p0` ... */
 function faults() {
   const found = /** @type {Record<string, string>} */ ({});
   const quantity = figured();
@@ -213,7 +214,7 @@ function outside(p) {
 }
 /** Whether anything was clicked along a curve. */
 const any = () => state.curves.some((c) => c.points.length > 0);
-/** The points as the file that `wraparc fit` reads; "" where something is wrong, which is then told.
+/** The points as the file that `wraparc fit` reads; "" where something is wrong, which is told.
  * @returns {{name: string, text: string} | "" | null} null where there is nothing */
 export function figureFile() {
   if (!state.picture) return null;
