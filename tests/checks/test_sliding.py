@@ -35,6 +35,7 @@ from wraparc.checks.sliding import tight_at_sliding as tight_of_one
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding, tight_at_sliding
 from wraparc.drive import Lagging, TakeUp
 from wraparc.files.write import drive_document
+from wraparc.friction import PressureKnots
 from wraparc.study.source import DriveSource
 
 QUICK = Distributed(capacities=False)
@@ -218,10 +219,12 @@ def test_a_law_whose_peak_carries_most_is_known_without_its_capacities(free: boo
     """A law free of pressure, and one of several pressures; rows as the scalar solver has them."""
     law = integral_log(slope=-10.0, residual=0.4)
     if not free:
-        steep = tuple(6.0 * slope for slope in SOFTENING.coefficients.post_peak_slope)
-        low = tuple(0.4 * left for left in SOFTENING.coefficients.residual_friction)
-        pairs = {"post_peak_slope": steep, "residual_friction": low}
-        law = replace(SOFTENING, coefficients=replace(SOFTENING.coefficients, **pairs))
+        knots = SOFTENING.coefficients
+        assert isinstance(knots, PressureKnots)
+        steep = tuple(6.0 * slope for slope in knots.post_peak_slope)
+        low = tuple(0.4 * left for left in knots.residual_friction)
+        knots = replace(knots, post_peak_slope=steep, residual_friction=low)
+        law = replace(SOFTENING, coefficients=knots)
     arcs = designs(1.0, replace(load_lagging("diamond-rubber"), law=law), 3)
     for i, peaks in enumerate(LoadedRows.of(arcs).peaks.tolist()):
         arc = arcs.arc(i, [law])
