@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import pytest
 
@@ -69,9 +70,9 @@ def test_slopes_are_those_of_differences(law: str, creep: float) -> None:
     entry = 100e3
     here = through(arc, entry, creep)
     assert here.met.done
-    mesh = replace(arc)  # differences on one mesh: a mesh that adapts would show in them
-    law_of, du, da = mesh.law.compact(), 1e-4 * abs(creep), 1e-4 * entry
-    geometry = mesh.geometry()._replace(side=math.copysign(1.0, creep))
+    # differences on one mesh: a mesh that adapts would show in them
+    law_of, du, da = arc.law.compact(), 1e-4 * abs(creep), 1e-4 * entry
+    geometry = arc.geometry()._replace(side=math.copysign(1.0, creep))
 
     def at(a: float, u: float) -> Passed:
         first = passed(law_of, geometry, a, u, here.met, NO_MESH)
@@ -99,9 +100,9 @@ def test_the_ratio_rises_and_the_tension_falls_with_creep(law: str) -> None:
     arc = replace(ARC, law=LAWS[law], overrun=0.0)
     creeps = [s * 10.0**e for s in (-1.0, 1.0) for e in (-6.0, -5.0, -4.0, -3.0, -2.5, -2.0)]
     found = [through(arc, 100e3, creep) for creep in sorted(creeps)]
-    assert all(b.ratio > a.ratio for a, b in zip(found, found[1:], strict=False))
+    assert all(b.ratio > a.ratio for a, b in pairwise(found))
     if law not in ("softening", "pieces", "table"):
-        assert all(b.leaving < a.leaving for a, b in zip(found, found[1:], strict=False))
+        assert all(b.leaving < a.leaving for a, b in pairwise(found))
 
 
 def test_a_slide_behind_a_rest_arc_is_a_parabola() -> None:

@@ -7,6 +7,7 @@ followed over its creeps to past its peak.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -92,6 +93,21 @@ def test_several_splits_are_told() -> None:
     assert (
         max(abs(p - q) for p, q in zip(result.shares, result.other_splits[0], strict=True)) > 0.02
     )
+
+
+def test_a_pull_that_is_just_carried_is_found() -> None:
+    """Two splits side by side, where the pull that the drums make turns back.
+
+    So near to one another that none of the levels looked at lies between them.
+    """
+    soft = lagging(integral_log(0.5, 4.8e-3, -30.0, 0.25))
+    of = train(pulleys(2, soft), case(Speeds((1.0, 0.995)), ENTRY, 14.55e3))
+    result = solved(of)
+    assert len(result.other_splits) == 1
+    apart = abs(result.shares[0] - result.other_splits[0][0])
+    assert 1e-3 < apart < 5e-2
+    more = replace(of, cases=(case(Speeds((1.0, 0.995)), ENTRY, 14.2e3),))
+    assert tried(more).status is TrainStatus.BREAKAWAY
 
 
 @pytest.mark.parametrize("trim", [1.006, 1.01, 0.98])

@@ -1,7 +1,7 @@
 """Many trains at once against the solver of one train.
 
 Expected values: `solve_train`, which finds the solution by following the belt at one level of speed
-after the other, and by Newton's method on efforts; the batch looks for tensions between drums.
+after the other, and by Newton's method on creeps; the batch looks for tensions between drums.
 """
 
 from __future__ import annotations

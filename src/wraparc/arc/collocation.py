@@ -69,6 +69,7 @@ TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn o
 FREELY = 1e-10  # of a change of K behind a rest arc that its start does not take back
 KINK = 1e-4  # of an element: how near to a kink an element has to end
 MESH = 3e-6  # misfit of an element, of the largest change of tension, that is let stand
+LONGEST = 2.0  # slide behind a rest arc that is followed, of the wrap
 ROUGH, SOFTEST = 1e-3, 5.0
 FIRST_SHARE, LEAST_SHARE, MOST_EASED = 0.125, 1e-3, 30  # steps from the belt at rest
 
@@ -818,6 +819,8 @@ def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
     found = converged(face, arc, ends, start, FIRST_STEPS, COARSELY)
     for _ in range(MOST_ROUNDS):
+        if face.rests and found.course.place[-1] > LONGEST * arc.radius * arc.wrap_angle:
+            return Solved(False, found.course, found.slopes)
         if not found.done:
             return found
         finer, new = meshed(face, arc, found.course, ends.kind, tol)

@@ -32,9 +32,10 @@ from wraparc.arc.collocation import (
     overrun_at,
     ratio_behind_rest,
     solved,
+    solved_or_eased,
     start_at,
 )
-from wraparc.arc.meet import HELD, STIFF, Guess, Met, by_growth, interface, meet
+from wraparc.arc.meet import HELD, STIFF, Guess, Met, by_growth, interface
 from wraparc.arc.profile import entry_ratio
 from wraparc.arc.quantities import Geometry, jumps
 from wraparc.arc.traction import held_stress
@@ -172,7 +173,9 @@ def _afresh(law: CompactLaw, arc: Geometry, ends: Ends, tol: float) -> Met:
     used = stress_about(face, p, 0.6 * ends.goal)
     fall = min(0.9 * used / p * arc.wrap_angle, LARGEST_FALL)
     guess = Guess(ends.tension, ends.tension * exp(-arc.side * fall), ends.goal)
-    met = meet(law, arc, ends, guess, None, tol)
+    first = first_course(arc, arc.radius * arc.wrap_angle, guess.entry, guess.leaving, guess.creep)
+    found = solved_or_eased(face, arc, ends, first, tol)
+    met = Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face)
     if not met.done:
         met = by_growth(law, arc, ends, guess, tol)
     if met.rest == 0.0 and met.face.slides * entry_ratio(arc, met) < -ROUNDING:

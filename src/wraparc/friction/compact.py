@@ -6,8 +6,8 @@ derivatives. They are written for plain floats and anything that can be indexed,
 source runs in the interpreter on tuples and compiled on arrays.
 
 A *segment* is an interval of pressure: -1 below the lowest tested pressure, 0 .. n - 2 between the
-n edges, n - 1 above the highest. A *branch* is an interval of slip. Both are chosen once per
-integration step and kept through it, so that no kink of a law falls inside a step.
+n edges, n - 1 above the highest. A *branch* is an interval of slip. Friction has kinks only where
+they meet.
 """
 
 from __future__ import annotations
@@ -332,21 +332,6 @@ def branch_of(law: CompactLaw, segment: int, slip: float, pressure: float) -> in
     if mu_pk + slope * (slip - slip_pk) < min(residual, mu_pk):
         return RESIDUAL
     return LINE
-
-
-def branch_gap(law: CompactLaw, segment: int, boundary: int, slip: float, pressure: float) -> float:
-    """Slip beyond the boundary of branches `boundary` and `boundary + 1` [m]; negative before."""
-    if law.kind == TABLE:
-        return slip - law.slips[boundary + 1]
-    if law.kind == LIMIT:
-        return slip - law.coefficients[3] * plateau_at(law, segment, pressure) * pressure
-    slip_pk, mu_pk, _, _ = peak(law, segment, pressure)
-    if boundary == RISE:
-        return slip - slip_pk
-    slope, residual, _, _ = tail(law, segment, pressure)
-    if slope == 0.0:
-        return -1.0
-    return slip - slip_pk - min(residual - mu_pk, 0.0) / slope
 
 
 def plateau_at(law: CompactLaw, segment: int, pressure: float) -> float:

@@ -20,11 +20,11 @@ import {
   collocation__overrun_at,
   collocation__ratio_behind_rest,
   collocation__solved,
+  collocation__solved_or_eased,
   collocation__start_at,
   in_page__description_of,
   meet__by_growth,
   meet__interface,
-  meet__meet,
   numbers__idles,
   numbers__usual,
   profile__entry_ratio,
@@ -3232,7 +3232,15 @@ export function passage___afresh(law, arc, ends, tol) {
   let used = capacity__stress_about(face, p, 0.6 * ends.goal);
   let fall = min(((0.9 * used) / p) * arc.wrap_angle, LARGEST_FALL);
   let guess = new Guess(ends.tension, ends.tension * Math.exp(-arc.side * fall), ends.goal);
-  let met = meet__meet(law, arc, ends, guess, null, tol);
+  let first = collocation__first_course(
+    arc,
+    arc.radius * arc.wrap_angle,
+    guess.entry,
+    guess.leaving,
+    guess.creep,
+  );
+  let found = collocation__solved_or_eased(face, arc, ends, first, tol);
+  let met = new Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face);
   if (!met.done) {
     met = meet__by_growth(law, arc, ends, guess, tol);
   }

@@ -965,6 +965,7 @@ const LEAST_PULL = 1e-5;
 const LEAST_LEFT = 0.2;
 const MOST_STRETCH = 0.5;
 const MOST_ROUNDS = 14;
+const LONGEST = 2.0;
 const E0 = 1.478830557701236;
 const E1 = -0.6666666666666666;
 const E2 = 0.1878361089654305;
@@ -2706,6 +2707,9 @@ export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
   let finer, new_;
   let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
   for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
+    if (face.rests && found.course.place.at(-1) > LONGEST * arc.radius * arc.wrap_angle) {
+      return new Solved(false, found.course, found.slopes);
+    }
     if (!found.done) {
       return found;
     }
