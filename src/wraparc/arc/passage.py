@@ -16,7 +16,6 @@ from wraparc.arc.collocation import (
     CREEP,
     FIRST_STEPS,
     LATER_STEPS,
-    MOST_ROUNDS,
     NO_SLOPES,
     Course,
     Ends,
@@ -43,6 +42,7 @@ from wraparc.friction.compact import CompactLaw
 
 SETTLED = 1e-6  # change of a tension, of the pull, that ends Newton's method where meshes adapt
 NO_MESH = inf  # misfit where the mesh stays as it is
+MESHES = 3  # that are tried, of an arc nearly the same
 AFRESH = 1e-2  # misfit that is let stand at most where there is no arc to begin with
 ROUNDING = 1e-9  # of an entry creep ratio
 SLIDE = 1e-6  # change of tension, of tension, up to which a slide behind a rest arc is a parabola
@@ -137,7 +137,7 @@ def _again(law: CompactLaw, arc: Geometry, ends: Ends, near: Met, tol: float) ->
         at = at._replace(place=[length / at.place[-1] * place for place in at.place])
     enough = COARSELY if tol == NO_MESH else SETTLED
     found = converged(face, arc, ends, at, FIRST_STEPS, enough)
-    for _ in range(MOST_ROUNDS if tol < NO_MESH else 0):
+    for _ in range(MESHES if tol < NO_MESH else 0):
         if not found.done:
             return None
         if max(misfits(face, arc, found.course, CREEP)) <= tol:

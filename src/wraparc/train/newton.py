@@ -126,8 +126,8 @@ def settle(
 ) -> Settled | None:
     """Meet all equations from a state nearby; None if that fails.
 
-    Each step of the train is one of every arc, from the course that it had and on its mesh; the
-    meshes are judged at the end.
+    Each step of the train is one of every arc, from the course that it had and on its mesh. The
+    meshes are judged at the start where there are arcs nearby, else at the end.
 
     Parameters
     ----------
@@ -143,9 +143,10 @@ def settle(
     starts = _starts(system, passages)
     if starts is None:
         return None
-    enough, meshed, again = tolerance * _SPEED_WEIGHT, tol == COARSE, False
     places, arcs = [at.place for at in starts], [at.met for at in starts]
-    at = _point(system, places, arcs, level, COARSE)
+    enough, again = tolerance * _SPEED_WEIGHT, False
+    meshed = tol == COARSE or all(arc is not None for arc in arcs)
+    at = _point(system, places, arcs, level, tol if meshed else COARSE)
     for _ in range(_MOST):
         linear, rising = linearized(system, at.state)
         new = _stepped(at, system, linear.matrix) if at.size > enough else None

@@ -1308,7 +1308,7 @@ const SMALL_PULL = 0.001;
 const COVERS_APART = 0.004;
 const USUAL_OFFSET = 0.005;
 const FINE = 3e-6;
-const SHARP = 0.001;
+const SHARP = 0.0002;
 const _FIRST_RATIO = 0.0015;
 const _SPEED_WEIGHT = 1000.0;
 const COARSE = Infinity;
@@ -1359,7 +1359,7 @@ const NO_MESH = Infinity;
 const COARSELY = 0.0001;
 const SETTLED = 1e-6;
 const FIRST_STEPS = 15;
-const MOST_ROUNDS = 14;
+const MESHES = 3;
 const LATER_STEPS = 20;
 const HELD = 20.0;
 const ROUNDING = 1e-9;
@@ -1801,12 +1801,12 @@ export function newton__settle(system, passages, level, tol = 3e-6, tolerance = 
   if (starts === null) {
     return null;
   }
-  let enough = tolerance * _SPEED_WEIGHT;
-  let meshed = tol === COARSE;
-  let again = false;
   let places = [...starts].map((at) => at.place);
   let arcs = [...starts].map((at) => at.met);
-  let at = newton___point(system, places, arcs, level, COARSE);
+  let enough = tolerance * _SPEED_WEIGHT;
+  let again = false;
+  let meshed = tol === COARSE || [...arcs].every((arc) => arc !== null);
+  let at = newton___point(system, places, arcs, level, meshed ? tol : COARSE);
   for (let each1 = 0, end1 = _MOST; each1 < end1; each1++) {
     const found2 = newton__linearized(system, at.state);
     linear = found2[0];
@@ -3167,7 +3167,7 @@ export function passage___again(law, arc, ends, near, tol) {
   }
   let enough = tol === NO_MESH ? COARSELY : SETTLED;
   let found = collocation__converged(face, arc, ends, at, FIRST_STEPS, enough);
-  for (let each1 = 0, end1 = tol < NO_MESH ? MOST_ROUNDS : 0; each1 < end1; each1++) {
+  for (let each1 = 0, end1 = tol < NO_MESH ? MESHES : 0; each1 < end1; each1++) {
     if (!found.done) {
       return null;
     }
