@@ -127,7 +127,7 @@ def settle(
     """Meet all equations from a state nearby; None if that fails.
 
     Each step of the train is one of every arc, from the course that it had and on its mesh. The
-    meshes are judged at the start where there are arcs nearby, else at the end.
+    meshes are judged at the start where there are smooth arcs nearby, else at the end.
 
     Parameters
     ----------
@@ -145,7 +145,9 @@ def settle(
         return None
     places, arcs = [at.place for at in starts], [at.met for at in starts]
     enough, again = tolerance * _SPEED_WEIGHT, False
-    meshed = tol == COARSE or all(arc is not None for arc in arcs)
+    # the end of a rest arc is a kink that moves: its mesh is known at the end alone
+    smooth = not any(member.holds for member in system.members)
+    meshed = tol == COARSE or (smooth and all(arc is not None for arc in arcs))
     at = _point(system, places, arcs, level, tol if meshed else COARSE)
     for _ in range(_MOST):
         linear, rising = linearized(system, at.state)

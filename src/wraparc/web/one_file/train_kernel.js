@@ -1805,7 +1805,8 @@ export function newton__settle(system, passages, level, tol = 3e-6, tolerance = 
   let arcs = [...starts].map((at) => at.met);
   let enough = tolerance * _SPEED_WEIGHT;
   let again = false;
-  let meshed = tol === COARSE || [...arcs].every((arc) => arc !== null);
+  let smooth = ![...system.members].some((member) => member.holds);
+  let meshed = tol === COARSE || (smooth && [...arcs].every((arc) => arc !== null));
   let at = newton___point(system, places, arcs, level, meshed ? tol : COARSE);
   for (let each1 = 0, end1 = _MOST; each1 < end1; each1++) {
     const found2 = newton__linearized(system, at.state);
