@@ -98,7 +98,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Thickness of the carcass, or diameter of the cords.",
     ),
     Quantity(
-        "belt_thickness", "t", "length", "Belt thickness",
+        "belt_thickness", "t_b", "length", "Belt thickness",
         "Covers and carcass in all.",
     ),
     Quantity(
@@ -106,16 +106,16 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Shear stress for unit tangent of the shear angle of a belt cover.",
     ),
     Quantity(
-        "belt_mass", "m", "mass_per_length", "Belt mass",
+        "belt_mass", "m_b", "mass_per_length", "Belt mass",
         "Mass of a metre of belt; m v^2 of the tension presses on no pulley.",
     ),
     Quantity(
-        "pitch_offset", "e", "length", "Offset of the tension member",
+        "pitch_offset", "e_b", "length", "Offset of the tension member",
         "Height of the tension member over the lagging surface: the cover that meets the pulley "
         "and half of the carcass.",
     ),
     Quantity(
-        "centrifugal_force", "m v^2", "force", "Centrifugal force",
+        "centrifugal_force", "m_b v^2", "force", "Centrifugal force",
         "Part of the belt tension that presses on no pulley.",
     ),
     Quantity(
@@ -416,7 +416,7 @@ QUANTITIES: tuple[Quantity, ...] = (
         "makes a larger drum.",
     ),
     Quantity(
-        "thickness_term", "(1+e1/R1)/(1+e/R)-1", "number", "Speed by belt thickness",
+        "thickness_term", "(1+e_b1/R1)/(1+e_b/R)-1", "number", "Speed by belt thickness",
         "Part of the ratio of drum speeds because the tension member runs outside the "
         "lagging surface, farther on a smaller drum and on a thicker cover.",
     ),

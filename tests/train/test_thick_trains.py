@@ -12,11 +12,13 @@ import numpy as np
 import pytest
 
 from train.test_train_batch import EXACT, same
-from train.trains import FABRIC, case, held, pulleys, random_train, solved, train
+from train.trains import FABRIC, QUICK, case, held, pulleys, random_train, solved, train
 from wraparc.batch import Setting
+from wraparc.checks import Level, judge
 from wraparc.drive import Belt
 from wraparc.errors import InputError
-from wraparc.train import MemberResult, Shares, Train, solve_train_batch
+from wraparc.present.train_words import train_verdict
+from wraparc.train import MemberResult, Shares, Train, solve_train, solve_train_batch
 
 EVEN = Shares((0.5, 0.5))
 THICK = replace(FABRIC, pulley_cover=3e-3, carry_cover=7e-3, carcass=6e-3, mass=60.0)
@@ -116,3 +118,32 @@ def test_what_cannot_be_is_told() -> None:
         tandem(replace(FABRIC, pulley_cover=3e-3, carcass=6e-3), True)
     with pytest.raises(InputError, match=r"presses on no pulley.*m v.2 = 90 kN"):
         tandem(replace(FABRIC, mass=10000.0))
+
+
+@pytest.mark.parametrize(
+    ("belt", "carries", "second", "shift"),
+    [
+        (FABRIC, False, 0.8, None),
+        (FABRIC, False, 0.802, None),  # worn: 0.003 %
+        (FABRIC, False, 1.0, "0.25 %"),  # 5 mm over 400 less 5 mm over 500
+        (FABRIC, True, 0.8, "1 %"),  # 4 mm over 400
+        (THICK, True, 1.0, None),
+    ],
+)
+def test_a_trim_between_drums_that_differ_asks_for_the_thickness(
+    belt: Belt, carries: bool, second: float, shift: str | None
+) -> None:
+    result = solve_train(tandem(belt, carries, second), method=QUICK)
+    asked = [c for c in judge(result).checks if c.name == "belt_thickness"]
+    assert [c.level for c in asked] == [Level.ATTENTION] * (shift is not None)
+    if shift is not None:
+        assert shift in asked[0].sentence()
+        assert judge(result).level is not Level.OK
+
+
+def test_speeds_without_thickness_say_what_they_miss() -> None:
+    """5 mm over 400 mm."""
+    for belt, there in ((FABRIC, True), (THICK, False)):
+        verdict = train_verdict(solve_train(tandem(belt), method=QUICK))
+        told = " ".join(verdict.sentences)
+        assert ("10 mm of belt on a drum of 800 mm would lower them by 1.25 %" in told) == there

@@ -48,6 +48,9 @@ TRAINS: dict[str, str] = {
     .partition("# The tensions above")[0],
     "runs": divided('share = [0.6, 0.4]\nrun.second = "2 kN"'),
     "worn drum": divided('speeds = "equal"\ndiameters = ["800 mm", "797 mm"]'),
+    "drums of two sizes": FABRIC.replace(
+        'diameter = "800 mm"\nwrap_angle = "200', 'diameter = "1 m"\nwrap_angle = "200'
+    ),
     "breakaway": FABRIC.replace('exit_tension = "45 kN"', 'exit_tension = "0.65 kN"'),
     "no division": divided('speeds = "equal"').replace('"45 kN"', '"0.65 kN"')
     .replace('"105 kN"', '"300 kN"').replace("format = 1", 'format = 1\ncondition = "wet"'),
