@@ -23,6 +23,7 @@ from wraparc.drive.pitch import (
     cover_compliance,
     pitch_offset,
     pitch_radius,
+    whole_thickness,
 )
 from wraparc.errors import InputError, Problem
 from wraparc.friction import COVER_SHEAR, LAGGING_SHEAR, FrictionLaw
@@ -35,6 +36,7 @@ class OfBelt(TypedDict):
     cover_compliance: float
     cover_left_out: float
     side_of_belt: Side
+    belt_thickness: float | None
     centrifugal: float
 
 
@@ -50,6 +52,7 @@ def of_belt(belt: Belt, side: Side, law: FrictionLaw) -> OfBelt:
         cover_compliance=cover if counted is False else 0.0,
         cover_left_out=cover if counted is None else 0.0,
         side_of_belt=side,
+        belt_thickness=whole_thickness(belt),
         centrifugal=centrifugal_of(belt),
     )
 
@@ -98,6 +101,8 @@ class WrapArc:
         The same of a cover that the slip of the law may include or not: it is left out [m/Pa].
     side_of_belt
         Side of the belt that meets the pulley.
+    belt_thickness
+        Covers and carcass in all [m], or None: for pictures alone.
     centrifugal
         m v^2, the part of the tension that presses on no pulley [N].
     fit
@@ -125,6 +130,7 @@ class WrapArc:
     cover_compliance: float = 0.0
     cover_left_out: float = 0.0
     side_of_belt: Side = "pulley"
+    belt_thickness: float | None = None
     centrifugal: float = 0.0
     fit: Fit | None = None
     pulley: str = ""

@@ -18,10 +18,9 @@ from wraparc.calibrate.calibration import (
 from wraparc.calibrate.fold import Folded, fold
 from wraparc.calibrate.problem import ERRORS, OPEN_ZERO, arc_of, usual_method
 from wraparc.calibrate.record import ROLES, RecordChoices, read_record
-from wraparc.checks.numbers import USUAL_OFFSET
 from wraparc.drive import Drive, Lagging, Limit, Tensions
 from wraparc.drive.belt import MOST_THICKNESS
-from wraparc.drive.pitch import pitch_offset
+from wraparc.drive.pitch import USUAL_OFFSET, pitch_offset
 from wraparc.glossary import GLOSSARY
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Percent, Quantity, Rows, Text

@@ -20,7 +20,7 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 #: The most digits shown to tell a value and its limit apart.
 MOST_DIGITS = 9
 #: Checks that advise where they are missed, as a design standard does that does not bind.
-ADVICE = ("creep_interval", "tested_slip_speed")
+ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed")
 #: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
 NUMERICAL = ("balance", "train_balance", "across_balance")
 #: What is said of the drive and compares nothing: no row of a table of checks, and not counted.

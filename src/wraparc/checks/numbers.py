@@ -11,6 +11,7 @@ from math import floor, inf, isfinite, isnan, nan, pi
 from typing import NamedTuple
 
 from wraparc.arc.quantities import Buffer
+from wraparc.drive.pitch import USUAL_OFFSET
 
 #: Pull over tension that counts as none [-].
 IDLE = 1e-6
@@ -276,9 +277,9 @@ def pull_against(pulls: Sequence[float]) -> float:
 
 
 USUAL_BELT_MASS = (1.0, 130.0)  # per length and width [kg/m2]
-#: For the size of what is missing without the layers of a belt: offset of the tension member in one
-#: of 10 mm, how much covers differ [m]; least shift of a trim that is told [-].
-USUAL_OFFSET, COVERS_APART, LEAST_SHIFT = 5e-3, 4e-3, 1e-4
+#: For the size of what is missing without the layers of a belt: how much covers differ [m]; least
+#: shift of a trim that is told [-].
+COVERS_APART, LEAST_SHIFT = 4e-3, 1e-4
 
 
 def trim_shift(first: float, other: float, opposite: bool) -> float:

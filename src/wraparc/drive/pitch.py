@@ -25,6 +25,9 @@ from wraparc.provenance import Provenance
 
 Number = TypeVar("Number", float, NDArray[np.float64])
 
+#: Offset of the tension member in a belt of 10 mm, for the size of what is missing without one [m].
+USUAL_OFFSET = 5e-3
+
 
 class Layers(NamedTuple):
     """The layers of a belt, nan where they are not known."""
@@ -93,6 +96,12 @@ def cover_compliance(belt: Belt, side: Side) -> float:
     cover = touching_cover(layers_of(belt), side == "carry")
     modulus = COVER_SHEAR_MODULUS if belt.cover_shear_modulus is None else belt.cover_shear_modulus
     return 0.0 if isnan(cover) else cover / modulus
+
+
+def whole_thickness(belt: Belt) -> float | None:
+    """Return covers and carcass of a belt in all [m]; None where that is not known."""
+    total = sum(layers_of(belt)) if belt.thickness is None else belt.thickness
+    return None if isnan(total) else total
 
 
 def covered(belt: Belt) -> bool:

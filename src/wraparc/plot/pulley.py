@@ -119,17 +119,27 @@ def _draw_lagging(ax: "Axes", result: ArcResult, system: System, quantity: str) 
         bar.outline.set_linewidth(0.5)
 
 
+def _outside(result: ArcResult) -> float:
+    """Radius of the outside of the belt, to scale where its thickness is known."""
+    thickness = result.arc.belt_thickness
+    return _BELT if thickness is None else _LAGGING + thickness / result.arc.radius
+
+
 def _draw_belt(ax: "Axes", result: ArcResult) -> None:
     from matplotlib.patches import Polygon
 
     end = math.degrees(result.arc.wrap_angle)
     sides = []
-    for radius in (_LAGGING, _BELT):
+    for radius in (_LAGGING, _outside(result)):
         arc = _places(result, np.linspace(0.0, end, 361), radius)
         far = (_strand(result, radius, entry=entry)[1] for entry in (True, False))
         first, last = far
         sides.append(np.vstack([first, arc, last]))
     ax.add_patch(Polygon(np.vstack([sides[0], sides[1][::-1]]), facecolor=_INK, linewidth=0.0))
+    if result.arc.offset > 0.0 and result.arc.belt_thickness is not None:  # the tension member
+        middle = _places(result, np.linspace(0.0, end, 361), _LAGGING + result.arc.offset
+                         / result.arc.radius)  # fmt: skip
+        ax.plot(middle[:, 0], middle[:, 1], color="white", linewidth=0.7, linestyle="--")
     for theta, text in ((0.0, "entry nip"), (end, "exit nip")):
         x, y = _places(result, np.array([theta, theta]), 1.0)[0]
         line = np.array([0.72, _LAGGING])

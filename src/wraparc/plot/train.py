@@ -71,6 +71,7 @@ def _draw_chain(ax: "Axes", case: CaseResult, units: System) -> None:
 
     ax.set_aspect("equal")
     ax.axis("off")
+    wrapped_both_ways = len({m.arc.arc.side_of_belt for m in case.members}) > 1
     for i, m in enumerate(case.members):
         x = 4.2 * i
         colour = _style(i)["color"]
@@ -84,6 +85,9 @@ def _draw_chain(ax: "Axes", case: CaseResult, units: System) -> None:
         share = "-" if np.isnan(m.share) else f"{100.0 * m.share:.1f} %"
         ax.text(x, 0.0, share, ha="center", va="center", fontsize=11, weight="bold")
         ax.text(x, 1.2, m.name, ha="center", va="bottom", fontsize=10, color=colour, weight="bold")
+        if wrapped_both_ways:
+            side = f"{m.arc.arc.side_of_belt} side\nof the belt"
+            ax.text(x, -0.5, side, ha="center", va="center", fontsize=7.5)
         trim = "" if np.isnan(m.speed_trim) else f"trim {100.0 * m.speed_trim:.3f} %"
         creep = f"creep {display(m.arc.exit_creep, 'length', units, digits=3)}"
         if not m.arc.status.solved:

@@ -9,8 +9,8 @@ from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
-from wraparc.present.train_words import surface_sentence
 from wraparc.present.words import as_it_is, in_words
+from wraparc.train.turning import surface_sentence
 from wraparc.units import System
 
 

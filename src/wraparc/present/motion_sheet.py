@@ -7,11 +7,14 @@ from collections.abc import Iterator
 
 from wraparc.alike import largest, least
 from wraparc.checks import Level, judge_run
+from wraparc.drive.pitch import pitch_offset
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
 from wraparc.present.checks_table import check_table
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.present.words import in_words
+from wraparc.train import Train
+from wraparc.train.turning import surface_sentence
 from wraparc.units import Dimension, System, display
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
@@ -27,7 +30,7 @@ def run_sheet(run: RunResult, system: System = "si") -> Sheet:
         f"{display(float(run.time[-1]), 'time', digits=3)} followed",
         verdict=in_words(told, system, [*told.sentences(system), *_run_sentences(run, system)]),
         tables=(*run_tables(run, system), check_table(told, system)),
-        remarks=told.data + _LEFT_OUT,
+        remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train, system)),
         sources=(run.station.source,) if run.station.source else (),
     )
 
@@ -41,6 +44,15 @@ _LEFT_OUT = (
     "Not in the model: belt mass on the arc, waves in the conveyor (one mass, one spring on each "
     "side), rubber that flows, friction that depends on speed or on rest.",
 )
+
+
+def _surface(train: Train, system: System) -> Iterator[str]:
+    """Say that the speeds of drums are without the thickness of the belt, if that is not known."""
+    for pulley in train.pulleys:
+        if pitch_offset(train.belt, pulley.side) is None:
+            yield surface_sentence(pulley.diameter, system)
+            return
+
 
 _NOT_EXCLUDED = (
     "A pulsation by friction that falls with speed or grows with rest is not in the model: it is "

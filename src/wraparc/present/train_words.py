@@ -4,7 +4,7 @@ from collections.abc import Iterator, Sequence
 from math import floor, isfinite, isnan, log10
 
 from wraparc.checks import idle, judge
-from wraparc.checks.numbers import USUAL_OFFSET, pull_against
+from wraparc.checks.numbers import pull_against
 from wraparc.glossary import GLOSSARY
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named, percent
@@ -18,7 +18,8 @@ from wraparc.train import (
     TrainResult,
     TrainStatus,
 )
-from wraparc.units import System, display
+from wraparc.train.turning import surface_sentence
+from wraparc.units import System
 
 #: Differences of shares that count as none.
 _ALIKE = 0.005
@@ -171,16 +172,6 @@ def surface_speeds(case: CaseResult, system: System) -> Iterator[str]:
         if m.arc.arc.pitch_offset is None:
             yield surface_sentence(m.arc.arc.diameter, system)
             return
-
-
-def surface_sentence(diameter: float, system: System) -> str:
-    """Return what the speed of a drum misses without the thickness of the belt."""
-    shift = percent(USUAL_OFFSET / (0.5 * diameter), 2)
-    drum, belt = (display(d, "length", system, 3) for d in (diameter, 2.0 * USUAL_OFFSET))
-    return (
-        f"Drum speeds are those at the lagging surface: {belt} of belt on a drum of {drum} would "
-        f"lower them by {shift}."
-    )
 
 
 def _signed(term: float) -> str:

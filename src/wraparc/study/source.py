@@ -31,6 +31,7 @@ from wraparc.study.plan import Levels, Values
 from wraparc.study.train_columns import Divided, TrainColumns
 from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
+from wraparc.train.turning import surface_sentence
 from wraparc.units import DIMENSION_TEXT, Dimension
 
 Array = NDArray[np.float64]
@@ -194,6 +195,10 @@ class DriveSource:
                     + (f"(divided anew for each value of {again}) " if again else "")
                     + "keeps its pull whatever else varies; `wraparc solve` divides the load anew."
                 )
+            for pulley in drive.pulleys:
+                if pitch_offset(drive.belt, pulley.side) is None:
+                    yield surface_sentence(pulley.diameter, "si")
+                    break
         take_up = drive.criteria.take_up
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
         held = f"the tension behind pulley {take_up.after}" if take_up.after else held

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import log, log1p, nan
 from typing import NamedTuple
 
-from wraparc.drive.pitch import pitch_radius
+from wraparc.drive.pitch import USUAL_OFFSET, pitch_radius
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located
 from wraparc.train.member import Passage
@@ -17,6 +17,7 @@ from wraparc.train.result import MotorPoint
 from wraparc.train.system import Line, System
 from wraparc.train.train import Pair, along
 from wraparc.units import GIVEN_DIGITS, display
+from wraparc.units import System as Units
 
 #: Pull over tension that is rounding only.
 _IDLE = 1e-11
@@ -119,6 +120,16 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
         speed_trim=ratio * arm1 / arm * at.nominal / first.nominal,
         drum_torque=pull * arm,
         drum_power=surface * at.pull,
+    )
+
+
+def surface_sentence(diameter: float, system: Units) -> str:
+    """Return what the speed of a drum [m] misses without the thickness of the belt."""
+    shift = 100.0 * USUAL_OFFSET / (0.5 * diameter)
+    belt, drum = (display(d, "length", system, 3) for d in (2.0 * USUAL_OFFSET, diameter))
+    return (
+        f"Drum speeds are those at the lagging surface: {belt} of belt on a drum of {drum} would "
+        f"lower them by {shift:.2f} %."
     )
 
 

@@ -366,20 +366,20 @@ def asked_of(
     """What the checks of an arc ask of the take-up, its pull held."""
     entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
     tight, slack = max(entry, leaving), min(entry, leaving)
-    area, lift = arc.width * (0.5 * arc.diameter), arc.centrifugal
-    top = highest_tight(limits.tested_pressure_max, area, tight - lift)
-    of, by_slip = Pull(abs(entry - leaving), tight - lift, top), nan
+    area, flung = arc.width * (0.5 * arc.diameter), arc.centrifugal
+    top = highest_tight(limits.tested_pressure_max, area, tight - flung)
+    of, by_slip = Pull(abs(entry - leaving), tight - flung, top), nan
     if limits.tested_slip < given.creep_limit:
-        by_slip = lift + least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
+        by_slip = flung + least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
     lift = lift_for_safety(loaded, factor, among.tight_rise)
     return Asked(
         creep=end - slack + (least if least == least else inf),
         tested_slip=end - slack + by_slip,
         design_standard=end - slack + limits.design_standard,
         gross_slip=end + (lift if lift == lift else inf),
-        tested_pressure_min=end - slack + limits.tested_pressure_min * area + lift,
-        tested_pressure_max=end - tight + limits.tested_pressure_max * area + lift,
-        face_pressure=end - tight + limits.face_pressure * area + lift,
+        tested_pressure_min=end - slack + limits.tested_pressure_min * area + flung,
+        tested_pressure_max=end - tight + limits.tested_pressure_max * area + flung,
+        face_pressure=end - tight + limits.face_pressure * area + flung,
         belt_tension=end - tight + limits.belt_tension,
         sag=limits.sag + end - among.slack_end,
         given=end,

@@ -32,9 +32,10 @@ from wraparc.drive import (
     TakeUp,
 )
 from wraparc.drive.conditions import DRY
-from wraparc.drive.pitch import LAGGING_SHEAR, counts_shear
+from wraparc.drive.pitch import counts_shear
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
+from wraparc.friction import LAGGING_SHEAR
 from wraparc.present.checks_table import check_table
 from wraparc.present.least_tension import least_name, least_table
 from wraparc.schema.source import Document

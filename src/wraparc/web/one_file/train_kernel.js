@@ -2636,10 +2636,10 @@ export function train_words___speed_sentence(case_, m) {
   );
 }
 
-/** Return what the speed of a drum misses without the thickness of the belt. */
-export function train_words__surface_sentence(diameter, system) {
-  let shift = sheet__percent(USUAL_OFFSET / (0.5 * diameter), 2);
-  let [drum, belt] = [...[diameter, 2.0 * USUAL_OFFSET]].map((d) =>
+/** Return what the speed of a drum [m] misses without the thickness of the belt. */
+export function turning__surface_sentence(diameter, system) {
+  let shift = (100.0 * USUAL_OFFSET) / (0.5 * diameter);
+  let [belt, drum] = [...[2.0 * USUAL_OFFSET, diameter]].map((d) =>
     display(d, "length", system, 3),
   );
   return (
@@ -2649,8 +2649,8 @@ export function train_words__surface_sentence(diameter, system) {
     " of belt on a drum of " +
     $text(drum) +
     " would lower them by " +
-    $text(shift) +
-    "."
+    $told(shift, false, 2, "f") +
+    " %."
   );
 }
 
@@ -2660,7 +2660,7 @@ export function* train_words__surface_speeds(case_, system) {
   for (const each1 of case_.members) {
     m = each1;
     if (m.arc.arc.pitch_offset === null) {
-      yield train_words__surface_sentence(m.arc.arc.diameter, system);
+      yield turning__surface_sentence(m.arc.arc.diameter, system);
       return;
     }
   }

@@ -4409,23 +4409,23 @@ export function in_page__asked_of(loaded, arc, least, limits, given, factor, amo
   let tight = max(entry, leaving);
   let slack = min(entry, leaving);
   let area = arc.width * (0.5 * arc.diameter);
-  let lift = arc.centrifugal;
-  let top = capacity__highest_tight(limits.tested_pressure_max, area, tight - lift);
-  let of = new Pull(Math.abs(entry - leaving), tight - lift, top);
+  let flung = arc.centrifugal;
+  let top = capacity__highest_tight(limits.tested_pressure_max, area, tight - flung);
+  let of = new Pull(Math.abs(entry - leaving), tight - flung, top);
   let by_slip = NaN;
   if (limits.tested_slip < given.creep_limit) {
     by_slip =
-      lift + least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
+      flung + least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
-  lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
+  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise);
   return new Asked(
     end - slack + (least === least ? least : Infinity),
     end - slack + by_slip,
     end - slack + limits.design_standard,
     end + (lift === lift ? lift : Infinity),
-    end - slack + limits.tested_pressure_min * area + lift,
-    end - tight + limits.tested_pressure_max * area + lift,
-    end - tight + limits.face_pressure * area + lift,
+    end - slack + limits.tested_pressure_min * area + flung,
+    end - tight + limits.tested_pressure_max * area + flung,
+    end - tight + limits.face_pressure * area + flung,
     end - tight + limits.belt_tension,
     limits.sag + end - among.slack_end,
     end,
