@@ -122,7 +122,7 @@ class Factors:
         tested, fastest = law.tested, self.fastest
         if tested is None or fastest is None or isinstance(law, MeasuredTable):
             return law  # a table of friction says nothing of speed
-        return replace(law, tested=replace(tested, slip_speed=fastest))  # type: ignore[type-var]
+        return replace(law, tested=replace(tested, slip_speed=fastest))  # type: ignore[call-arg]
 
     @property
     def sources(self) -> dict[str, Provenance]:
