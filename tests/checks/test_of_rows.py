@@ -233,7 +233,7 @@ def test_rows_know_whether_the_slip_speed_is_above_that_of_the_tests(
     of = quiet(lagging=SOFT, criteria=NONE)
     arc = solve(of, method=QUICK).arcs[0]
     tested = replace(WIDE, slip_speed=times * slip_speed(arc))
-    law = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=tested.slip_speed))  # type: ignore[call-arg]
+    law = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=tested.slip_speed))  # type: ignore[call-arg, type-var]
     of = quiet(lagging=replace(SOFT, law=law), criteria=NONE)
     rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
     solved = solve_arcs(rows.arcs, capacities=False)
