@@ -214,6 +214,10 @@ def test_an_overlay_shows_what_tachometers_would(tmp_path: Path) -> None:
     ran = wraparc("overlay", tmp_path / "calibrate.toml")
     shown = 100.0 * speed_ratio(arc, result.exit_creep_ratio)
     assert f"Shaft to belt, exit, design -1 % {shown:.3f} %" in ran.words, ran.words
+    surface = "Drum speeds are those at the lagging surface: 10 mm of belt on a drum of 800 mm"
+    assert surface not in ran.words
+    asked(tmp_path, ASK, EXAMPLE.read_text("utf-8"))
+    assert surface in wraparc("overlay", tmp_path / "calibrate.toml").words
 
 
 def test_no_thickness_no_offset() -> None:

@@ -196,7 +196,7 @@ def test_a_standard_that_cannot_be_applied_ends_alike(binding: bool, name: str) 
 def test_advice_leads_only_where_no_limit_is_missed() -> None:
     """Ten thousand times the speed of the tests says less than a creep just over its limit."""
     assert SOFT.law.tested is not None
-    slow = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=1e-6))  # type: ignore[type-var]
+    slow = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=1e-6))  # type: ignore[call-arg]
     of = quiet(lagging=replace(SOFT, law=slow))
     assert one_by_one(of) == ("ATTENTION", "tested_slip_speed")
     assert of_rows(of) == one_by_one(of)
@@ -233,7 +233,7 @@ def test_rows_know_whether_the_slip_speed_is_above_that_of_the_tests(
     of = quiet(lagging=SOFT, criteria=NONE)
     arc = solve(of, method=QUICK).arcs[0]
     tested = replace(WIDE, slip_speed=times * slip_speed(arc))
-    law = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=tested.slip_speed))  # type: ignore[type-var]
+    law = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=tested.slip_speed))  # type: ignore[call-arg, type-var]
     of = quiet(lagging=replace(SOFT, law=law), criteria=NONE)
     rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
     solved = solve_arcs(rows.arcs, capacities=False)

@@ -55,7 +55,7 @@ def at_pull(of: Drive, rise: Rise, k: float) -> ArcResult:
 def untested(of: Drive) -> Drive:
     """Return the drive with a lagging that states no tests, so that its creep comes first."""
     head = of.pulleys[0]
-    law = replace(head.lagging.law, tested=None)  # type: ignore[type-var]
+    law = replace(head.lagging.law, tested=None)  # type: ignore[call-arg]
     return replace(of, pulleys=(replace(head, lagging=replace(head.lagging, law=law)),))
 
 

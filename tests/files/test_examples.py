@@ -56,5 +56,9 @@ def test_the_calibrated_pulley_marks_every_input_as_assumed() -> None:
     inputs = {"diameter", "wrap_angle", "lagging", "entry_tension", "exit_tension"}
     assert set(pulley.sources) == inputs
     assert {"modulus", "width"} <= set(drive.belt.sources)
-    for source in (*pulley.sources.values(), *drive.belt.sources.values()):
+    of_belt = {key: of for key, of in drive.belt.sources.items() if key != "carcass"}
+    for source in (*pulley.sources.values(), *of_belt.values()):
         assert source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
+    # the carcass of the belt that it is described by, which enters no answer without its covers
+    assert drive.belt.source_of("carcass").kind is Kind.PUBLISHED
+    assert drive.belt.pulley_cover is None

@@ -172,7 +172,7 @@ def test_segments_are_the_intervals_of_pressure(law: FrictionLaw) -> None:
 
 @every_law
 def test_equal_numbers_make_equal_laws(law: FrictionLaw) -> None:
-    same = replace(law)  # type: ignore[type-var]
+    same = replace(law)
     assert same == law
     assert hash(same) == hash(law)
     assert same.compact() == law.compact()

@@ -166,7 +166,7 @@ def test_the_largest_tested_friction_is_that_of_the_law() -> None:
     assert law.tested is not None
     # diamond rubber has no peak within its tested slip
     assert most == pytest.approx(law.friction(law.tested.slip_max, pressure))
-    untested = replace(STICKY, law=replace(STICKY.law, tested=None))  # type: ignore[type-var]
+    untested = replace(STICKY, law=replace(STICKY.law, tested=None))  # type: ignore[call-arg]
     assert most_friction(solve(drive(lagging=untested, overrun=0.0)).arc("head")) is None
 
 
@@ -225,7 +225,7 @@ def test_a_lagging_is_drawn_over_slip_and_pressure(system: System) -> None:
 
 def test_a_law_without_coefficients_has_half_the_panels() -> None:
     assert len(plot_lagging(STICKY).figure.axes) == 2
-    untested = replace(STICKY, law=replace(STICKY.law, tested=None))  # type: ignore[type-var]
+    untested = replace(STICKY, law=replace(STICKY.law, tested=None))  # type: ignore[call-arg]
     assert len(plot_lagging(untested).figure.axes) == 2
 
 

@@ -13,6 +13,7 @@ from wraparc.calibrate.problem import OPEN_ZERO, speed_ratio
 from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.train.turning import surface_sentence
 from wraparc.units import Dimension, System
 
 #: parameter -> title, dimension
@@ -309,7 +310,12 @@ def overlay_sheet(
     tables = [Table("Measured and predicted", tuple(rows), heads, name="predicted")]
     if folded:
         tables.append(_records(folded, system))
+    first = next(iter(predicted.values()), ())
+    by_surface = any(n.apparent for n in problem.numbers) and any(
+        r.arc.pitch_offset is None for r in first
+    )
     notes = (
+        *((surface_sentence(first[0].arc.diameter, system),) if by_surface else ()),
         *(note for _, f in folded for note in f.notes),
         *(
             f"Load case {r.arc.load_case}, {r.method}: {r.status}"
