@@ -165,7 +165,7 @@ def rubber_tested_to(slip: float) -> Lagging:
     lagging = load_lagging("diamond-rubber")
     tested = lagging.law.tested
     assert tested is not None
-    law = replace(lagging.law, tested=replace(tested, slip_max=slip))  # type: ignore[type-var]
+    law = replace(lagging.law, tested=replace(tested, slip_max=slip))  # type: ignore[call-arg]
     return replace(lagging, law=law)
 
 
