@@ -95,7 +95,7 @@ def case_table(case: CaseResult, system: System) -> Table:
         return row(name, lambda m: signed(of(m)), note)
 
     thick: list[Row] = []
-    if any(m.thickness_term != 0.0 for m in members):
+    if any(m.arc.arc.pitch_offset is not None for m in members):
         thick = [small("thickness_term", lambda m: m.thickness_term, "")]
     rows = [
         row("share", _share, ""),

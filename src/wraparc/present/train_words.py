@@ -151,7 +151,7 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
         f"belt contraction {_signed(m.contraction_term)} %, lagging compression "
         f"{_signed(m.compression_term)} %, extra creep {_signed(m.creep_term)} %"
     )
-    if m.thickness_term != 0.0:
+    if m.arc.arc.pitch_offset is not None:
         terms += f", belt thickness {_signed(m.thickness_term)} %"
     if abs(ratio) < _AS_FAST:
         return (
@@ -187,7 +187,7 @@ def _rule(ratio: float) -> str:
 def _reason(m: MemberResult, ratio: float) -> str:
     """Say which of the terms makes a drum faster or slower."""
     others = m.contraction_term + m.compression_term + m.creep_term
-    if m.thickness_term != 0.0 and abs(m.thickness_term) > abs(others):
+    if m.arc.arc.pitch_offset is not None and abs(m.thickness_term) > abs(others):
         way = "farther out" if m.thickness_term < 0.0 else "closer in"
         return f"its tension member runs {way} than on the first drum"
     shorter = m.contraction_term + m.compression_term + m.thickness_term

@@ -2571,7 +2571,7 @@ export function train_words___rule(ratio) {
 export function train_words___reason(m, ratio) {
   let way;
   let others = m.contraction_term + m.compression_term + m.creep_term;
-  if (m.thickness_term !== 0.0 && Math.abs(m.thickness_term) > Math.abs(others)) {
+  if (m.arc.arc.pitch_offset !== null && Math.abs(m.thickness_term) > Math.abs(others)) {
     way = m.thickness_term < 0.0 ? "farther out" : "closer in";
     return "" + "its tension member runs " + $text(way) + " than on the first drum";
   }
@@ -2604,7 +2604,7 @@ export function train_words___speed_sentence(case_, m) {
     " %, extra creep " +
     $text(train_words___signed(m.creep_term)) +
     " %";
-  if (m.thickness_term !== 0.0) {
+  if (m.arc.arc.pitch_offset !== null) {
     terms += "" + ", belt thickness " + $text(train_words___signed(m.thickness_term)) + " %";
   }
   if (Math.abs(ratio) < _AS_FAST) {
@@ -2992,7 +2992,7 @@ export function train_sheet__case_table(case_, system) {
     return row(name, (m) => train_sheet__signed(of(m)), note);
   };
   let thick = [];
-  if ([...members].some((m) => m.thickness_term !== 0.0)) {
+  if ([...members].some((m) => m.arc.arc.pitch_offset !== null)) {
     thick = [small("thickness_term", (m) => m.thickness_term, "")];
   }
   let rows = [
