@@ -158,7 +158,5 @@ def test_sheets_of_one_workbook_are_named_by_their_sheets() -> None:
 def test_the_report_says_what_slip_includes_and_the_order() -> None:
     lab = verdicts().laboratory(verdicts().smooth(), "3 x 2", 1)
     rows = {r.title: r.values for t in plan_sheet(lab.fit()).tables for r in t.rows}
-    assert rows["Slip includes"] == (
-        "sliding and cover shear and the rig's own travel",
-    )
+    assert rows["Slip includes"] == ("sliding and cover shear and the rig's own travel",)
     assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)
