@@ -1298,7 +1298,7 @@ export class Node {
 
 const SMALL_PULL = 0.001;
 const FINE = 3e-6;
-const SHARP = 3e-5;
+const SHARP = 1e-5;
 const _FIRST_RATIO = 0.0015;
 const _SPEED_WEIGHT = 1000.0;
 const COARSE = Infinity;
