@@ -22,7 +22,7 @@ from wraparc.arc.quantities import SOLVED, Geometry, jumps
 from wraparc.friction import CompactLaw
 
 #: Misfit of the arcs that is let stand: of a search, of curves, of what is told.
-COARSE, SHARP, FINE = NO_MESH, 2e-4, MESH
+COARSE, SHARP, FINE = NO_MESH, 1e-5, MESH
 #: Largest entry creep ratio that is considered, either way.
 LARGEST_RATIO = 0.5
 REST_SCALE = 1e-3  # creep of a slide behind a rest arc where its root is a place of the same size
