@@ -89,12 +89,7 @@ def test_speeds_that_shares_ask_for_share_so(carries: bool) -> None:
 def test_equal_drum_speeds_on_covers_that_differ() -> None:
     """The drum on the thicker cover runs 1 % too fast then and takes the load of the other, too."""
     of = tandem(THICK, True)
-<<<<<<< HEAD
-    asked = solved(of)
-    even = replace(asked.case, division=Speeds((1.0, 1.0)))
-=======
     even = replace(of.cases[0], division=Speeds((1.0, 1.0)))
->>>>>>> belt
     shares = [m.share for m in solved(replace(of, cases=(even,))).members]
     assert shares[1] > 1.0 > shares[0]
     assert sum(shares) == pytest.approx(1.0, abs=1e-9)
