@@ -123,7 +123,7 @@ def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check,
 
     def advised(check: Check) -> Check:
         if (EVEN.get(check.name, ""), check.place) in missed:
-            return replace(check, remedy="An even pulley fails too.")
+            return replace(check, remedy="Mend first what the even pulley lacks: it fails too.")
         if check.missed and check.otherwise and not _helps(check, least, both):
             return replace(check, remedy=check.otherwise)
         return check
