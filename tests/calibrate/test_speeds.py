@@ -152,7 +152,7 @@ def test_tensions_enter_the_interval(tmp_path: Path) -> None:
 def test_what_remains_identified_is_said_before_and_after(tmp_path: Path) -> None:
     # One reading, and an offset known to 20 mm: what friction does, a zero does as well.
     open_ = ERRORS.replace("0.5 mm", "20 mm")
-    ran = wraparc("calibrate", asked(tmp_path, ASK + open_))
+    ran = wraparc("calibrate", asked(tmp_path, ASK + open_), "--full")
     assert ran.code == 1
     assert "The data cannot separate friction and zero of the speed ratio" in ran.words
     assert "not identified - " in ran.words

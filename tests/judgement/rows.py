@@ -264,7 +264,12 @@ ROWS = (
         ("OK dry only", "Wet it slips through"), ("All",), level="OK"),
     Row("another question about a drive that was computed dry", tensions("135 kN", "62 kN"),
         ("OK", "dry only", "Wet it creeps 7.02 mm, beyond its limit."), ("OK as it is,",),
-        ("what-if", "field")),
+        ("what-if",)),
+    Row("levels of speed from a drive that was computed dry",
+        (*tensions("135 kN", "62 kN"), ("speed", 'pulley_cover = "4 mm"\ncarcass = "6 mm"\nspeed')),
+        ("OK", "dry only", "Wet it creeps", "beyond its limit."), ("OK as it is,",), ("field",)),
+    Row("levels of speed from a belt of unknown thickness", tensions("135 kN", "62 kN"),
+        ("ATTENTION", "between drum and belt"), ("OK",), ("field",)),
     Row("wet and dirty", (("format = 1", 'format = 1\ncondition = ["dry", "wet and dirty"]'),),
         ("was not tested wet and dirty",), ("OK",), ("solve", "page"), level="ATTENTION"),
     # sizes

@@ -9,9 +9,11 @@ from cli.running import wraparc
 from files.samples import example
 
 UPHILL = example("uphill-conveyor")
+#: No level of speeds is an OK without the layers of the belt.
+LAYERS = ("--set", "belt.pulley_cover=4 mm", "--set", "belt.carcass=6 mm")
 
 
-@pytest.mark.parametrize("command", [("what-if", "--worn", "8 mm"), ("field",), ("check",)])
+@pytest.mark.parametrize("command", [("what-if", "--worn", "8 mm"), ("field", *LAYERS), ("check",)])
 def test_an_ok_names_its_data(command: tuple[str, ...]) -> None:
     ran = wraparc(command[0], UPHILL, *command[1:])
     assert ran.code == 0, ran.err

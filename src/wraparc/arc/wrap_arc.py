@@ -167,6 +167,7 @@ class WrapArc:
             if not value > 0.0
         ]
         least = min(self.entry_tension, self.exit_tension)
+        least = least if least > 0.0 else math.inf  # what is no tension was told
         for key, value, unit, most in (
             ("pitch_offset", self.pitch_offset or 0.0, "m", math.inf),
             ("cover_compliance", self.cover_compliance, "m/Pa", math.inf),

@@ -105,9 +105,12 @@ def otherwise(run: RunResult) -> tuple[Otherwise, ...]:
     leaves out `LONGER` times as large.
     """
     from wraparc.motion.follow import simulate
+    from wraparc.motion.result import Outcome
 
     station, event = run.station, run.event
     if not station.taken or not event.moves or station.conveyor_mass is None:
+        return ()
+    if run.outcome is Outcome.CANCELLED:  # nobody waits for another run
         return ()
     if run not in _otherwise:
         until = min(event.duration, 3.0 * run.peak_tension.time + 5.0)

@@ -70,7 +70,7 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
     remarks = _notes(laggings)
     if first.source_of("law").kind is Kind.ILLUSTRATIVE and not remarks:
         remarks.append("Illustrative: it describes no real product.")
-    remarks += [
+    misfit = [
         f"{lagging.condition}: {m}" if len(laggings) > 1 else m
         for lagging in laggings if lagging.fit for m in _misfit(lagging.fit)
     ]  # fmt: skip
@@ -79,7 +79,7 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
         str(first.provenance),
         None,
         tuple(tables),
-        tuple(remarks),
+        (*misfit, *remarks),
         of.listed(),
     )
 
@@ -87,7 +87,7 @@ def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
 def _misfit(fit: Fit) -> list[str]:
     """Where a law does not describe its tests, and why it was written nevertheless."""
     reason = fit.misfit_accepted
-    return [*fit.misfit, *([f"Misfit accepted: {reason}"] if reason else [])]
+    return [*([f"Misfit accepted: {reason}"] if reason else []), *fit.misfit]
 
 
 def _notes(laggings: Sequence[Lagging]) -> list[str]:

@@ -235,7 +235,7 @@ def lagging_inputs(lagging: Lagging, conditions: tuple[str, ...] = ()) -> Iterat
 def in_slip(parts: tuple[str, ...] | None) -> str:
     """Say what the slip of a law holds besides the sliding."""
     if parts is None:
-        return "sliding; whether belt cover or lagging shear with it is not stated"
+        return "shear is not stated"
     return " and ".join(("sliding", *parts))
 
 

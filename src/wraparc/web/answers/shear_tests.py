@@ -262,7 +262,8 @@ def _plan(asked: FitRequest, files: Sequence[tuple[str, MachineFile]]) -> Docume
         "format": 1,
         "lagging": _without_empty(asked.lagging),
     }
-    document |= {"rig": rig} if (rig := _without_empty(asked.rig)) else {}
+    rig = _without_empty(asked.rig)
+    document |= {"rig": rig} if rig or "digitised" not in asked.more else {}  # a figure needs none
     document |= {key: table for key, table in asked.more.items() if key not in document}
     options = _without_empty(asked.fit)
     document |= {"fit": options} if options else {}
