@@ -38,6 +38,6 @@ def visitor(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator
     found = Visitor(browser, server.address)
     yield found
-    found.context.close()
+    found.close()
     assert found.wrong == []
     assert found.elsewhere == []

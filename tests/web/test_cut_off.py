@@ -90,7 +90,7 @@ class Cut:
 def cut(calculator: Calculator) -> Iterator[Cut]:
     found = Cut(calculator)
     yield found
-    found.visitor.context.close()
+    found.visitor.close()
     wrong = [w for w in found.visitor.wrong if "Failed to load resource" not in w]
     assert [w for w in wrong if "Unexpected" not in w] == []  # of half a script
 
@@ -279,7 +279,7 @@ def test_a_page_that_begins_without_a_server_begins_with_it(
     with page.expect_navigation():
         page.clock.run_for(31_000)
     page.wait_for_selector(READY["drive"])
-    visitor.context.close()
+    visitor.close()
 
 
 @pytest.mark.parametrize("path", sorted(STATIC.rglob("*.js")), ids=lambda p: p.name)

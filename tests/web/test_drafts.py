@@ -75,7 +75,7 @@ def test_a_reload_that_the_browser_forgot_the_state_of(
             f"before => ({written})() && location.hash !== before", arg=before
         )
         before = beside.page.evaluate("location.hash")
-        beside.context.close()
+        beside.close()
     page.evaluate(
         """before => {
           history.replaceState(null, '', before);

@@ -67,7 +67,7 @@ def test_plots_stand_on_one_axis_with_names_that_cover_nothing(calculator: Calcu
             for i, a in enumerate(boxes):
                 assert all(_apart(a, b) for b in boxes[:i])
                 assert not any(a[0] < x < a[2] and a[1] < y < a[3] for x, y in plot["points"])
-        visitor.context.close()
+        visitor.close()
 
 
 def test_one_place_is_read_in_all_plots_by_key_and_pointer(calculator: Calculator) -> None:
@@ -87,7 +87,7 @@ def test_one_place_is_read_in_all_plots_by_key_and_pointer(calculator: Calculato
         "(all) => all.map((e) => /^M([0-9.]+) /.exec(e.getAttribute('d'))[1])"
     )
     assert courses == ["62"] * 4
-    visitor.context.close()
+    visitor.close()
 
 
 def test_a_press_writes_only_what_is_another(calculator: Calculator) -> None:
@@ -107,4 +107,4 @@ def test_a_press_writes_only_what_is_another(calculator: Calculator) -> None:
     visitor.painted()
     assert page.evaluate("idle") == []
     assert page.evaluate("anew") == []
-    visitor.context.close()
+    visitor.close()

@@ -23,7 +23,7 @@ def clerk(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator
     found = Visitor(browser, server.address)
     yield found
-    found.context.close()
+    found.close()
     assert found.wrong == []
 
 
@@ -132,7 +132,7 @@ def test_pictures_stand_for_themselves_in_the_colours_of_paper(
     narrow = opened(exported(page, "Pictures of this page (PNG)", tmp_path))
     assert 600 < narrow.width < 900
     assert visitor.wrong == []
-    visitor.context.close()
+    visitor.close()
 
 
 def test_a_sentence_that_wraps_is_whole_in_the_picture(
@@ -155,7 +155,7 @@ def test_a_sentence_that_wraps_is_whole_in_the_picture(
     for e in told:
         size = float(e.attrib["font-size"].removesuffix("px"))
         assert float(e.attrib["x"]) + 0.5 * size * len("".join(e.itertext())) < wide + size
-    visitor.context.close()
+    visitor.close()
 
 
 def test_page_without_a_picture_says_so(clerk: Visitor) -> None:

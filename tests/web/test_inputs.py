@@ -127,7 +127,7 @@ def test_slider_is_found_by_finger_and_not_moved_unseen(calculator: Calculator) 
     assert page.evaluate(PLACES) == places
     page.touchscreen.tap(x, y)
     expect(number).not_to_have_value("150")
-    visitor.context.close()
+    visitor.close()
     assert visitor.wrong == []
 
 

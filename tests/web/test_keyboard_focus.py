@@ -139,4 +139,4 @@ def test_load_is_few_tab_stops_from_the_top(calculator: Calculator) -> None:
         page.keyboard.press("Tab")
         stops += 1
     assert stops <= 14
-    visitor.context.close()
+    visitor.close()

@@ -50,7 +50,7 @@ def test_nothing_jumps_while_the_first_page_loads(
         visitor.solved()
         visitor.painted()
     assert page.evaluate("shift") < MOST
-    visitor.context.close()
+    visitor.close()
 
 
 def test_many_load_cases_are_not_waited_for(calculator: Calculator) -> None:
@@ -69,4 +69,4 @@ def test_many_load_cases_are_not_waited_for(calculator: Calculator) -> None:
     expect(page.locator("#drive .answer")).to_be_visible()
     expect(page.locator("#verdict")).to_contain_text("All load cases are being solved")
     page.unroute_all(behavior="ignoreErrors")
-    visitor.context.close()
+    visitor.close()

@@ -58,5 +58,5 @@ def test_prices_of_two_currencies_are_never_set_side_by_side(
         # ranked by cost, what has no price in that currency stands behind
         page.locator("#compare thead").get_by_role("button", name="Cost over the years").click()
         expect(page.locator("#compare tbody tr").first).to_contain_text("Own rubber")
-        visitor.context.close()
+        visitor.close()
         assert visitor.wrong == []

@@ -128,7 +128,7 @@ def page_of(chrome: Browser, tmp_path: Path) -> Iterator[Any]:
 
     yield opened
     for visitor in visits:
-        visitor.context.close()
+        visitor.close()
         assert visitor.wrong == []
         assert set(visitor.elsewhere) <= written
 

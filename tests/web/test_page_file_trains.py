@@ -109,7 +109,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     for system in ("si", "us"):
         page.get_by_label(system.upper(), exact=True).check(force=True)
         assert_says(page, answer, system)
-    visitor.context.close()
+    visitor.close()
     assert (visitor.wrong, visitor.elsewhere) == ([], [])
 
 
@@ -140,7 +140,7 @@ def test_drive_page_shows_every_pulley(chrome: Browser, tmp_path: Path) -> None:
     page.wait_for_selector("html:not(.stale) #drive .t-capacity")
     rows = page.locator("#drive .t-summary tbody tr").all_text_contents()
     assert [row[: len(t)] for row, t in zip(rows, titles, strict=True)] == titles
-    visitor.context.close()
+    visitor.close()
     assert (visitor.wrong, visitor.elsewhere) == ([], [])
 
 
@@ -197,7 +197,7 @@ def test_a_page_reads_the_same_on_another_machine(
             page.wait_for_selector("#train .tables details")
         texts.append(page.evaluate(WORDS))
         assert not seed or page.evaluate("window.asked") > 1000
-        visitor.context.close()
+        visitor.close()
         assert (visitor.wrong, visitor.elsewhere) == ([], [])
     assert len(texts[0]) > 300
     for moved in texts[1:]:

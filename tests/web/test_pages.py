@@ -170,7 +170,7 @@ def test_undo_redo_and_link(visitor: Visitor, calculator: Calculator) -> None:
     assert other.page.input_value("#f-pulley-0-diameter") == "39.3701"
     assert other.page.input_value("#f-pulley-0-lagging") == "full-ceramic"
     assert key_figure(other, "Creep at exit") == creep
-    other.context.close()
+    other.close()
 
 
 def test_saved_design_comes_back_in_every_version(visitor: Visitor) -> None:
@@ -220,7 +220,7 @@ def test_a_link_from_elsewhere_asks_for_the_token(calculator: Calculator) -> Non
     page.get_by_role("button", name="Open").click()
     page.wait_for_selector(READY["compare"])
     assert "token" not in page.url
-    visitor.context.close()
+    visitor.close()
 
 
 def test_a_design_goes_into_the_bin_and_comes_back(visitor: Visitor) -> None:
@@ -564,4 +564,4 @@ def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculato
     page.keyboard.press("ArrowRight")
     expect(page.locator("#drive .figures")).to_contain_text("5.55 mm")
     assert visitor.wrong == ["The page and the server differ in exit_creep."]
-    visitor.context.close()
+    visitor.close()

@@ -63,5 +63,5 @@ def test_tensions_from_the_conveyor_and_back(calculator: Calculator) -> None:
     page.fill("#f-conveyor-length", "-600 m")
     page.press("#f-conveyor-length", "Tab")
     expect(page.locator("#f-conveyor-length-e")).to_contain_text("-600 m")
-    visitor.context.close()
+    visitor.close()
     assert visitor.wrong == []

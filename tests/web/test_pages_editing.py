@@ -22,7 +22,7 @@ def clerk(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator
     found = Visitor(browser, server.address)
     yield found
-    found.context.close()
+    found.close()
     assert found.wrong == []
 
 
@@ -426,7 +426,7 @@ def test_server_that_is_gone_and_comes_back(calculator: Calculator) -> None:
     expect(page.locator(".gone")).to_have_count(0)
     visitor.solved()
     expect(page.locator("#results [role=alert]")).to_have_text("")
-    visitor.context.close()
+    visitor.close()
 
 
 QUESTIONS = {
@@ -457,7 +457,7 @@ def test_questions_are_asked_again_once_the_server_is_back(calculator: Calculato
     for panel in panels.values():
         expect(panel).not_to_contain_text("does not answer")
         expect(panel.locator("table, .told, p").first).to_be_visible()
-    visitor.context.close()
+    visitor.close()
     assert [w for w in visitor.wrong if "ERR_FAILED" not in w] == []
 
 

@@ -126,4 +126,4 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
         "Below is the answer before the change"
     )
     assert visitor.wrong == []
-    visitor.context.close()
+    visitor.close()

@@ -463,5 +463,5 @@ def test_on_a_phone_the_picture_fits_and_a_tap_sets_a_point(calculator: Calculat
         "aria-pressed", "true"
     )
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    visit.context.close()
+    visit.close()
     assert visit.wrong == []

@@ -31,7 +31,7 @@ def desktop(calculator: Calculator) -> Iterator[Visitor]:
     """One visit to all pages, each left as a user would leave it."""
     visitor = Visitor(*_at(calculator), DESKTOP)
     yield visitor
-    visitor.context.close()
+    visitor.close()
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +39,7 @@ def phone(calculator: Calculator) -> Iterator[Visitor]:
     """One visit to all pages by telephone."""
     visitor = Visitor(*_at(calculator), PHONE, has_touch=True, is_mobile=True)
     yield visitor
-    visitor.context.close()
+    visitor.close()
 
 
 def _at(calculator: Calculator) -> tuple[Browser, str]:
@@ -200,7 +200,7 @@ def test_print_fits_the_paper(calculator: Calculator, paper: str, width: int) ->
     assert page.evaluate("document.documentElement.scrollWidth") <= width - 91
     assert not page.locator("header").is_visible()
     assert page.locator("#drive svg.pulley").is_visible()
-    visitor.context.close()
+    visitor.close()
 
 
 def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> None:
@@ -232,7 +232,7 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
     page.locator("#sort-margin").focus()
     page.keyboard.press("Enter")
     assert page.evaluate("document.activeElement.id") == "sort-margin"
-    visitor.context.close()
+    visitor.close()
 
 
 def test_the_line_of_a_phone_tells_the_verdict_on_all_load_cases(visitor: Visitor) -> None:

@@ -33,7 +33,7 @@ def test_a_killed_server_is_waited_for_and_comes_back(
         other.page.click("#nav-drive")
         expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
         for visitor in (window, other):
-            visitor.context.close()
+            visitor.close()
     finally:
         again.kill()
 
@@ -90,5 +90,5 @@ def test_a_link_is_shown_where_the_clipboard_is_closed(calculator: Calculator) -
     other.open("drive")
     expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("71")
     assert visitor.wrong == []
-    visitor.context.close()
-    other.context.close()
+    visitor.close()
+    other.close()

@@ -31,5 +31,5 @@ def test_a_version_that_is_refused_renames_nothing(calculator: Calculator) -> No
     expect(rows).not_to_contain_text("a new name")
     found = server.ask(f"{API}/designs/{design['id']}").json()
     assert (found["name"], len(found["versions"])) == ("as it was called", 2), json.dumps(found)
-    visitor.context.close()
+    visitor.close()
     assert visitor.wrong == []

@@ -25,7 +25,7 @@ def guest(calculator: Calculator) -> Iterator[Visitor]:
     found = Visitor(calculator[0], calculator[1].address, told_long=False)
     found.page.clock.install()
     yield found
-    found.context.close()
+    found.close()
 
 
 def take(page: Page, doc: dict[str, Any]) -> None:
@@ -344,4 +344,4 @@ def test_a_long_title_widens_no_page(calculator: Calculator, size: Any) -> None:
                 expect(page.locator("#drive .pick h2")).to_have_text(title)
             widths = page.evaluate("[document.documentElement.scrollWidth, innerWidth]")
             assert widths[0] <= widths[1], name
-    visitor.context.close()
+    visitor.close()

@@ -18,7 +18,7 @@ def guest(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator
     found = Visitor(browser, server.address)
     yield found
-    found.context.close()
+    found.close()
 
 
 def slips(visitor: Visitor) -> Page:
