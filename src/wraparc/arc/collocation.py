@@ -283,6 +283,14 @@ def start_at(face: Interface, arc: Geometry, tension: float) -> tuple[float, flo
     return face.slides * face.shear * held, face.slides * face.shear * by_pressure / area
 
 
+def held_stiffness(arc: Geometry) -> float:
+    """Tension per creep that is taken up at the end of a held belt much longer than l, B l/c [N/m].
+
+    c is the compliance of what shears.
+    """
+    return arc.width * lag_length(arc) / arc.shear
+
+
 def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     """Entry tension of a rest arc, much longer than l, by that at its end [N].
 
@@ -290,7 +298,7 @@ def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     """
     if arc.shear == 0.0:
         return tension
-    end, taken = start_at(face, arc, tension)[0], arc.width * lag_length(arc) / arc.shear
+    end, taken = start_at(face, arc, tension)[0], held_stiffness(arc)
     entry = tension
     for _ in range(4):  # an overrun by formula grows with the entry tension: Newton's method
         overrun, by_tension = overrun_at(arc, entry)

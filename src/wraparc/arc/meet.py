@@ -22,6 +22,7 @@ from wraparc.arc.collocation import (
     compliance_of,
     entry_of_rest,
     first_course,
+    held_stiffness,
     lag_length,
     overrun_at,
     ratio_behind_rest,
@@ -99,7 +100,7 @@ def meet(
         Misfit of an element, of the change of tension, that is let stand [-].
     """
     face, length = interface(law, arc), arc.radius * arc.wrap_angle
-    if jumps(law) and STIFF * lag_length(arc) < length:
+    if may_rest(law, arc):
         behind = face._replace(slides=arc.side, rests=True)
         held = _at_rest(behind, arc, ends, guess) if arc.shear > 0.0 else None
         found = _behind_rest(behind, arc, ends, guess, tol) if held is None else held
@@ -108,14 +109,19 @@ def meet(
     if near is not None:
         again = solved(face, arc, ends, near, tol)
         if again.done:
-            return _all_sliding(face, again)
+            return all_sliding(face, again)
         if tol >= ROUGH:  # one of many steps: a shorter one will do
             return unmet(face, near)
     first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
-    return _all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
+    return all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
 
 
-def _all_sliding(face: Interface, found: Solved) -> Met:
+def may_rest(law: CompactLaw, arc: Geometry) -> bool:
+    """Whether a rest arc that is much longer than l may stand at the entry."""
+    return jumps(law) and STIFF * lag_length(arc) < arc.radius * arc.wrap_angle
+
+
+def all_sliding(face: Interface, found: Solved) -> Met:
     """An arc without a rest arc of its own."""
     return Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face)
 
@@ -127,17 +133,22 @@ def unmet(face: Interface, at: Course) -> Met:
 
 def _at_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess) -> Met | None:
     """An arc that is held all along, much longer than l; None where it is not."""
-    area, lag, length = arc.width * arc.radius, lag_length(arc), arc.radius * arc.wrap_angle
-    taken = arc.width * lag / arc.shear
-    overrun, entry, leaving = overrun_at(arc, guess.entry)[0], guess.entry, guess.leaving
     if ends.kind != TENSION or ends.at_entry != 1.0:
         return None
-    creep = (entry - leaving) / taken - overrun
-    if abs(creep) > arc.shear * held_stress(face.law, leaving / area):
+    creep = (guess.entry - guess.leaving) / held_stiffness(arc) - overrun_at(arc, guess.entry)[0]
+    return held_along(face, arc, guess._replace(creep=creep))
+
+
+def held_along(face: Interface, arc: Geometry, at: Guess) -> Met | None:
+    """An arc that is held all along by what is known of its ends; None where it is not."""
+    leaving, creep = at.leaving, at.creep
+    if leaving <= 0.0:
         return None
-    course = Course([0.0, 0.0], [creep] * 2, [leaving] * 2, [leaving] * 3, 0.0)
-    course = course._replace(ratio=compliance_of(arc) * leaving + creep / lag)
-    return Met(True, course, NO_SLOPES, length, entry, face)
+    if abs(creep) > arc.shear * held_stress(face.law, leaving / (arc.width * arc.radius)):
+        return None
+    ratio = compliance_of(arc) * leaving + creep / lag_length(arc)
+    course = Course([0.0, 0.0], [creep] * 2, [leaving] * 2, [leaving] * 3, ratio)
+    return Met(True, course, NO_SLOPES, arc.radius * arc.wrap_angle, at.entry, face)
 
 
 def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:
@@ -146,13 +157,19 @@ def _behind_rest(face: Interface, arc: Geometry, ends: Ends, guess: Guess, tol: 
     for share in FIRST_SLIDES:
         first = first_course(arc, share * length, guess.entry, guess.leaving, guess.creep)
         first = first._replace(ratio=ratio_behind_rest(face, arc, guess.entry)[0])
-        done, course, slopes = solved(face, arc, ends, first, tol)
-        if done:
-            rest = length - course.place[-1]
-            long = rest >= HELD * lag_length(arc)
-            entry = entry_of_rest(face, arc, course.tension[0])
-            return Met(long, course, slopes, max(rest, 0.0), entry, face)
+        found = solved(face, arc, ends, first, tol)
+        if found.done:
+            return with_rest(face, arc, found)
     return unmet(face, first)
+
+
+def with_rest(face: Interface, arc: Geometry, found: Solved) -> Met:
+    """An arc with its slide behind a rest arc; not done where that is not much longer than l."""
+    course = found.course
+    rest = arc.radius * arc.wrap_angle - course.place[-1]
+    long = rest >= HELD * lag_length(arc)
+    entry = entry_of_rest(face, arc, course.tension[0])
+    return Met(long, course, found.slopes, max(rest, 0.0), entry, face)
 
 
 def by_growth(law: CompactLaw, arc: Geometry, ends: Ends, guess: Guess, tol: float) -> Met:

@@ -1,8 +1,8 @@
 """An arc by its entry tension and exit creep: what leaves it, how fast it turns, and their slopes.
 
 The exit creep u(L) says how an arc works, from braking through idling and rest to driving, with the
-entry tension held: the exit tension falls and the entry creep ratio rises with it, whatever the
-length of the arc. What follows from both, and how, comes out of the solver's own matrix.
+entry tension held: the exit tension falls and the entry creep ratio rises with it, for every length
+of the arc. What follows from both, and how, comes out of the solver's own matrix.
 """
 
 from __future__ import annotations
@@ -16,15 +16,13 @@ from wraparc.arc.collocation import (
     CREEP,
     FIRST_STEPS,
     LATER_STEPS,
-    NO_SLOPES,
-    Course,
     Ends,
     Interface,
     Solved,
     compliance_of,
     converged,
-    entry_of_rest,
     first_course,
+    held_stiffness,
     lag_length,
     meshed,
     misfits,
@@ -34,9 +32,18 @@ from wraparc.arc.collocation import (
     solved_or_eased,
     start_at,
 )
-from wraparc.arc.meet import HELD, STIFF, Guess, Met, by_growth, interface
+from wraparc.arc.meet import (
+    Guess,
+    Met,
+    all_sliding,
+    by_growth,
+    held_along,
+    interface,
+    may_rest,
+    with_rest,
+)
 from wraparc.arc.profile import entry_ratio
-from wraparc.arc.quantities import Geometry, jumps
+from wraparc.arc.quantities import Geometry
 from wraparc.arc.traction import held_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -89,7 +96,7 @@ def passed(
         Misfit of an element that is let stand; `NO_MESH` keeps the mesh of `near` [-].
     """
     ends = Ends(1.0, 0.0, entry, CREEP, creep)
-    if jumps(law) and arc.shear > 0.0 and STIFF * lag_length(arc) < arc.radius * arc.wrap_angle:
+    if arc.shear > 0.0 and may_rest(law, arc):
         held = _held(law, arc, ends)
         if held is not None:
             return held
@@ -111,17 +118,13 @@ def slide_slope(law: CompactLaw, arc: Geometry, entry: float) -> float:
 
 def _held(law: CompactLaw, arc: Geometry, ends: Ends) -> Passed | None:
     """An arc that is held all along, much longer than l; None where it is not."""
-    lag, length = lag_length(arc), arc.radius * arc.wrap_angle
-    taken = arc.width * lag / arc.shear
+    lag, taken = lag_length(arc), held_stiffness(arc)
     overrun, by_tension = overrun_at(arc, ends.tension)
     leaving = ends.tension - taken * (overrun + ends.goal)
-    most = held_stress(law, max(leaving, 0.0) / (arc.width * arc.radius))
-    if leaving <= 0.0 or abs(ends.goal) > arc.shear * most:
-        return None
-    ratio = compliance_of(arc) * leaving + ends.goal / lag
-    course = Course([0.0, 0.0], [ends.goal] * 2, [leaving] * 2, [leaving] * 3, ratio)
     face = interface(law, arc)._replace(slides=arc.side, rests=True)
-    met = Met(True, course, NO_SLOPES, length, ends.tension, face)
+    met = held_along(face, arc, Guess(ends.tension, leaving, ends.goal))
+    if met is None:
+        return None
     return Passed(
         met, leaving, -overrun / lag, 1.0 - taken * by_tension, -taken, -by_tension / lag, 0.0
     )
@@ -151,21 +154,17 @@ def _again(law: CompactLaw, arc: Geometry, ends: Ends, near: Met, tol: float) ->
 
 def _checked(face: Interface, arc: Geometry, found: Solved) -> Met | None:
     """The arc found, or None where it has a rest arc and should not, or the other way round."""
-    at = found.course
     if face.rests:
-        rest = arc.radius * arc.wrap_angle - at.place[-1]
-        if rest < HELD * lag_length(arc) or rest < 0.0:
-            return None
-        entry = entry_of_rest(face, arc, at.tension[0])
-        return Met(True, at, found.slopes, rest, entry, face)
-    met = Met(True, at, found.slopes, 0.0, at.tension[0], face)
+        behind = with_rest(face, arc, found)
+        return behind if behind.done else None
+    met = all_sliding(face, found)
     return None if face.slides * entry_ratio(arc, met) < -ROUNDING else met
 
 
 def _afresh(law: CompactLaw, arc: Geometry, ends: Ends, tol: float) -> Met:
     """The arc from a guess of its tensions."""
     face = interface(law, arc)
-    if jumps(law) and STIFF * lag_length(arc) < arc.radius * arc.wrap_angle:
+    if may_rest(law, arc):
         behind = _behind_rest(face._replace(slides=arc.side, rests=True), arc, ends, tol)
         if behind is not None:
             return behind
@@ -175,7 +174,7 @@ def _afresh(law: CompactLaw, arc: Geometry, ends: Ends, tol: float) -> Met:
     guess = Guess(ends.tension, ends.tension * exp(-arc.side * fall), ends.goal)
     first = first_course(arc, arc.radius * arc.wrap_angle, guess.entry, guess.leaving, guess.creep)
     found = solved_or_eased(face, arc, ends, first, tol)
-    met = Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face)
+    met = all_sliding(face, found)
     if not met.done:
         met = by_growth(law, arc, ends, guess, tol)
     if met.rest == 0.0 and met.face.slides * entry_ratio(arc, met) < -ROUNDING:
@@ -214,7 +213,7 @@ def _told(arc: Geometry, met: Met) -> Passed:
         lag = lag_length(arc)
         ratio_by_entry = 0.0 if lag == 0.0 else -overrun_slope / lag
         if arc.shear > 0.0:
-            taken = arc.width * lag / arc.shear
+            taken = held_stiffness(arc)
             end_slope = start_at(met.face, arc, met.course.tension[0])[1]
             part = (1.0 - taken * overrun_slope) / (1.0 + taken * end_slope)
         else:

@@ -15,6 +15,7 @@ from wraparc.arc.collocation import (
     C1,
     C2,
     compliance_of,
+    held_stiffness,
     kinks,
     lag_length,
     overrun_at,
@@ -75,7 +76,7 @@ def point_at_rest(arc: Geometry, met: Met, s: float) -> Point:
     lag, overrun = lag_length(arc), overrun_at(arc, met.entry)[0]
     early, late = exp(-s / lag), exp((s - met.rest) / lag)
     creep = overrun * early + at.creep[0] * late
-    taken = arc.width * lag / arc.shear * (overrun * (1.0 - early) + at.creep[0] * late)
+    taken = held_stiffness(arc) * (overrun * (1.0 - early) + at.creep[0] * late)
     return Point(s, met.entry - taken, creep, 0.0, creep / arc.shear)
 
 

@@ -110,7 +110,7 @@ def otherwise(run: RunResult) -> tuple[Otherwise, ...]:
     station, event = run.station, run.event
     if not station.taken or not event.moves or station.conveyor_mass is None:
         return ()
-    if run.outcome is Outcome.CANCELLED:  # nobody waits for another run
+    if run.outcome is Outcome.CANCELLED:  # the user has ended it
         return ()
     if run not in _otherwise:
         until = min(event.duration, 3.0 * run.peak_tension.time + 5.0)

@@ -57,7 +57,7 @@ def across_tables(result: DriveResult, system: System) -> list[Table]:
 
 
 def worst_first(result: DriveResult) -> list[AcrossResult]:
-    """Return uneven pulleys in their load cases, the one that comes off worst across first."""
+    """Return uneven pulleys in their load cases, the one with the worst check across first."""
     checks = [c for c in judge(result).checks if c.name in ACROSS_CHECKS]
 
     def badness(found: AcrossResult) -> tuple[int, float]:

@@ -2,17 +2,14 @@
 // Made from the Python source by `make kernel`: change that, not this.
 import {
   Among,
-  Course,
   Ends,
   Guess,
-  Met,
-  Slopes,
   answer__operating_point,
   capacity__stress_about,
   collocation__compliance_of,
   collocation__converged,
-  collocation__entry_of_rest,
   collocation__first_course,
+  collocation__held_stiffness,
   collocation__lag_length,
   collocation__meshed,
   collocation__misfits,
@@ -22,8 +19,12 @@ import {
   collocation__solved_or_eased,
   collocation__start_at,
   in_page__description_of,
+  meet__all_sliding,
   meet__by_growth,
+  meet__held_along,
   meet__interface,
+  meet__may_rest,
+  meet__with_rest,
   numbers__idles,
   numbers__usual,
   profile__entry_ratio,
@@ -1387,15 +1388,12 @@ const TRAIN_BALANCE = 1e-5;
 const _LEAST_RISE = 1e-9;
 const REST_SCALE = 0.001;
 const CREEP = 1;
-const STIFF = 40.0;
-const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const NO_MESH = Infinity;
 const COARSELY = 0.0001;
 const SETTLED = 1e-6;
 const FIRST_STEPS = 15;
 const MESHES = 3;
 const LATER_STEPS = 20;
-const HELD = 20.0;
 const ROUNDING = 1e-9;
 const AFRESH = 0.01;
 const LARGEST_FALL = 6.0;
@@ -3103,30 +3101,20 @@ export function arc_tables__capacity_rows(c, of, system) {
 /** An arc that is held all along, much longer than l; None where it is not. */
 export function passage___held(law, arc, ends) {
   let lag = collocation__lag_length(arc);
-  let length = arc.radius * arc.wrap_angle;
-  let taken = (arc.width * lag) / arc.shear;
+  let taken = collocation__held_stiffness(arc);
   const found1 = collocation__overrun_at(arc, ends.tension);
   let overrun = found1[0];
   let by_tension = found1[1];
   let leaving = ends.tension - taken * (overrun + ends.goal);
-  let most = traction__held_stress(law, max(leaving, 0.0) / (arc.width * arc.radius));
-  if (leaving <= 0.0 || Math.abs(ends.goal) > arc.shear * most) {
-    return null;
-  }
-  let ratio = collocation__compliance_of(arc) * leaving + ends.goal / lag;
-  let course = new Course(
-    [0.0, 0.0],
-    $repeated([ends.goal], 2),
-    $repeated([leaving], 2),
-    $repeated([leaving], 3),
-    ratio,
-  );
   let face = Object.assign(
     Object.create(Object.getPrototypeOf(meet__interface(law, arc))),
     meet__interface(law, arc),
     { slides: arc.side, rests: true },
   );
-  let met = new Met(true, course, NO_SLOPES, length, ends.tension, face);
+  let met = meet__held_along(face, arc, new Guess(ends.tension, leaving, ends.goal));
+  if (met === null) {
+    return null;
+  }
   return new Passed(
     met,
     leaving,
@@ -3140,17 +3128,12 @@ export function passage___held(law, arc, ends) {
 
 /** The arc found, or None where it has a rest arc and should not, or the other way round. */
 export function passage___checked(face, arc, found) {
-  let entry, rest;
-  let at = found.course;
+  let behind;
   if (face.rests) {
-    rest = arc.radius * arc.wrap_angle - at.place.at(-1);
-    if (rest < HELD * collocation__lag_length(arc) || rest < 0.0) {
-      return null;
-    }
-    entry = collocation__entry_of_rest(face, arc, at.tension[0]);
-    return new Met(true, at, found.slopes, rest, entry, face);
+    behind = meet__with_rest(face, arc, found);
+    return behind.done ? behind : null;
   }
-  let met = new Met(true, at, found.slopes, 0.0, at.tension[0], face);
+  let met = meet__all_sliding(face, found);
   return face.slides * profile__entry_ratio(arc, met) < -ROUNDING ? null : met;
 }
 
@@ -3219,10 +3202,7 @@ export function passage___behind_rest(face, arc, ends, tol) {
 export function passage___afresh(law, arc, ends, tol) {
   let behind;
   let face = meet__interface(law, arc);
-  if (
-    quantities__jumps(law) &&
-    STIFF * collocation__lag_length(arc) < arc.radius * arc.wrap_angle
-  ) {
+  if (meet__may_rest(law, arc)) {
     behind = passage___behind_rest(
       Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
         slides: arc.side,
@@ -3248,7 +3228,7 @@ export function passage___afresh(law, arc, ends, tol) {
     guess.creep,
   );
   let found = collocation__solved_or_eased(face, arc, ends, first, tol);
-  let met = new Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face);
+  let met = meet__all_sliding(face, found);
   if (!met.done) {
     met = meet__by_growth(law, arc, ends, guess, tol);
   }
@@ -3268,7 +3248,7 @@ export function passage___told(arc, met) {
     lag = collocation__lag_length(arc);
     ratio_by_entry = lag === 0.0 ? 0.0 : -overrun_slope / lag;
     if (arc.shear > 0.0) {
-      taken = (arc.width * lag) / arc.shear;
+      taken = collocation__held_stiffness(arc);
       end_slope = collocation__start_at(met.face, arc, met.course.tension[0])[1];
       part = (1.0 - taken * overrun_slope) / (1.0 + taken * end_slope);
     } else {
@@ -3295,11 +3275,7 @@ export function passage___told(arc, met) {
 export function passage__passed(law, arc, entry, creep, near, tol) {
   let held;
   let ends = new Ends(1.0, 0.0, entry, CREEP, creep);
-  if (
-    quantities__jumps(law) &&
-    arc.shear > 0.0 &&
-    STIFF * collocation__lag_length(arc) < arc.radius * arc.wrap_angle
-  ) {
+  if (arc.shear > 0.0 && meet__may_rest(law, arc)) {
     held = passage___held(law, arc, ends);
     if (held !== null) {
       return held;

@@ -2019,33 +2019,55 @@ export function collocation__lag_length(arc) {
   return Math.sqrt(arc.shear / (arc.width * collocation__compliance_of(arc)));
 }
 
-/** An arc that is held all along, much longer than l; None where it is not. */
-export function meet___at_rest(face, arc, ends, guess) {
-  let area = arc.width * arc.radius;
-  let lag = collocation__lag_length(arc);
-  let length = arc.radius * arc.wrap_angle;
-  let taken = (arc.width * lag) / arc.shear;
-  let overrun = collocation__overrun_at(arc, guess.entry)[0];
-  let entry = guess.entry;
-  let leaving = guess.leaving;
-  if (ends.kind !== TENSION || ends.at_entry !== 1.0) {
+/** Whether a rest arc that is much longer than l may stand at the entry. */
+export function meet__may_rest(law, arc) {
+  return (
+    quantities__jumps(law) && STIFF * collocation__lag_length(arc) < arc.radius * arc.wrap_angle
+  );
+}
+
+/** Tension per creep that is taken up at the end of a held belt much longer than l, B l/c [N/m]. */
+export function collocation__held_stiffness(arc) {
+  return (arc.width * collocation__lag_length(arc)) / arc.shear;
+}
+
+/** An arc that is held all along by what is known of its ends; None where it is not. */
+export function meet__held_along(face, arc, at) {
+  let leaving = at.leaving;
+  let creep = at.creep;
+  if (leaving <= 0.0) {
     return null;
   }
-  let creep = (entry - leaving) / taken - overrun;
-  if (Math.abs(creep) > arc.shear * traction__held_stress(face.law, leaving / area)) {
+  if (
+    Math.abs(creep) >
+    arc.shear * traction__held_stress(face.law, leaving / (arc.width * arc.radius))
+  ) {
     return null;
   }
+  let ratio = collocation__compliance_of(arc) * leaving + creep / collocation__lag_length(arc);
   let course = new Course(
     [0.0, 0.0],
     $repeated([creep], 2),
     $repeated([leaving], 2),
     $repeated([leaving], 3),
-    0.0,
+    ratio,
   );
-  course = Object.assign(Object.create(Object.getPrototypeOf(course)), course, {
-    ratio: collocation__compliance_of(arc) * leaving + creep / lag,
-  });
-  return new Met(true, course, NO_SLOPES, length, entry, face);
+  return new Met(true, course, NO_SLOPES, arc.radius * arc.wrap_angle, at.entry, face);
+}
+
+/** An arc that is held all along, much longer than l; None where it is not. */
+export function meet___at_rest(face, arc, ends, guess) {
+  if (ends.kind !== TENSION || ends.at_entry !== 1.0) {
+    return null;
+  }
+  let creep =
+    (guess.entry - guess.leaving) / collocation__held_stiffness(arc) -
+    collocation__overrun_at(arc, guess.entry)[0];
+  return meet__held_along(
+    face,
+    arc,
+    Object.assign(Object.create(Object.getPrototypeOf(guess)), guess, { creep: creep }),
+  );
 }
 
 /** Traction mu(x, p) p at a magnitude of slip, > 0 [Pa], and its slope by p at that slip. */
@@ -2301,7 +2323,7 @@ export function collocation__entry_of_rest(face, arc, tension) {
     return tension;
   }
   let end = collocation__start_at(face, arc, tension)[0];
-  let taken = (arc.width * collocation__lag_length(arc)) / arc.shear;
+  let taken = collocation__held_stiffness(arc);
   let entry = tension;
   for (let each1 = 0, end1 = 4; each1 < end1; each1++) {
     const found2 = collocation__overrun_at(arc, entry);
@@ -2803,9 +2825,18 @@ export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
   return collocation__converged(face, arc, ends, found.course, LATER_STEPS, 1e-9);
 }
 
+/** An arc with its slide behind a rest arc; not done where that is not much longer than l. */
+export function meet__with_rest(face, arc, found) {
+  let course = found.course;
+  let rest = arc.radius * arc.wrap_angle - course.place.at(-1);
+  let long = rest >= 20.0 * collocation__lag_length(arc);
+  let entry = collocation__entry_of_rest(face, arc, course.tension[0]);
+  return new Met(long, course, found.slopes, max(rest, 0.0), entry, face);
+}
+
 /** `meet` with a rest arc at the entry; not done where it is not much longer than l. */
 export function meet___behind_rest(face, arc, ends, guess, tol) {
-  let course, done, entry, first, long, rest, share, slopes;
+  let first, found, share;
   let length = arc.radius * arc.wrap_angle;
   for (const each1 of FIRST_SLIDES) {
     share = each1;
@@ -2813,22 +2844,16 @@ export function meet___behind_rest(face, arc, ends, guess, tol) {
     first = Object.assign(Object.create(Object.getPrototypeOf(first)), first, {
       ratio: collocation__ratio_behind_rest(face, arc, guess.entry)[0],
     });
-    const found2 = collocation__solved(face, arc, ends, first, tol);
-    done = found2.done;
-    course = found2.course;
-    slopes = found2.slopes;
-    if (done) {
-      rest = length - course.place.at(-1);
-      long = rest >= 20.0 * collocation__lag_length(arc);
-      entry = collocation__entry_of_rest(face, arc, course.tension[0]);
-      return new Met(long, course, slopes, max(rest, 0.0), entry, face);
+    found = collocation__solved(face, arc, ends, first, tol);
+    if (found.done) {
+      return meet__with_rest(face, arc, found);
     }
   }
   return meet__unmet(face, first);
 }
 
 /** An arc without a rest arc of its own. */
-export function meet___all_sliding(face, found) {
+export function meet__all_sliding(face, found) {
   return new Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face);
 }
 
@@ -2893,7 +2918,7 @@ export function meet__meet(law, arc, ends, guess, near, tol) {
   let again, behind, found, held;
   let face = meet__interface(law, arc);
   let length = arc.radius * arc.wrap_angle;
-  if (quantities__jumps(law) && STIFF * collocation__lag_length(arc) < length) {
+  if (meet__may_rest(law, arc)) {
     behind = Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
       slides: arc.side,
       rests: true,
@@ -2907,14 +2932,14 @@ export function meet__meet(law, arc, ends, guess, near, tol) {
   if (near !== null) {
     again = collocation__solved(face, arc, ends, near, tol);
     if (again.done) {
-      return meet___all_sliding(face, again);
+      return meet__all_sliding(face, again);
     }
     if (tol >= ROUGH) {
       return meet__unmet(face, near);
     }
   }
   let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
-  return meet___all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
+  return meet__all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
 }
 
 /** Whether more is carried as creep grows: friction is not exhausted. */
@@ -3252,7 +3277,7 @@ export function profile__point_at_rest(arc, met, s) {
   let early = Math.exp(-s / lag);
   let late = Math.exp((s - met.rest) / lag);
   let creep = overrun * early + at.creep[0] * late;
-  let taken = ((arc.width * lag) / arc.shear) * (overrun * (1.0 - early) + at.creep[0] * late);
+  let taken = collocation__held_stiffness(arc) * (overrun * (1.0 - early) + at.creep[0] * late);
   return new Point(s, met.entry - taken, creep, 0.0, creep / arc.shear);
 }
 
