@@ -114,10 +114,12 @@ def answers(
         @wraps(command)
         def call(**given: Any) -> Any:
             paths = {name: given.pop(f"{name}_file") for name in files}
-            wanted = Wanted(given.pop("full", not tables), given.pop("table", None) or "")
+            units: System = given.pop("units")
+            table = given.pop("table", None) or ""
+            wanted = Wanted(given.pop("full", not tables), table, units)
             if wanted.table and wanted.table not in tables:
                 raise InputError(no_table(wanted.table, list(tables)))
-            answer = Answer(given.pop("units"), wanted, paths)
+            answer = Answer(units, wanted, paths)
             if checked:
                 answer.check([given[argument]])
             return command(answer=answer, **given)

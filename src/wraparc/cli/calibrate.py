@@ -55,7 +55,7 @@ def calibrate(
             "output", lambda: lagging_text(calibrated_lagging(found, measured, name or ""))
         )
     about = measured.title, measured.description, tuple(map(str, measured.sources))
-    answer.give(lambda: calibrate_sheet(found, measured.problem, *about, answer.units))
+    answer.give(lambda: calibrate_sheet(found, measured.problem, *about))
     output = answer.paths["output"]
     if output and not found.told:
         click.echo(f"{output} not written: the data do not identify every parameter.", err=True)
@@ -83,9 +83,7 @@ def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | 
         from wraparc.plot.overlay import plot_overlay
 
         answer.write("plot", lambda: plot_overlay(problem.traces, predicted, answer.units).save)
-    answer.give(
-        lambda: overlay_sheet(problem, measured.folded, predicted, measured.title, answer.units)
-    )
+    answer.give(lambda: overlay_sheet(problem, measured.folded, predicted, measured.title))
     return _TOLD
 
 

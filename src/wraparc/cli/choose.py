@@ -45,7 +45,7 @@ def choose(
     answer.write("json", lambda: json_text(choose_document(selection, lighter)))
     answer.write("csv", lambda: choose_csv(selection))
     answer.write("plot", lambda: _picture(selection, answer.units))
-    answer.give(lambda: choose_sheet(selection, answer.units, lighter, rows))
+    answer.give(lambda: choose_sheet(selection, lighter, rows))
     return _FOUND if len(selection.ranking) else _NONE_FEASIBLE
 
 

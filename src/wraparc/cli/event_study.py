@@ -63,4 +63,4 @@ def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> None:
             from wraparc.plot.event_study import plot_event_study
 
             answer.write("plot", lambda: plot_event_study(asked, rows, answer.units).save)
-        answer.give(lambda: event_study_sheet(asked, rows, answer.units))
+        answer.give(lambda: event_study_sheet(asked, rows))

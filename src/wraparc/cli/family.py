@@ -53,5 +53,5 @@ def family(
 
     answer.write("json", lambda: json_text(family_document(results)))
     answer.write("plot", picture)
-    answer.give(lambda: family_sheet(drive, results, title, answer.units))
+    answer.give(lambda: family_sheet(drive, results, title))
     return 0 if all(r.status.solved for r in results) else 1

@@ -60,7 +60,7 @@ def field(
         found, source = on_site(whole, name, asked)
     judged, title = judge(whole), drive.title or "Drive"
     answer.write("json", lambda: json_text(field_document(found, judged)))
-    answer.give(lambda: field_sheet(found, judged, title, name, source, answer.units))
+    answer.give(lambda: field_sheet(found, judged, title, name, source))
     return exit_code(whole)
 
 

@@ -37,5 +37,5 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
     found = search(document, wanted, file=file, folder=dirname(file), allow_paths=True)
     title = str(document.get("title") or "Goal seek")
     answer.write("json", lambda: json_text(seek_document(found)))
-    answer.give(lambda: seek_sheet(found, title, answer.units))
+    answer.give(lambda: seek_sheet(found, title))
     return 0 if found.values else 1

@@ -12,7 +12,6 @@ from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
-from wraparc.cli.show import Wanted
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
@@ -88,9 +87,9 @@ def solve(
     answer.write("plot", lambda: _picture(results, units, train).save)
     answer.write("map", lambda: _map(results[0], units).save)
     if everything and not answer.wanted.table:
-        answer.wanted = Wanted(full=True)
+        answer.wanted = replace(answer.wanted, full=True)
     detailed = answer.whole and (everything or load_case is not None)
-    answer.give(lambda: _sheet(results, units, detailed, train))
+    answer.give(lambda: _sheet(results, detailed, train))
     return exit_code(results[0] if train is None else train)
 
 
@@ -141,23 +140,21 @@ def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
     """Validate a drive FILE: report all its errors; solve nothing."""
     read = load_whole(file, overrides=settings)
     if isinstance(read, Drive):
-        answer.give(lambda: input_sheet(read, answer.units))
+        answer.give(lambda: input_sheet(read))
         return SOLVED
     from wraparc.present.train_sheet import train_input_sheet
 
-    answer.give(lambda: train_input_sheet(read, answer.units))
+    answer.give(lambda: train_input_sheet(read))
     return SOLVED
 
 
-def _sheet(
-    results: Sequence[DriveResult], units: System, everything: bool, train: "TrainResult | None"
-) -> Sheet:
+def _sheet(results: Sequence[DriveResult], everything: bool, train: "TrainResult | None") -> Sheet:
     if train is not None:
         from wraparc.cli.train_answer import sheet_of
 
-        return sheet_of(train, results, units, everything)
+        return sheet_of(train, results, everything)
     detail = range(len(results[0])) if everything else None
-    return drive_sheet(results, units, detail)
+    return drive_sheet(results, detail)
 
 
 def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult | None") -> Any:

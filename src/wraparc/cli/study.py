@@ -137,7 +137,6 @@ def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
     sheet = study_sheet(
         summary,
         dimensions,
-        answer.units,
         local=local,
         indices=indices,
         remarks=asked.remarks,
@@ -148,7 +147,7 @@ def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
         pictures = _pictures(asked, summary, local, indices, dimensions, answer.units)
         drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
         answer.write("plot", lambda: pictures[0].save)
-        answer.write("report", lambda: study_page(sheet, drawn, summary))
+        answer.write("report", lambda: study_page(sheet, drawn, summary, answer.units))
     answer.give(lambda: sheet)
 
 

@@ -10,7 +10,7 @@ from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.matching import WEAR, wet_laggings
-from wraparc.units import System, display, parse_quantity
+from wraparc.units import display, parse_quantity
 
 
 @click.command()
@@ -71,7 +71,7 @@ def trim(
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
     if not (result[load_case] if load_case else result.cases[0]).status.solved:
         answer.write("json", lambda: _verdict_json(result))
-        answer.give(lambda: _verdict(result, answer.units))
+        answer.give(lambda: _verdict(result))
         return exit_code(result)
     matching = match_drives(
         result,
@@ -86,7 +86,7 @@ def trim(
     answer.write("json", lambda: _json(result, matching, over_load, file))
     answer.write("csv", lambda: _csv(matching))
     answer.write("plot", lambda: _picture(matching, over_load, train.title))
-    answer.give(lambda: _sheet(result, matching, answer.units))
+    answer.give(lambda: _sheet(result, matching))
     return exit_code(result)
 
 
@@ -96,17 +96,17 @@ def _picture(matching: Matching, over_load: ShareMap | None, title: str) -> Cont
     return plot_matching(matching, over_load, title=title).save
 
 
-def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
+def _sheet(result: TrainResult, matching: Matching) -> Sheet:
     from wraparc.present.train_sheet import matching_sheet
 
-    return matching_sheet(result, matching, units)
+    return matching_sheet(result, matching)
 
 
-def _verdict(result: TrainResult, units: System) -> Sheet:
+def _verdict(result: TrainResult) -> Sheet:
     from wraparc.present.train_words import train_verdict
 
     title = f"{result.train.title or 'Train'}: nothing to trim"
-    return Sheet(title=title, verdict=train_verdict(result, units))
+    return Sheet(title=title, verdict=train_verdict(result))
 
 
 def _verdict_json(result: TrainResult) -> str:

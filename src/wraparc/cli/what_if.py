@@ -77,7 +77,7 @@ def what_if(
     found = solve_both(read, name, case, changes)
     title = drive.title or "What if"
     answer.write("json", lambda: json_text(what_if_document(found)))
-    answer.give(lambda: what_if_sheet(found, title, answer.units))
+    answer.give(lambda: what_if_sheet(found, title))
     return exit_code(found.wholes[0])
 
 

@@ -21,7 +21,7 @@ from wraparc.present.inputs import arc_inputs
 from wraparc.present.least_tension import least_data
 from wraparc.present.wear_table import life_data
 from wraparc.provenance import Provenance
-from wraparc.units import DIMENSION_TEXT
+from wraparc.units import DIMENSION_TEXT, in_units
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -120,6 +120,8 @@ def _plain(value: Any) -> Any:
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(item) for item in value]
+    if isinstance(value, str):
+        return in_units(value)
     if isinstance(value, float):
         return value + 0.0 if math.isfinite(value) else None  # no -0.0
     return value

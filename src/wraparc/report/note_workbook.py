@@ -16,7 +16,7 @@ from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
 from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
-from wraparc.units import NOTHING, SMALL, Dimension, System, display_unit
+from wraparc.units import NOTHING, SMALL, Dimension, System, display_unit, in_units
 
 if TYPE_CHECKING:
     from wraparc.motion.reported import InTime
@@ -184,7 +184,7 @@ class _Workbook:
         unit, size = self._unit(check.dimension)
         bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
         # what is below its accuracy is told so, as everywhere
-        value: Cell = check.texts()[0] if check.below else check.value / size
+        value: Cell = in_units(check.texts()[0], self.system) if check.below else check.value / size
         margin: Cell = "-" if check.below else 100.0 * check.margin
         return (
             check.title, bound, check.limit / size, value, unit or "-",
@@ -192,7 +192,7 @@ class _Workbook:
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
-        value: Cell = entry.text(self.system)
+        value: Cell = in_units(entry.text(), self.system)
         unit = ""
         if isinstance(entry.value, float) and math.isfinite(entry.value):
             unit, size = self._unit(entry.dimension)
