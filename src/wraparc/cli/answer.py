@@ -7,7 +7,7 @@ and leaves it: the files first, then the sheet on standard output.
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import wraps
+from functools import cache, wraps
 from typing import Any
 
 import click
@@ -86,9 +86,26 @@ class Answer:
         if path:
             self.files[path] = make()
 
-    def give(self, sheet: Callable[[], Sheet] | None) -> None:
-        """Write the files, then print the sheet."""
-        deliver(self.files, sheet, self.wanted)
+    def give(
+        self,
+        sheet: Callable[[], Sheet] | None,
+        document: Callable[[], Mapping[str, Any]] | None = None,
+    ) -> None:
+        """Write the files, then print the sheet.
+
+        Parameters
+        ----------
+        sheet
+            Makes the sheet, if any.
+        document
+            Makes what the JSON holds besides the answer of the sheet.
+        """
+        path, made = self.paths.get("json"), sheet and cache(sheet)
+        if path and made and document:
+            from wraparc.present.answer_data import answer_json
+
+            self.files = {path: answer_json(document(), made()), **self.files}
+        deliver(self.files, made, self.wanted)
 
 
 def answers(

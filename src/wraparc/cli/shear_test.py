@@ -146,7 +146,6 @@ def fit(
     """
     from wraparc.catalogue import place_of_own
     from wraparc.files.write import lagging_text
-    from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
     from wraparc.report.shear_test_document import plan_document
     from wraparc.report.shear_test_tables import counted, plan_sheet
@@ -174,8 +173,10 @@ def fit(
     if reports:
         save = make_report(result, answer.units, laws=compare_laws).save
         answer.files |= dict.fromkeys(reports, save)
-    answer.write("json", lambda: json_text(plan_document(result, laws=compare_laws)))
-    answer.give(lambda: plan_sheet(result, laws=compare_laws))
+    answer.give(
+        lambda: plan_sheet(result, laws=compare_laws),
+        lambda: plan_document(result, laws=compare_laws),
+    )
     output = answer.paths["output"]
     if not (output or own) or result.may_be_written:
         return _DONE

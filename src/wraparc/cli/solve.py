@@ -82,14 +82,13 @@ def solve(
         drive = with_limit(with_case(drive, load_case, file), creep_limit)
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     units = answer.units
-    answer.write("json", lambda: _json(results, train, file))
     answer.write("csv", lambda: _csv(results, units, decimal_comma))
     answer.write("plot", lambda: _picture(results, units, train).save)
     answer.write("map", lambda: _map(results[0], units).save)
     if everything and not answer.wanted.table:
         answer.wanted = replace(answer.wanted, full=True)
     detailed = answer.whole and (everything or load_case is not None)
-    answer.give(lambda: _sheet(results, detailed, train))
+    answer.give(lambda: _sheet(results, detailed, train), lambda: _document(results, train, file))
     return exit_code(results[0] if train is None else train)
 
 
@@ -109,10 +108,12 @@ def solve_as_train(
     return train_answer.solve_all(train, METHODS[method])
 
 
-def _json(results: Sequence[DriveResult], train: "TrainResult | None", file: str) -> str:
-    from wraparc.present.document import solved_json
+def _document(
+    results: Sequence[DriveResult], train: "TrainResult | None", file: str
+) -> dict[str, Any]:
+    from wraparc.present.document import solved_document
 
-    return solved_json(results, train, file=file)
+    return solved_document(results, train, file=file)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:

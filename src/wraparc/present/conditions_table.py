@@ -10,6 +10,7 @@ from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge, least_tension
 from wraparc.present.least_tension import at_least, least_name
 from wraparc.present.sheet import NONE, Row, Table
+from wraparc.units import distinct
 
 _NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
 
@@ -77,7 +78,7 @@ def _row(name: str, verdicts: tuple[Verdict, ...]) -> Row:
     found = [next((c for c in v.listed if c.name == name), None) for v in verdicts]
     there = [check for check in found if check is not None]
     texts = tuple(NONE if check is None else _text(check) for check in found)
-    limits = tuple(dict.fromkeys(c.bound() for c in there))
+    limits = distinct(c.bound() for c in there)
     worst = max((c.level for c in there), key=lambda level: level.rank)
     return Row(there[0].title, texts, note=limits[0] if len(limits) == 1 else "", level=worst)
 

@@ -77,10 +77,10 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     }
 
 
-def solved_json(
+def solved_document(
     results: Sequence[DriveResult], train: "TrainResult | None" = None, *, file: str = ""
-) -> str:
-    """Return a solved drive as JSON, as ``wraparc solve --json`` writes it.
+) -> Data:
+    """Return what ``wraparc solve --json`` writes besides the answer of its sheet.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def solved_json(
         from wraparc.present.train_document import train_document
 
         document["train"] = train_document(train)
-    return json_text(document)
+    return document
 
 
 def _uneven(result: DriveResult) -> list[Data]:

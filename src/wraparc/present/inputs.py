@@ -70,7 +70,7 @@ class Input:
             if math.isinf(self.value):
                 return "rigid"
             digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
-            return quantity(self.value, self.dimension, digits)
+            return quantity(self.value, self.dimension, digits, self.name)
         return str(self.value)
 
     def note(self, of: Sources) -> str:

@@ -12,7 +12,7 @@ from wraparc.present.sheet import Row, Table, Verdict, named, percent, quantity,
 from wraparc.study.fields import names_of
 from wraparc.study.histogram import Histogram, Limit
 from wraparc.study.monte_carlo import Group, Summary
-from wraparc.units import Dimension, in_units
+from wraparc.units import Dimension, distinct, in_units
 
 _SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
 _NO_ANSWER = (
@@ -149,8 +149,8 @@ def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
         verb = "exceeds" if limit.at_most else "falls short of"
     words = _LIMITS[name]
     if not math.isnan(limit.least):
-        ends = [named(name, v) for v in (limit.least, limit.most)]
-        words += f" of {ends[0] if ends[0] == ends[1] else ' to '.join(ends)}"
+        ends = distinct(named(name, v) for v in (limit.least, limit.most))
+        words += f" of {' to '.join(ends)}"
     return f"{started(part(count, total))} of {total:,} {what} {verb} {words}"
 
 

@@ -43,7 +43,7 @@ from wraparc.report.drawings import (
 )
 from wraparc.report.equations import equations
 from wraparc.report.note_tables import arcs_table, shares_table
-from wraparc.units import GIVEN_DIGITS, System
+from wraparc.units import GIVEN_DIGITS, System, distinct
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -428,8 +428,10 @@ def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
             "slip; do not design by it."
         )
     yield from method_remarks(results)
-    limit = {named("creep_limit", r.arc.creep_limit) for r in results[0]}
+    limits = distinct(
+        named("creep_limit", limit) for limit in sorted(r.arc.creep_limit for r in results[0])
+    )
     yield (
-        f"The creep limit ({', '.join(sorted(limit))}) is a limit of practice, not of strength; "
+        f"The creep limit ({', '.join(limits)}) is a limit of practice, not of strength; "
         "this note does not check shaft, shell, or the belt's splice."
     )

@@ -9,7 +9,7 @@ from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.plan import PlannedTest, TestPlan
-from wraparc.units import GIVEN_DIGITS, Dimension, either, quantity
+from wraparc.units import GIVEN_DIGITS, Dimension, distinct, either, quantity
 
 NOT_STATED = "not stated"
 #: Who signs a test report.
@@ -162,7 +162,7 @@ def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:
     known = [value for value in values if value is not None]
     if not known:
         return ""
-    ends = dict.fromkeys(shown(value) for value in (min(known), max(known)))
+    ends = distinct(shown(value) for value in (min(known), max(known)))
     return _stated(values, " to ".join(ends))
 
 

@@ -6,7 +6,7 @@ any other, ``f"Creep {creep} exceeds {limit}"``. `in_units` fills the slots in; 
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from typing import Literal, Self, get_args
 
@@ -155,6 +155,14 @@ def in_unit(dimension: Dimension, told: Callable[[float], str]) -> str:
     As ``in_unit("length", lambda mm: f"{peak / mm:.3g} (held)")``.
     """
     return either(*(told(display_unit(dimension, system)[1]) for system in get_args(System)))
+
+
+def distinct(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return texts, each once of those that read the same in every system of units."""
+    found: dict[tuple[str, ...], str] = {}
+    for text in texts:
+        found.setdefault(tuple(in_units(text, system) for system in get_args(System)), text)
+    return tuple(found.values())
 
 
 def cells_in(text: str) -> Iterator[Cell]:
