@@ -135,9 +135,9 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     assert found.seen(0.0, 8e-3) == pytest.approx(0.02)
     assert found.seen(0.01, 8e-3) == pytest.approx(1.0 - 0.99 * 0.98)
     assert found.seen(0.01, found.wear_to_alarm) == pytest.approx(found.alarm)
-    text = " ".join(
-        told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.sentences
-    )  # type: ignore[union-attr]
+    told = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
+    assert told is not None
+    text = " ".join(told.sentences)
     assert "need the drum speed from a measured circumference" in text
     assert "1 mm moves every difference by 0.25 %, and 8 mm by 2 %" in text
 

@@ -131,7 +131,8 @@ def test_the_place_of_a_check_of_the_solution_is_not_that_of_the_largest_noise()
     places = {next(c.place for c in judge(r).listed if c.name == "balance")
               for r in (result, moved(result, np.random.default_rng(1)))}  # fmt: skip
     assert len(places) == 1
-    assert all(row.values[0].startswith("below") for row in told_in(check_table(judge(result)), "si").rows
+    rows = told_in(check_table(judge(result)), "si").rows
+    assert all(row.values[0].startswith("below") for row in rows
                if "balance" in row.title)  # fmt: skip
 
 
