@@ -126,7 +126,7 @@ def check_data(check: Check) -> dict[str, Any]:
         "margin": check.margin,
         "source": check.source,
         "binding": check.binding,
-        "sentence": check.said,
+        "sentence": check.sentence(),
     }
 
 
@@ -136,8 +136,8 @@ def verdict_document(verdict: Verdict) -> dict[str, Any]:
     return {
         "level": verdict.level.value,
         "word": verdict.word,
-        "headline": verdict.lead,
-        "sentences": list(verdict.others),
+        "headline": verdict.headline(),
+        "sentences": list(verdict.sentences()),
         "governing": None if governing is None else check_data(governing),
         "checks": [check_data(check) for check in verdict.listed],
     }

@@ -52,7 +52,7 @@ def conditions_data(result: DriveResult) -> list[dict[str, Any]]:
             {
                 "condition": name,
                 "level": verdict.level.value,
-                "headline": verdict.lead,
+                "headline": verdict.headline(),
                 "load_cases": [case.name for case in part.drive.load_cases],
                 "checks": {c.name: c.value for c in verdict.listed if _told(c)},
                 "least_tension": None if least is None else least.tension,

@@ -8,7 +8,7 @@ from wraparc.checks import RULES, LeastTension, Level, least_tension, margins_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
-from wraparc.units import RESULT_DIGITS, Cell
+from wraparc.units import RESULT_DIGITS, Cell, in_units
 
 
 def least_sentence(result: DriveResult | TrainResult) -> str:
@@ -156,7 +156,7 @@ def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:
             }
             for f in found.figures
         ],
-        "sentence": least_sentence(result),
+        "sentence": in_units(least_sentence(result)),
     }
 
 

@@ -11,6 +11,7 @@ from wraparc.present.sheet import Row, Sheet, Table, named, quantity
 from wraparc.present.words import verdict
 from wraparc.study.fields import label_of
 from wraparc.study.seek import Sought
+from wraparc.units import in_units
 
 
 def seek_sheet(found: Sought, title: str) -> Sheet:
@@ -92,7 +93,7 @@ def seek_document(found: Sought) -> dict[str, Any]:
                 "value": value,
                 "result": _result(found, whole),
                 "level": judge(whole).level.value,
-                "headline": verdict(whole).headline,
+                "headline": in_units(verdict(whole).headline),
             }
             for value, whole in zip(found.values, found.drives, strict=True)
         ],
