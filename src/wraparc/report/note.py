@@ -125,6 +125,15 @@ class Section:
     equations: tuple[Equation, ...] = ()
     numbered: bool = False
 
+    def shown(self, system: System) -> "Section":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            sentences=shown(self.sentences, system),
+            tables=shown(self.tables, system),
+            drawings=tuple(drawing.shown(system) for drawing in self.drawings),
+        )
+
 
 @dataclass(frozen=True)
 class Note:
@@ -156,6 +165,16 @@ class Note:
     about: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
 
+    def shown(self, system: System) -> "Note":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            told=shown(self.told, system),
+            summary=shown(self.summary, system),
+            about=shown(self.about, system),
+            sections=tuple(section.shown(system) for section in self.sections),
+        )
+
     @property
     def drawings(self) -> tuple[Drawing, ...]:
         """Every picture, in order."""
@@ -181,7 +200,17 @@ def make_note(
     train: "TrainResult | None" = None,
     in_time: "InTime | None" = None,
 ) -> Note:
-    """Return the note of a solved drive in a system of units.
+    """Return the note of a solved drive in a system of units, see `compose_note`."""
+    return compose_note(results, head, train, in_time).shown(system)
+
+
+def compose_note(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
+) -> Note:
+    """Return the note of a solved drive.
 
     Parameters
     ----------
@@ -189,8 +218,6 @@ def make_note(
         The drive by the main solver, then by others.
     head
         Title block.
-    system
-        Units to show.
     train
         How the drives share the load, where there are several on the belt.
     in_time
@@ -230,25 +257,15 @@ def make_note(
         title=head.title or first.drive.title or "Drive",
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
-        told=shown(told, system),
+        told=told,
         judged=judged,
-        summary=shown(checks_summary(judged), system),
-        about=shown(tuple(_about(first.drive)), system),
+        summary=checks_summary(judged),
+        about=tuple(_about(first.drive)),
         sections=tuple(
-            _shown(s, system)
+            replace(s, tables=tuple(map(_worded, s.tables)))
             for s in sections
             if s.sentences or s.tables or s.drawings or s.equations
         ),
-    )
-
-
-def _shown(section: Section, system: System) -> Section:
-    """Return a section in a system of units, beside every colour what it means."""
-    return replace(
-        section,
-        sentences=shown(section.sentences, system),
-        tables=shown(tuple(map(_worded, section.tables)), system),
-        drawings=tuple(drawing.shown(system) for drawing in section.drawings),
     )
 
 
