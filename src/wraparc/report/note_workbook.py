@@ -6,7 +6,6 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
-from wraparc import units
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import Check, Verdict
 from wraparc.errors import MissingExtraError
@@ -22,6 +21,7 @@ from wraparc.units import (
     SMALL,
     Dimension,
     System,
+    cell_of,
     display_unit,
     in_units,
     on_safe_side,
@@ -250,8 +250,9 @@ class _Workbook:
 
     def _number(self, text: str) -> tuple[Cell, str]:
         """Return the number of a cell and its unit; what is more than one number stays a text."""
-        cell = text if isinstance(text, units.Cell) else None
-        if cell is None or cell.form in ("unit", "to", "-"):
+        cell = cell_of(text)
+        ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
+        if cell is None or cell.form == "unit" or ends:
             return in_units(text, self.system), ""
         if cell.form == "percent":
             return 100.0 * cell.value, "%"
