@@ -1055,7 +1055,7 @@ const LOBATTO = 0.27639320225002106;
 const AT_ENDS = 0.08333333333333333;
 const INSIDE = 0.4166666666666667;
 const ACTIVE_SHARE = 0.01;
-const IDLE = 1e-6;
+const IDLE = 1e-9;
 const CREEP_LIMIT = 0.00635;
 const USUAL_SIZES = [
   [0.2, 4.0],
@@ -3797,9 +3797,9 @@ export function profile__read(arc, met, tested) {
   );
 }
 
-/** Spring rate of the belt over its active arc, EA/l [N/m]; nan without one. */
-export function summary__spring_rate(axial_stiffness, length) {
-  return length > 0.0 ? axial_stiffness / length : NaN;
+/** Spring rate of the belt over its active arc, EA/l [N/m]; nan of an idle pulley. */
+export function summary__spring_rate(axial_stiffness, length, creep) {
+  return length > IDLE && Math.abs(creep) > IDLE ? axial_stiffness / length : NaN;
 }
 
 /** Reported numbers of an arc that is solved; nan where there is none. */
@@ -3847,7 +3847,7 @@ export function summary__summary_of(geometry, arc, tested, found) {
     told.peak_at / radius,
     Math.abs(Math.log(entry / exit_tension)) / arc.wrap_angle,
     told.active / radius,
-    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius)),
+    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius), told.creep),
     told.outside,
     told.stuck / radius,
     speed * pull,
@@ -3907,7 +3907,7 @@ export function in_page__alone(arc, criteria) {
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function numbers__idles(entry, leaving) {
-  return Math.abs(entry - leaving) <= IDLE * entry;
+  return Math.abs(entry - leaving) <= 1e-6 * entry;
 }
 
 /** What is given of an arc, to be compared with usual sizes. */
