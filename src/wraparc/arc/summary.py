@@ -16,7 +16,7 @@ from wraparc.arc.answer import Answer, operating_point
 from wraparc.arc.capacity import Carried
 from wraparc.arc.collocation import overrun_at
 from wraparc.arc.profile import RECORD, Range, read, records
-from wraparc.arc.quantities import SOLVED, Buffer, Geometry, Load, jumps, zeros
+from wraparc.arc.quantities import CAPACITY_STEPS, SOLVED, Buffer, Geometry, Load, jumps, zeros
 from wraparc.arc.traction import held_stress
 from wraparc.drive.pitch import thin_belt
 from wraparc.friction import TestedRange
@@ -75,8 +75,8 @@ def recovery_compliance(arc: Description) -> float:
     return 2.0 * squeeze / (arc.width * arc.diameter * (0.5 * arc.diameter))
 
 
-def geometry_of(arc: Description, onset: float) -> Geometry:
-    """Numbers of the arc for the solver; `onset` is that of its law [m/Pa].
+def geometry_of(arc: Description) -> Geometry:
+    """Numbers of the arc for the solver.
 
     They are those of the arc without thickness that is the same, see `wraparc.drive.pitch`; its
     tensions are those above m v^2.
@@ -94,7 +94,7 @@ def geometry_of(arc: Description, onset: float) -> Geometry:
         arc.shear_compliance,
         arc.overrun if given else 0.0,
         0.0 if given else by_formula,
-        onset,
+        [CAPACITY_STEPS],
     )
 
 
