@@ -61,6 +61,7 @@ LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
 #: Largest change of a tension, of the pull, that ends Newton's method, and that on a mesh not yet
 #: judged; one that may be rounding; a pull that is next to none, of the tension.
 NEWTON, COARSELY, ROUNDING, LEAST_PULL = 1e-9, 1e-4, 1e-5, 1e-5
+FARTHEST = 1e6  # change of a tension, of the pull, after which nothing is found
 LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
 FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
@@ -72,8 +73,15 @@ MESH = 3e-6  # misfit of an element, of the largest change of tension, that is l
 LONGEST = 2.0  # slide behind a rest arc that is followed, of the wrap
 ROUGH = 1e-3  # misfit that is let stand on the way
 #: Continuation in what shears: shear-lag lengths of the softest arc, shear of one that has none, of
-#: the softest; first factor of a step, least one, and most steps.
-SOFTEST, LEAST_SHEAR, FIRST_SOFTER, LEAST_SOFTER, MOST_SOFTENED = 3.0, 1e-9, 1.0 / 16.0, 0.8, 30
+#: the softest; how much softer than the law; first factor of a step, least one, and most steps.
+SOFTEST, SOFTER, LEAST_SHEAR, FIRST_SOFTER, LEAST_SOFTER, MOST_SOFTENED = (
+    3.0,
+    10.0,
+    1e-9,
+    1.0 / 16.0,
+    0.97,
+    60,
+)
 
 
 class Interface(NamedTuple):
@@ -564,7 +572,7 @@ def converged(
         if arc.left[0] < 0.0:
             return Solved(False, at, slopes)
         at, change, slopes = improved(face, arc, ends, at)
-        if not change < 1e4:
+        if not change < FARTHEST:
             return Solved(False, at, slopes)
         # what no longer shrinks, where steps shrink as squares, is rounding
         if change < near or (change < ROUNDING and change > 0.5 * before):
@@ -783,11 +791,15 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
 def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> Solved:
     """Continuation in what shears: from a lagging so soft that the arc is a few l long.
 
-    Every arc on the way has all of the friction, and creep and tension that change over lengths
-    which the mesh of the one before resolves.
+    There the law gives way less than the lagging, and an overrun is held. Every arc on the way has
+    all of the friction, and creep and tension that change over lengths which the mesh of the one
+    before resolves.
     """
     length, entry, leaving = at.place[-1], at.tension[0], at.tension[-1]
-    least = (length / SOFTEST) ** 2 * compliance_of(arc) * arc.width
+    mean = sqrt(entry * leaving) / (arc.width * arc.radius)
+    creep = mean_creep(face, arc, entry, leaving) + overrun_at(arc, entry)[0]
+    gives = SOFTER * abs(creep) / plateau_stress(face.law, mean)
+    least = max((length / SOFTEST) ** 2 * compliance_of(arc) * arc.width, gives)
     soft = face._replace(shear=max(face.shear, least), slides=0.0)
     creep = at.creep[-1]
     if ends.kind == TENSION:
