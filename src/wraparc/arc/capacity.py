@@ -23,7 +23,7 @@ from wraparc.arc.collocation import (
 )
 from wraparc.arc.gross_slip import Line, outweighs, plateau_capacity, residual_capacity
 from wraparc.arc.meet import Guess, Met, by_growth, interface, meet
-from wraparc.arc.quantities import CAPACITY_STEPS, Geometry, Load, with_steps
+from wraparc.arc.quantities import CAPACITY_STEPS, Geometry, Load, counted
 from wraparc.arc.traction import plateau_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -87,7 +87,7 @@ def carry(
     law: CompactLaw, arc: Geometry, tight: float, limit: Limit, near: Course | None = None
 ) -> Met:
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
-    ends = ends_at(arc, 1.0, 0.0, tight, limit)
+    arc, ends = counted(arc, CAPACITY_STEPS), ends_at(arc, 1.0, 0.0, tight, limit)
     guess = _guess_at(law, arc, tight, limit)
     met = meet(law, arc, ends, guess, near, MISFIT)
     return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
@@ -107,6 +107,7 @@ def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tig
     the tight side of k = 1, to begin with. The place is nan where that is not met, or where the
     ratio of the tensions does not grow along the line.
     """
+    arc = counted(arc, CAPACITY_STEPS)
     tight, slack, tight_rise, slack_rise = line
     if not at_tight.done:
         return Along(nan, at_tight)
@@ -193,6 +194,7 @@ def least_slack(
     top
         The largest tension of the tight side to consider [N].
     """
+    arc = counted(arc, CAPACITY_STEPS)
     if at_tight.done:
         carried = -expm1(-log_ratio(at_tight))
         first = max(min(pull / carried, top), 1.02 * pull)
@@ -372,7 +374,7 @@ class Carried(NamedTuple):
 
 def find_capacities(law: CompactLaw, arc: Geometry, load: Load, parts: int) -> Carried:
     """Capacities that are asked for by `parts`."""
-    arc = with_steps(arc, CAPACITY_STEPS)
+    arc = counted(arc, CAPACITY_STEPS)
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan

@@ -292,7 +292,8 @@ def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     entry = tension
     for _ in range(4):  # an overrun by formula grows with the entry tension: Newton's method
         overrun, by_tension = overrun_at(arc, entry)
-        entry -= (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension)
+        change = (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension)
+        entry = max(entry - change, LEAST_LEFT * entry)
     return entry
 
 
@@ -568,8 +569,7 @@ def converged(
     """Newton's method on one mesh, until a step changes no tension by `near` of the pull."""
     slopes, before = NO_SLOPES, inf
     for _ in range(most):
-        arc.left[0] -= len(at.place) - 1
-        if arc.left[0] < 0.0:
+        if spent(arc, at):
             return Solved(False, at, slopes)
         at, change, slopes = improved(face, arc, ends, at)
         if not change < FARTHEST:
@@ -579,6 +579,14 @@ def converged(
             return Solved(True, at, slopes)
         before = change
     return Solved(False, at, slopes)
+
+
+def spent(arc: Geometry, at: Course) -> bool:
+    """Count a step over a mesh, or as much work; whether there are none left."""
+    if arc.left is None:
+        return False
+    arc.left[0] -= len(at.place) - 1
+    return arc.left[0] < 0.0
 
 
 def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
@@ -708,7 +716,7 @@ def meshed(
     True where a finer mesh is needed; else the course is returned as it was.
     """
     places, misses = at.place, misfits(face, arc, at, kind)
-    arc.left[0] -= len(misses)  # about as much work as a step
+    spent(arc, at)
     needed = [(miss / tol) ** 0.25 for miss in misses]
     needed[0] = needed[0] ** 2  # creep begins there with the steepest slope of a law
     ends = kinks(face, arc, at)

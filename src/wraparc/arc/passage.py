@@ -43,7 +43,7 @@ from wraparc.arc.meet import (
     with_rest,
 )
 from wraparc.arc.profile import entry_ratio
-from wraparc.arc.quantities import POINT_STEPS, Geometry, with_steps
+from wraparc.arc.quantities import POINT_STEPS, Geometry, counted
 from wraparc.arc.traction import held_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -95,7 +95,7 @@ def passed(
     tol
         Misfit of an element that is let stand; `NO_MESH` keeps the mesh of `near` [-].
     """
-    arc, ends = with_steps(arc, POINT_STEPS), Ends(1.0, 0.0, entry, CREEP, creep)
+    arc, ends = counted(arc, POINT_STEPS), Ends(1.0, 0.0, entry, CREEP, creep)
     if arc.shear > 0.0 and may_rest(law, arc):
         held = _held(law, arc, ends)
         if held is not None:

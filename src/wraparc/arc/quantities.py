@@ -34,8 +34,8 @@ class Geometry(NamedTuple):
     kick, kick_coefficient
         The overrun is kick + kick_coefficient p1^1.5, negative towards travel [m, m/Pa^1.5].
     left
-        Steps of Newton's method over one element each that may still be taken, counted down; see
-        `with_steps`.
+        Steps of Newton's method over one element each that may still be taken, counted down while
+        a question is answered, else None. See `counted`.
     """
 
     side: float
@@ -46,7 +46,7 @@ class Geometry(NamedTuple):
     shear: float
     kick: float
     kick_coefficient: float
-    left: Buffer
+    left: Buffer | None
 
 
 class Load(NamedTuple):
@@ -73,12 +73,12 @@ class Load(NamedTuple):
     steepest_fall: float
 
 
-def with_steps(arc: Geometry, most: float) -> Geometry:
-    """An arc whose solver ends after so many steps, for a question of its own.
+def counted(arc: Geometry, most: float) -> Geometry:
+    """An arc whose solver ends after so many steps, unless they are counted already.
 
-    What it has not found by then is unsolved: no arc hangs, whatever is asked of it.
+    What a question has not found by then is unsolved: no arc hangs, whatever is asked of it.
     """
-    return arc._replace(left=[most])
+    return arc._replace(left=[most]) if arc.left is None else arc
 
 
 def zeros(size: int) -> Buffer:

@@ -16,7 +16,7 @@ from wraparc.arc.answer import Answer, operating_point
 from wraparc.arc.capacity import Carried
 from wraparc.arc.collocation import overrun_at
 from wraparc.arc.profile import RECORD, Range, read, records
-from wraparc.arc.quantities import CAPACITY_STEPS, SOLVED, Buffer, Geometry, Load, jumps, zeros
+from wraparc.arc.quantities import SOLVED, Buffer, Geometry, Load, jumps, zeros
 from wraparc.arc.traction import held_stress
 from wraparc.drive.pitch import thin_belt
 from wraparc.friction import TestedRange
@@ -94,7 +94,7 @@ def geometry_of(arc: Description) -> Geometry:
         arc.shear_compliance,
         arc.overrun if given else 0.0,
         0.0 if given else by_formula,
-        [CAPACITY_STEPS],
+        None,
     )
 
 

@@ -14,7 +14,7 @@ from wraparc.arc.capacity import (
     find_capacities,
 )
 from wraparc.arc.profile import Range, along_slip, read
-from wraparc.arc.quantities import CAPACITY_STEPS, REFUSED, SOLVED, Buffer, Geometry, Load
+from wraparc.arc.quantities import REFUSED, SOLVED, Buffer, Geometry, Load
 from wraparc.arc.summary import kicked_loose
 from wraparc.friction.compact import CompactLaw
 
@@ -64,7 +64,7 @@ PLACES = {
 def geometry_of(given: Buffer) -> Geometry:
     """What of an arc does not depend on its tensions, from its row of `INPUTS`."""
     g = given
-    return Geometry(g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], [CAPACITY_STEPS])
+    return Geometry(g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], None)
 
 
 def load_of(given: Buffer) -> Load:
