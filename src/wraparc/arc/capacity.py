@@ -271,22 +271,32 @@ def _largest_pull(
     Where its slope ends between two tensions; one that carries `enough` will do.
     """
     low, high = within
-    best, most, at = high, -inf, near
+    best, most, at, up, down, t = high, -inf, near, 0.0, 0.0, low
     for _ in range(ROUNDS):
-        t = 0.5 * (low + high)
+        last, t = t, _between(low, up, high, down)
         met = carry(law, arc, exp(t), limit, at)
         if not met.done:
             break
         pull = _pull(met, exp(t))
         if pull > most:
             best, most, at = t, pull, _near(met)
-        if most >= enough or high - low < NEAR_TOP:
+        if most >= enough or high - low < NEAR_TOP or abs(t - last) < NEAR_TOP:
             break
-        if _pull_slope(arc, met.slopes) > 0.0:
-            low = t
+        slope = _pull_slope(arc, met.slopes)
+        if slope > 0.0:
+            low, up, down = t, slope, 0.5 * down
         else:
-            high = t
+            high, down, up = t, slope, 0.5 * up
     return best, most, at
+
+
+def _between(low: float, up: float, high: float, down: float) -> float:
+    """Where a slope ends that is `up` > 0 at one end and `down` < 0 at the other.
+
+    By a straight line; halfway where one of them is not known.
+    """
+    place = low + (high - low) * up / (up - down) if up > 0.0 > down else low
+    return place if low < place < high else 0.5 * (low + high)
 
 
 def largest_ratio(
@@ -335,9 +345,8 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
         return -inf, inf
     creep, last = high, low
     while high - low > NEAR_PEAK * high and abs(creep - last) > NEAR_PEAK * high:
-        last = creep  # where growth ends: by a straight line through it, else halfway
-        creep = low + (high - low) * up / (up - down) if up > 0.0 > down else low
-        creep = creep if low < creep < high else 0.5 * (low + high)
+        last = creep
+        creep = _between(low, up, high, down)
         met = carry(law, arc, tight, Limit(CREEP, creep), at)
         if not met.done:
             break

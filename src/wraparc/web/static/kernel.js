@@ -3125,6 +3125,12 @@ export function capacity__log_ratio(met) {
   return Math.abs(Math.log(met.entry / met.course.tension.at(-1)));
 }
 
+/** Where a slope ends that is `up` > 0 at one end and `down` < 0 at the other. */
+export function capacity___between(low, up, high, down) {
+  let place = up > 0.0 && 0.0 > down ? low + ((high - low) * up) / (up - down) : low;
+  return low < place && place < high ? place : 0.5 * (low + high);
+}
+
 /** Largest ln(tight/slack) of a held tight side over creeps, and its creep [m]. */
 export function capacity___largest_at_creep(law, arc, tight) {
   let grows, last, met;
@@ -3169,8 +3175,7 @@ export function capacity___largest_at_creep(law, arc, tight) {
   last = low;
   while (high - low > 1e-6 * high && Math.abs(creep - last) > 1e-6 * high) {
     last = creep;
-    creep = up > 0.0 && 0.0 > down ? low + ((high - low) * up) / (up - down) : low;
-    creep = low < creep && creep < high ? creep : 0.5 * (low + high);
+    creep = capacity___between(low, up, high, down);
     met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), at);
     if (!met.done) {
       break;
@@ -4038,13 +4043,16 @@ export function capacity___pull(met, tight) {
 
 /** Ln tight-side tension of the largest pull at a limit, that pull [N], and its course. */
 export function capacity___largest_pull(law, arc, limit, within, near, enough) {
-  let met, pull, t;
+  let last, met, pull, slope;
   let [low, high] = within;
   let best = high;
   let most = -Infinity;
   let at = near;
+  let up = 0.0;
+  let down = 0.0;
+  let t = low;
   for (let each1 = 0, end1 = ROUNDS; each1 < end1; each1++) {
-    t = 0.5 * (low + high);
+    [last, t] = [t, capacity___between(low, up, high, down)];
     met = capacity__carry(law, arc, Math.exp(t), limit, at);
     if (!met.done) {
       break;
@@ -4055,13 +4063,14 @@ export function capacity___largest_pull(law, arc, limit, within, near, enough) {
       most = pull;
       at = capacity___near(met);
     }
-    if (most >= enough || high - low < NEAR_TOP) {
+    if (most >= enough || high - low < NEAR_TOP || Math.abs(t - last) < NEAR_TOP) {
       break;
     }
-    if (capacity___pull_slope(arc, met.slopes) > 0.0) {
-      low = t;
+    slope = capacity___pull_slope(arc, met.slopes);
+    if (slope > 0.0) {
+      [low, up, down] = [t, slope, 0.5 * down];
     } else {
-      high = t;
+      [high, down, up] = [t, slope, 0.5 * up];
     }
   }
   return [best, most, at];
