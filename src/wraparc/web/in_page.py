@@ -199,7 +199,7 @@ def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
         return True
     if arc.centrifugal >= min(entry, leaving):
         return True
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     pressure = pressure_of(arc, entry)
     return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
 
@@ -219,7 +219,7 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     arc = description_of(given)
     if refused(law, arc, given.steepest_fall):
         return None
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     load = load_of(given, arc, None)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
@@ -285,7 +285,7 @@ def judged(
         return None
     if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
-    geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
+    geometry, load = geometry_of(arc), load_of(given, arc, tested)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
