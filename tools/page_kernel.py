@@ -30,7 +30,7 @@ from wraparc.train import (
     turning,
 )
 from wraparc.train.system import System
-from wraparc.units import display
+from wraparc.units import display, percent, quantity
 from wraparc.web import in_page, in_page_conveyor, in_page_train
 
 ROOT = Path(__file__).parents[1]
@@ -126,7 +126,7 @@ def train_module() -> str:
     """Return the module of the train page as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
+    instead: dict[Any, Any] = {of: of.__name__ for of in (display, percent, quantity, term)}
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'
