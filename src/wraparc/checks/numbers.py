@@ -313,11 +313,6 @@ def as_printed(factor: float) -> float:
     return min(factor, floor(100.0 * factor + 0.5) / 100.0)
 
 
-def passes_an_hour(speed: float, diameter: float) -> float:
-    """How often the pulley turns in an hour [-]."""
-    return 3600.0 * speed / (pi * diameter)
-
-
 def largest(column: Buffer, count: int) -> float:
     """Largest magnitude in a column."""
     found = 0.0

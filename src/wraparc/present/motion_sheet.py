@@ -44,8 +44,8 @@ def run_tables(run: RunResult, system: System = "si") -> tuple[Table, ...]:
 
 
 _LEFT_OUT = (
-    "Not in the model: belt mass on the arc, waves in the conveyor (one mass, one spring on each "
-    "side), rubber that flows, friction that depends on speed or on rest.",
+    "Not in the model: inertia of the belt on the arc, waves in the conveyor (one mass, one spring "
+    "on each side), rubber that flows, friction that depends on speed or on rest.",
 )
 
 
