@@ -144,6 +144,7 @@ CASES: list[tuple[str, Drive]] = [
     ("face_pressure", quiet(belt={"largest_wrap_pressure": 1e5})),
     ("pulley_diameter", quiet(belt={"least_pulley_diameter": 1.0})),
     ("usual_sizes", quiet(belt={"speed": 30.0})),
+    ("usual_sizes", quiet(belt={"mass": 500.0})),
     ("usual_sizes", quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None))),
     ("bond_stress", quiet(lagging=lagging(bond_strength=1e3))),
     ("fatigue_stress", quiet(lagging=lagging(fatigue_limit=1e3))),

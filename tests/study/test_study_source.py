@@ -72,6 +72,14 @@ AXES = [
     [quantity(8, 20, "mm", "lagging.worn.thickness")],
     [quantity(1, 3, "MPa", "lagging.worn.shear_modulus")],
     [quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus")],
+    [quantity(10, 60, "kg/m", "belt.mass"), quantity(2, 6, "m/s", "belt.speed")],
+    [
+        quantity(2, 6, "mm", "belt.pulley_cover"),
+        quantity(4, 9, "mm", "belt.carcass"),
+        quantity(0.8, 1.5, "MPa", "belt.cover_shear_modulus"),
+        {"field": "pulley.first.side", "values": ["pulley", "carry"]},
+        quantity(3, 12, "mm", "belt.carry_cover"),
+    ],
     [
         {"field": "pulley.first.lagging", "values": ["worn", "full-ceramic", "medium-ceramic"]},
         {"field": "pulley.first.recovery", "values": [True, False]},
@@ -106,7 +114,7 @@ def in_file(study: Study, values: dict[str, Array], row: int) -> dict[str, Any]:
         "pressure": "Pa",
         "angle": "rad",
     }
-    units |= {"speed": "m/s", "power": "W", "torque": "N m"}
+    units |= {"mass_per_length": "kg/m", "speed": "m/s", "power": "W", "torque": "N m"}
     words = {axis.field: axis.values for axis in study.plan.levels if not axis.numeric}
     for name, column in values.items():
         dimension = study.source.unit_of(name)

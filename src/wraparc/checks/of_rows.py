@@ -74,8 +74,8 @@ class Held:
         Whether the standard binds.
     alone
         Whether no other pulley pulls the belt.
-    rating, strength
-        Of the belt [N/m].
+    rating, strength, mass
+        Of the belt [N/m, kg/m].
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
     face_pressure, bond_stress, fatigue_stress
@@ -99,6 +99,7 @@ class Held:
     alone: Flags
     rating: Array
     strength: Array
+    mass: Array
     belt_tension: Array
     momentary_tension: Array
     face_pressure: Array
@@ -142,7 +143,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating, strength,
+        misfit, rating, strength, mass,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -168,6 +169,7 @@ def held_by(
         alone=np.full(len(arcs), len(names) == 1),
         rating=rating,
         strength=strength,
+        mass=mass,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
         face_pressure=face,
@@ -200,6 +202,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
         belt.rating,
         belt.breaking_strength,
+        belt.mass,
     )
 
 
@@ -397,6 +400,7 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
         arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
         arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
         held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,
+        held.mass,
     ]  # fmt: skip
     values: list[Any] = compared_sizes(Sizes(*given))
     for value, (least, most) in zip(values, USUAL_SIZES, strict=True):

@@ -150,7 +150,7 @@ def stability_sheet(result: StabilityResult, system: System = "si") -> Sheet:
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out, system)}",
         verdict=_verdict(result, own, system),
         tables=(_sensitivity_table(result), _controls_table(result)),
-        remarks=(*_LEFT_OUT, _NOT_EXCLUDED),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train, system)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
     )
 

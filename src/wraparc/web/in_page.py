@@ -128,6 +128,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         entry=entry,
         leaving=leaving,
         pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
+        mass=given.mass,
     )
 
 
