@@ -562,6 +562,7 @@ export class Sizes {
     entry,
     leaving,
     pull,
+    mass,
   ) {
     this.width = width;
     this.modulus = modulus;
@@ -584,6 +585,7 @@ export class Sizes {
     this.entry = entry;
     this.leaving = leaving;
     this.pull = pull;
+    this.mass = mass;
   }
   *[Symbol.iterator]() {
     yield this.width;
@@ -607,6 +609,7 @@ export class Sizes {
     yield this.entry;
     yield this.leaving;
     yield this.pull;
+    yield this.mass;
   }
 }
 
@@ -1081,6 +1084,7 @@ const USUAL_SIZES = [
   [500.0, 10000000.0],
   [500.0, 10000000.0],
   [250.0, 20000000.0],
+  [1.0, 130.0],
 ];
 const CAPACITIES = 30;
 const LEAST = 8;
@@ -3936,6 +3940,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     entry,
     leaving,
     criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
+    given.mass,
   );
 }
 
@@ -3965,6 +3970,7 @@ export function numbers__compared_sizes(of) {
     of.entry / of.width,
     of.leaving / of.width,
     Math.abs(of.pull) * of.speed,
+    of.mass / of.width,
   ];
 }
 
@@ -4457,9 +4463,9 @@ export function numbers__balance_miss(error, pull, g, entry, compliance) {
   return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
 }
 
-/** How often the pulley turns in an hour [-]. */
-export function numbers__passes_an_hour(speed, diameter) {
-  return (3600.0 * speed) / (3.141592653589793 * diameter);
+/** How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-]. */
+export function pitch__turns_an_hour(speed, pitch) {
+  return (3600.0 * speed) / (2.0 * 3.141592653589793 * pitch);
 }
 
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
@@ -4626,6 +4632,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
+  let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
@@ -4647,13 +4654,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     summary__pressure_of(arc, min(entry, leaving)),
     numbers__largest(profile.slip, count),
     arc.belt_speed *
-      numbers__steepest(
-        profile.position,
-        profile.slip,
-        count,
-        0.5 * arc.diameter,
-        0.5 * arc.diameter * arc.wrap_angle,
-      ),
+      numbers__steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle),
     numbers__balance_miss(
       summary.identity_error,
       summary.effective_tension,
@@ -4664,7 +4665,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     others.sagging,
     arc.diameter,
     (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
-    numbers__passes_an_hour(arc.belt_speed, arc.diameter),
+    pitch__turns_an_hour(arc.belt_speed, pitch),
   );
   return new Judged(
     solved,
