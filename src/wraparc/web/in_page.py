@@ -38,7 +38,6 @@ from wraparc.checks.numbers import (
     balance_miss,
     idles,
     largest,
-    passes_an_hour,
     rise_alone,
     steepest,
     usual_sizes,
@@ -62,7 +61,7 @@ from wraparc.drive.load_case import (
     pull_of_torque,
     resultant,
 )
-from wraparc.drive.pitch import centrifugal_force
+from wraparc.drive.pitch import centrifugal_force, turns_an_hour
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -129,6 +128,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         entry=entry,
         leaving=leaving,
         pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
+        mass=given.mass,
     )
 
 
@@ -295,6 +295,7 @@ def judged(
     solved = found.outcome == SOLVED
     limits = limits_of(given, arc, tested, criteria)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
+    pitch = 0.5 * arc.diameter + arc.pitch_offset
     tight, slack = max(entry, leaving) - arc.centrifugal, min(entry, leaving) - arc.centrifugal
     line, begin = Line(tight, slack, others.tight_rise, others.slack_rise), at_limits(loaded)
     sliding = pull_at_sliding(loaded, line, begin)
@@ -314,8 +315,7 @@ def judged(
         tested_slip=largest(profile.slip, count),
         tested_slip_speed=arc.belt_speed
         * steepest(
-            profile.position, profile.slip, count, 0.5 * arc.diameter,
-            0.5 * arc.diameter * arc.wrap_angle,
+            profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle,
         ),
         balance=balance_miss(
             summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
@@ -324,7 +324,7 @@ def judged(
         sag=others.sagging,
         pulley_diameter=arc.diameter,
         share=100.0 * max(entry, leaving) / (criteria.rating * arc.width),
-        passes=passes_an_hour(arc.belt_speed, arc.diameter),
+        passes=turns_an_hour(arc.belt_speed, pitch),
     )  # fmt: skip
     return Judged(
         solved,

@@ -558,6 +558,7 @@ export class Sizes {
     entry,
     leaving,
     pull,
+    mass,
   ) {
     this.width = width;
     this.modulus = modulus;
@@ -580,6 +581,7 @@ export class Sizes {
     this.entry = entry;
     this.leaving = leaving;
     this.pull = pull;
+    this.mass = mass;
   }
   *[Symbol.iterator]() {
     yield this.width;
@@ -603,6 +605,7 @@ export class Sizes {
     yield this.entry;
     yield this.leaving;
     yield this.pull;
+    yield this.mass;
   }
 }
 
@@ -1083,6 +1086,7 @@ const USUAL_SIZES = [
   [500.0, 10000000.0],
   [500.0, 10000000.0],
   [250.0, 20000000.0],
+  [1.0, 130.0],
 ];
 const CAPACITIES = 30;
 const LEAST = 8;
@@ -3976,6 +3980,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     entry,
     leaving,
     criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
+    given.mass,
   );
 }
 
@@ -4005,6 +4010,7 @@ export function numbers__compared_sizes(of) {
     of.entry / of.width,
     of.leaving / of.width,
     Math.abs(of.pull) * of.speed,
+    of.mass / of.width,
   ];
 }
 
@@ -4515,9 +4521,9 @@ export function numbers__balance_miss(error, pull, g, entry, compliance) {
   return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
 }
 
-/** How often the pulley turns in an hour [-]. */
-export function numbers__passes_an_hour(speed, diameter) {
-  return (3600.0 * speed) / (3.141592653589793 * diameter);
+/** How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-]. */
+export function pitch__turns_an_hour(speed, pitch) {
+  return (3600.0 * speed) / (2.0 * 3.141592653589793 * pitch);
 }
 
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
@@ -4684,6 +4690,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
+  let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
@@ -4705,13 +4712,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     summary__pressure_of(arc, min(entry, leaving)),
     numbers__largest(profile.slip, count),
     arc.belt_speed *
-      numbers__steepest(
-        profile.position,
-        profile.slip,
-        count,
-        0.5 * arc.diameter,
-        0.5 * arc.diameter * arc.wrap_angle,
-      ),
+      numbers__steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle),
     numbers__balance_miss(
       summary.identity_error,
       summary.effective_tension,
@@ -4722,7 +4723,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     others.sagging,
     arc.diameter,
     (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
-    numbers__passes_an_hour(arc.belt_speed, arc.diameter),
+    pitch__turns_an_hour(arc.belt_speed, pitch),
   );
   return new Judged(
     solved,
