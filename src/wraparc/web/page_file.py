@@ -134,12 +134,7 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
             "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
             "neighbours": compare.NEIGHBOURS,
         },
-        "trains": {
-            "words": {k: [_plain(w) for w in of] for k, of in train_words().items()},
-            "motors": [
-                m for d in (document, *(e.document for e in found.values())) for m in _motors(d)
-            ],
-        },
+        "trains": {"words": {k: [_plain(w) for w in of] for k, of in train_words().items()}},
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()
@@ -213,30 +208,6 @@ def _pulley_problems(
         if key not in _LAGGING:
             remedy = "Put the lagging into a [lagging.NAME] table of the drive file."
             yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
-
-
-def _motors(document: Document) -> Iterator[dict[str, Any]]:
-    """Yield every motor of a train as the page finds it: by its table."""
-    train = read(document)
-    if not isinstance(train, Train):
-        return
-    for case in train.cases:
-        if not isinstance(case.division, Motors):
-            continue
-        tables = document["train"]["motor"]
-        for pulley, motor in zip(train.pulleys, case.division.motors, strict=True):
-            table = json_like(tables[pulley.name])
-            if isinstance(motor, Motor):
-                plain = {k: _word(v) for k, v in asdict(motor).items()}
-                yield {"table": table, "kind": type(motor).__name__, "fields": plain}
-            else:
-                yield {"table": table, "master": motor.master, "ratio": motor.ratio}
-        return
-
-
-def _word(value: Any) -> Any:
-    """Return a number, as a word where JSON has none for it."""
-    return str(value).replace("inf", "Infinity") if value in (math.inf, -math.inf) else value
 
 
 def not_judged(document: Document) -> str:

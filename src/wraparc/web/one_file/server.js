@@ -2,6 +2,7 @@
 import { Advice, Refused } from "../static/base/server.js";
 import { documentOf, textOf } from "../static/base/toml.js";
 import { in_page__quick as quick } from "../static/kernel.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
@@ -9,7 +10,6 @@ import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
-import { assembled } from "./plain_drive.js";
 import { profilesOf } from "./profiles.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
@@ -30,7 +30,7 @@ const unpacked = (async () => {
 
 /** @param {Design} doc @returns {Judging} */
 function prepared(doc) {
-  const { judging, problems } = assembled(doc, data.book);
+  const { judging, problems } = assemble(doc, data.book);
   if (!judging) throw new Refused(problems, 422);
   return judging;
 }

@@ -30,7 +30,7 @@ const plain = (v) => String(+v.toPrecision(6));
 /** @param {Said} said @returns {Record<string, string>} */
 export const named = ({ name, lagging, belt }) => ({
   pulley: name,
-  lagging: lagging.entry?.name ?? "",
+  lagging: lagging.name,
   belt: belt.name,
 });
 
@@ -131,24 +131,19 @@ function asksOf(standard, { belt, standard: chosen }, criteria, names, book, law
     }));
 }
 
-/** Sources of a belt as the server has them: of what is given beside a preset first.
- * @param {any} belt @param {Book} book */
-function beltSources({ preset, sources, ...belt }, book) {
-  const first = preset && sources ? book.belt_keys.filter((key) => key in belt) : [];
-  return { ...Object.fromEntries(first.map((key) => [key, null])), ...sources };
-}
 /** On what data the answer stands. @param {Said} said @param {BookLaw} law @param {Book} book
  * @returns {{short: string, says: string, kinds: string[]}} */
-export function dataWords({ r, name, belt, lagging }, law, book) {
-  const own = (/** @type {any} */ sources, /** @type {string} */ owner) =>
-    Object.entries(sources ?? {}).map(([key, source]) => ({
+export function dataWords({ name, belt, lagging, pulley }, law, book) {
+  const own = (/** @type {Map<string, any>} */ sources, /** @type {string} */ owner) =>
+    [...sources].map(([key, source]) => ({
       what: `${key.replaceAll("_", " ")} of ${owner}`,
       kinds: weaknesses(source),
     }));
+  const of = new Map([...lagging.sources].filter(([key]) => key !== "law"));
   const weak = [
-    ...law.weak.filter((w) => !lagging.over.includes(w.key)),
-    ...own(beltSources(r.doc.belt, book), "the belt"),
-    ...own(r.doc.pulley[0].sources, `pulley ${name}`),
+    ...own(of, lagging.name),
+    ...own(belt.sources, "the belt"),
+    ...own(pulley.sources, `pulley ${name}`),
     { what: "the belt", kinds: belt.weak },
   ];
   const kinds = book.weak_kinds.filter((kind) => weak.some((w) => w.kinds.includes(kind)));
