@@ -136,6 +136,7 @@ const made = new Map([
   [TOML, vendor],
   [join(folder, "solver.js"), await built("solver.js", { globalName: "solver" })],
   [join(folder, "page.js"), await built("main.js", { plugins: [instead] })],
+  [join(folder, "start.js"), await built("start.js", { format: "esm" })],
   [join(folder, "page.css"), await built("../static/style.css", {})],
   ...(await served()),
 ]);

@@ -179,7 +179,7 @@ def reader_module() -> str:
     native = sorted(name for name in module.natives if name not in known)
     head = f'import {{ {", ".join(native)} }} from "./documents.js";\n'
     head += f'import {{ {", ".join(used)} }} from "./{PYTHON.name}";\n'
-    return formatted(HEAD + head + text)
+    return HEAD + head + text
 
 
 def formatted(text: str) -> str:

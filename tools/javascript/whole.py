@@ -742,16 +742,15 @@ class Function:
         special = self._special(node, called)
         if special:
             return special
-        args = [self.of(a) for a in node.args]
+        args = [self._argument(a) for a in node.args]
         if isinstance(node.func, ast.Attribute) and called is _ABSENT:
             return self._of_object(node, node.func, args)
         function = self.of(node.func)
         if isinstance(called, type) and not isinstance(called, enum.EnumMeta) and (
             called not in _BUILT_IN
         ):
-            made = f"new {function}" if self._in_order(called, node) else ""
-            if made:
-                return f"{made}({', '.join(args)})"
+            if not node.keywords:
+                return f"new {function}({', '.join(args)})"
             return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
         if not node.keywords:
             new = function == local(self.itself) and self.itself == "cls"
@@ -764,9 +763,12 @@ class Function:
             self.module.by_name.add(function)
         return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
 
-    @staticmethod
-    def _in_order(called: Any, node: ast.Call) -> bool:
-        return not node.keywords
+    def _argument(self, node: ast.expr) -> str:
+        """Return an argument: a method keeps its object."""
+        if isinstance(node, ast.Attribute) and self.value(node) is _ABSENT:
+            self.module.reached.add(node.attr)
+            return f'$bound({self.of(node.value)}, "{node.attr}")'
+        return self.of(node)
 
     def _by_name(self, node: ast.Call) -> str:
         parts = [

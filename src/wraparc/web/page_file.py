@@ -70,18 +70,20 @@ def page_file(document: Document, name: str, text: str) -> str:
     """
     _check(document)
     data = json.dumps(_data(document, name, text), ensure_ascii=False, separators=(",", ":"))
-    style, solver, program = map(_built, ("page.css", "solver.js", "page.js"))
+    style, start = _built("page.css"), _built("start.js")
+    solver, program = _built("solver.js"), _built("page.js")
     icon = base64.b64encode((_STATIC / "built" / "icon.svg").read_bytes()).decode("ascii")
     parts = {
         "licences": "\n".join(path.read_text("utf-8") for path in _LICENCES),
-        "policy": _policy(style, (solver, program)),
+        "policy": _policy(style, (start, solver, program)),
         "version": __version__,
         "title": html.escape(str(document.get("title") or name)),
         "icon": f"data:image/svg+xml;base64,{icon}",
         "style": style,
         "data": packed(data),
-        "solver": solver,
-        "program": program,
+        "start": start,
+        "solver": packed(solver),
+        "program": packed(program),
     }
     frame = (_FOLDER / "page.html").read_text("utf-8")
     return _PLACE.sub(lambda found: parts[found[1]], frame)

@@ -13,6 +13,7 @@ import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
+import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
 
 export * from "../static/base/server.js";
@@ -21,12 +22,9 @@ export * from "../static/base/server.js";
 
 /** What the file knows, unpacked. @type {any} */
 let data = null;
-const unpacked = (async () => {
-  const letters = atob(document.getElementById("data")?.textContent ?? "");
-  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  data = JSON.parse(await new Response(plain).text());
-})();
+const ready = unpacked("data").then((text) => {
+  data = JSON.parse(text);
+});
 
 /** @param {Design} doc @returns {Judging} */
 function prepared(doc) {
@@ -87,7 +85,7 @@ const ANSWERS = {
 /** As of the server. @param {string} path @param {any} [asked] @param {any} [_how]
  * @returns {Promise<any>} */
 export async function ask(path, asked, _how) {
-  await unpacked;
+  await ready;
   const [first, name] = path.split("/");
   if (first === "examples") return structuredClone(data.examples[name]);
   if (!ANSWERS[path]) throw new Advice("This needs the calculator of wraparc serve.");
@@ -96,7 +94,7 @@ export async function ask(path, asked, _how) {
 /** Profiles; results and reports are left to the program. @param {string} path @param {any} asked
  * @returns {Promise<[Blob, string]>} */
 export async function askFile(path, asked) {
-  await unpacked;
+  await ready;
   if (path !== "results/csv")
     throw new Advice("Reports are made by wraparc report, or in wraparc serve.");
   const { document, units, name } = asked;

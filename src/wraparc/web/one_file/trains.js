@@ -46,11 +46,10 @@ function motorOf(motor) {
 }
 
 /** A load case solved; null where an arc is for the program.
- * @param {ReturnType<typeof caseAs>} c @param {any} train as read @param {any[]} laws @param {Book} book */
+ * @param {ReturnType<typeof caseAs>} c @param {{saids: any[], names: string[], nominal: number[], speed: number}} train
+ * @param {any[]} laws @param {Book} book */
 function solved(c, { saids, names, nominal, speed }, laws, book) {
-  const start = laws.map((law, i) =>
-    caseOf(saids[i], c, law, book),
-  );
+  const start = laws.map((law, i) => caseOf(saids[i], c, law, book));
   const givens = start.map(({ prepared }) => numbersOf(prepared.given));
   const members = start.map(({ prepared }, i) =>
     K.in_page_train__member_of(prepared.law, givens[i]),
@@ -125,6 +124,7 @@ export function trainOf(design, book, words) {
   if (problems.length) return { problems };
   const not = beyond(found);
   if (not) return { problems: [left(not)] };
+  /** @type {string[]} */
   const names = found.pulleys.map((/** @type {any} */ p) => p.name);
   const saids = names.map((_, i) => saidOf(found, i, design, book));
   const diameters = found.pulleys.map((/** @type {any} */ p) => p.diameter);

@@ -3,7 +3,11 @@ import { $sig } from "./python.js";
 import { CatalogueBelt, InputError, Provenance, readDrive, readTrain } from "./reader.js";
 
 /** What is known of the catalogue: belts and laggings, by name. */
-let catalogue = { from: /** @type {any} */ (null), belts: /** @type {any[]} */ ([]), laggings: new Map() };
+let catalogue = {
+  from: /** @type {any} */ (null),
+  belts: /** @type {any[]} */ ([]),
+  laggings: new Map(),
+};
 
 /** Say what the catalogue has. @param {any} from as the book has it */
 export function known(from) {

@@ -43,16 +43,17 @@ export class $Decimal {
     this.power = power;
   }
   static of(text) {
-    const [, sign, whole, part = "", power = "0"] = /^([+-]?)(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/.exec(
-      text,
-    );
+    const [, sign, whole, part = "", power = "0"] =
+      /^([+-]?)(\d*)\.?(\d*)(?:[eE]([+-]?\d+))?$/.exec(text);
     return new $Decimal(BigInt(`${sign}${whole}${part}`), Number(power) - part.length);
   }
   rounded() {
     const size = String(this.whole < 0n ? -this.whole : this.whole).length;
     if (size <= DIGITS) return this;
-    return new $Decimal(halved(this.whole, 10n ** BigInt(size - DIGITS)), this.power + size - DIGITS)
-      .rounded();
+    return new $Decimal(
+      halved(this.whole, 10n ** BigInt(size - DIGITS)),
+      this.power + size - DIGITS,
+    ).rounded();
   }
   plus(other, sign = 1n) {
     const power = Math.min(this.power, other.power);
@@ -78,7 +79,9 @@ export class $Decimal {
     const sign = this.whole < 0n ? "-" : "";
     const digits = String(this.whole).replace("-", "") + "0".repeat(Math.max(this.power, 0));
     const text = digits.padStart(1 - this.power, "0");
-    return sign + (this.power < 0 ? `${text.slice(0, this.power)}.${text.slice(this.power)}` : text);
+    return (
+      sign + (this.power < 0 ? `${text.slice(0, this.power)}.${text.slice(this.power)}` : text)
+    );
   }
   valueOf() {
     return Number(`${this.whole}e${this.power}`);
@@ -92,6 +95,7 @@ function halved(whole, by) {
   return sign * (up ? low + 1n : low);
 }
 
+class Counts extends Map {}
 /** Arguments that go by name. */
 class Named {
   constructor(given) {
@@ -113,6 +117,11 @@ const placed = (of, args, by) => {
   if (rest.size && !of.$more) throw new TypeError(`no argument ${[...rest.keys()]}`);
   return of.$more ? [...given, rest] : given;
 };
+/** What an object has under a name; of a method the one that keeps its object. */
+export const $bound = (of, name) => {
+  const found = of[name];
+  return typeof found === "function" && !found.prototype ? found.bind(of) : found;
+};
 export const $fields = (of) => (of.$names ?? of.constructor.$names).map((name) => ({ name }));
 /** A function, a class or a method called with arguments by name. */
 export const $call = (of, args, by) =>
@@ -122,11 +131,13 @@ export const $call = (of, args, by) =>
 export const $method = (of, name, args, by) => of[name](...placed(of[name], args, by));
 
 /** A function that remembers what it returned. */
-export const $once = (of, kept) => (...args) => {
-  const key = args.map((x) => `${typeof x}${x}`).join("\0");
-  if (!kept.has(key)) kept.set(key, of(...args));
-  return kept.get(key);
-};
+export const $once =
+  (of, kept) =>
+  (...args) => {
+    const key = args.map((x) => `${typeof x}${x}`).join("\0");
+    if (!kept.has(key)) kept.set(key, of(...args));
+    return kept.get(key);
+  };
 export const $iter = (of) => (of instanceof Map ? of.keys() : of);
 export const $map = (entries) => new Map(entries);
 export const $truth = (x) =>
@@ -152,9 +163,12 @@ export function $eq(a, b) {
     return Array.isArray(b) && a.length === b.length && a.every((x, i) => $eq(x, b[i]));
   if (a instanceof Map)
     return (
-      b instanceof Map && a.size === b.size && [...a].every(([k, v]) => b.has(k) && $eq(v, b.get(k)))
+      b instanceof Map &&
+      a.size === b.size &&
+      [...a].every(([k, v]) => b.has(k) && $eq(v, b.get(k)))
     );
-  if (a instanceof Set) return b instanceof Set && a.size === b.size && [...a].every((x) => b.has(x));
+  if (a instanceof Set)
+    return b instanceof Set && a.size === b.size && [...a].every((x) => b.has(x));
   const fields = a.constructor.$compared;
   return a.constructor === b.constructor && Boolean(fields) && fields.every((f) => $eq(a[f], b[f]));
 }
@@ -183,6 +197,7 @@ export const $merged = (a, b) =>
 const letters = (text) => (/[\ud800-\udfff]/.test(text) ? [...text] : text);
 export function $at(of, key) {
   if (of instanceof Map) {
+    if (!of.has(key) && of instanceof Counts) return 0;
     if (!of.has(key)) throw new $KeyError(key);
     return of.get(key);
   }
@@ -217,8 +232,7 @@ export function $repr(x) {
   const text = plainly(digits, +power);
   return text.includes(".") ? text : `${text}.0`;
 }
-const signed = (power) =>
-  `${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
+const signed = (power) => `${power < 0 ? "-" : "+"}${String(Math.abs(power)).padStart(2, "0")}`;
 /** Digits of a number with its power, without one. */
 function plainly(digits, power) {
   const sign = digits.startsWith("-") ? "-" : "";
@@ -293,7 +307,9 @@ export function $shown(value) {
   if (all.length > SHOWN)
     text = all.slice(0, SHOWN - 4).join("") + (text.startsWith('"') ? '..."' : "...");
   const hidden = (c) => c !== " " && UNPRINTABLE.test(c);
-  return [...text].map((c) => (hidden(c) ? `\\u${c.codePointAt(0).toString(16).padStart(4, "0")}` : c)).join("");
+  return [...text]
+    .map((c) => (hidden(c) ? `\\u${c.codePointAt(0).toString(16).padStart(4, "0")}` : c))
+    .join("");
 }
 const SHOWN = 60;
 /** As json.dumps(value, ensure_ascii=False, default=str). */
@@ -304,7 +320,8 @@ export function $json(x) {
     );
   if (x === null || x === undefined) return "null";
   if (typeof x === "boolean") return String(x);
-  if (isNumber(x) && !Number.isFinite(+x)) return Number.isNaN(+x) ? "NaN" : +x > 0 ? "Infinity" : "-Infinity";
+  if (isNumber(x) && !Number.isFinite(+x))
+    return Number.isNaN(+x) ? "NaN" : +x > 0 ? "Infinity" : "-Infinity";
   if (isNumber(x)) return $str(x);
   if (typeof x === "bigint") return String(x);
   if (Array.isArray(x)) return `[${x.map($json).join(", ")}]`;
@@ -355,7 +372,12 @@ const METHODS = {
     const at = x.lastIndexOf(by);
     return at < 0 ? ["", "", x] : [x.slice(0, at), by, x.slice(at + by.length)];
   },
-  split: (x, by) => (by === undefined ? sides(x, null, true, true).split(new RegExp(`${SPACE}+`, "u")).filter(Boolean) : x.split(by)),
+  split: (x, by) =>
+    by === undefined
+      ? sides(x, null, true, true)
+          .split(new RegExp(`${SPACE}+`, "u"))
+          .filter(Boolean)
+      : x.split(by),
   join: (by, of) => [...$iter(of)].join(by),
   isprintable: (x) => ![...x].some((c) => c !== " " && UNPRINTABLE.test(c)),
   isdecimal: (x) => /^\p{Nd}+$/u.test(x),
@@ -368,7 +390,10 @@ const METHODS = {
   items: (x) => [...x],
   keys: (x) => new Set(x.keys()),
   values: (x) => [...x.values()],
-  setdefault: (x, key, other) => (x.has(key) ? x.get(key) : (x.set(key, other), other)),
+  setdefault: (x, key, other) => {
+    if (!x.has(key)) x.set(key, other);
+    return x.get(key);
+  },
   pop: (x, key, other) => {
     if (Array.isArray(x)) return x.pop();
     const found = x.has(key) ? x.get(key) : other;
@@ -392,7 +417,9 @@ const METHODS = {
   fullmatch: (x, text) => match(x.fullmatch.exec(text)),
   search: (x, text) => match(x.search.exec(text)),
   findall: (x, text) =>
-    [...text.matchAll(x.all)].map((m) => (m.length > 2 ? m.slice(1).map((g) => g ?? "") : (m[1] ?? m[0]))),
+    [...text.matchAll(x.all)].map((m) =>
+      m.length > 2 ? m.slice(1).map((g) => g ?? "") : (m[1] ?? m[0]),
+    ),
   sub: (x, by, text) => text.replace(x.all, () => by),
   group: (x, key = 0) => $at(x, key),
   end: (x) => x.$found.index + x.$found[0].length,
@@ -411,7 +438,10 @@ export const $m = Object.fromEntries(
 const TYPES = {
   str: (x) => typeof x === "string",
   bool: (x) => typeof x === "boolean",
-  int: (x) => typeof x === "boolean" || typeof x === "bigint" || (typeof x === "number" && Number.isInteger(x)),
+  int: (x) =>
+    typeof x === "boolean" ||
+    typeof x === "bigint" ||
+    (typeof x === "number" && Number.isInteger(x)),
   float: (x) => x instanceof Number || (typeof x === "number" && !Number.isInteger(x)),
   dict: (x) => x instanceof Map,
   Mapping: (x) => x instanceof Map,
@@ -425,18 +455,21 @@ const less = (a, b) => {
   const at = a.findIndex((x, i) => !$eq(x, b[i]));
   return at >= 0 && less(a[at], b[at]);
 };
-const best = (better) => (...args) => {
-  const { key = (x) => x, ...more } = named(args);
-  const all = many(args);
-  if (!all.length) {
-    if ("default" in more) return more.default;
-    throw new TypeError("nothing to choose from");
-  }
-  return all.reduce((a, b) => (better(key(b), key(a)) ? b : a));
-};
+const best =
+  (better) =>
+  (...args) => {
+    const { key = (x) => x, ...more } = named(args);
+    const all = many(args);
+    if (!all.length) {
+      if ("default" in more) return more.default;
+      throw new TypeError("nothing to choose from");
+    }
+    return all.reduce((a, b) => (better(key(b), key(a)) ? b : a));
+  };
 export const $b = {
   len: (x) => (typeof x === "string" ? letters(x).length : (x.size ?? x.length ?? [...x].length)),
-  isinstance: (x, ...of) => of.flat().some((t) => (typeof t === "string" ? TYPES[t](x) : x instanceof t)),
+  isinstance: (x, ...of) =>
+    of.flat().some((t) => (typeof t === "string" ? TYPES[t](x) : x instanceof t)),
   str: $str,
   repr: $repr,
   int: (x) => Math.trunc(Number(x)),
@@ -457,7 +490,9 @@ export const $b = {
   sorted: (...args) => {
     const { key = (x) => x, reverse = false } = named(args);
     const way = reverse ? -1 : 1;
-    return many(args).sort((a, b) => way * (less(key(a), key(b)) ? -1 : less(key(b), key(a)) ? 1 : 0));
+    return many(args).sort(
+      (a, b) => way * (less(key(a), key(b)) ? -1 : less(key(b), key(a)) ? 1 : 0),
+    );
   },
   zip: (...args) => {
     named(args);
@@ -469,8 +504,12 @@ export const $b = {
     const { start = 0 } = named(args);
     return [...$iter(args[0])].map((x, i) => [i + start, x]);
   },
-  range: (a, b) => Array.from({ length: Math.max(b === undefined ? a : b - a, 0) }, (_, i) => (b === undefined ? i : a + i)),
-  map: (of, ...x) => (x.length > 1 ? $b.zip(...x).map((y) => of(...y)) : [...$iter(x[0])].map((y) => of(y))),
+  range: (a, b) =>
+    Array.from({ length: Math.max(b === undefined ? a : b - a, 0) }, (_, i) =>
+      b === undefined ? i : a + i,
+    ),
+  map: (of, ...x) =>
+    x.length > 1 ? $b.zip(...x).map((y) => of(...y)) : [...$iter(x[0])].map((y) => of(y)),
   next: (of, ...other) => {
     const { done, value } = of[Symbol.iterator]().next();
     if (!done) return value;
@@ -483,7 +522,7 @@ export const $b = {
   getattr: (x, name, other) => (x[name] === undefined ? (other ?? null) : x[name]),
   pairwise: (x) => $b.zip($iter(x), [...$iter(x)].slice(1)),
   Counter: (x) => {
-    const found = new Map();
+    const found = new Counts();
     for (const one of $iter(x)) found.set(one, (found.get(one) ?? 0) + 1);
     return found;
   },
@@ -500,16 +539,33 @@ export const $math = {
   isfinite: (x) => Number.isFinite(+x),
   isnan: (x) => Number.isNaN(+x),
   isinf: (x) => Math.abs(x) === Number.POSITIVE_INFINITY,
-  isclose: (a, b, { rel_tol }) => a === b || Math.abs(a - b) <= rel_tol * Math.max(Math.abs(a), Math.abs(b)),
+  isclose: (a, b, { rel_tol }) =>
+    a === b || Math.abs(a - b) <= rel_tol * Math.max(Math.abs(a), Math.abs(b)),
   fsum: (x) => {
     const all = [...$iter(x)].map(Number);
     if (!all.every(Number.isFinite)) return all.reduce((a, b) => a + b, 0);
     return +all.map(exact).reduce(sumOf, new $Decimal(0n, 0));
   },
-  comb: (n, k) => Array.from({ length: k }, (_, i) => i).reduce((a, i) => (a * (n - i)) / (i + 1), 1),
+  comb: (n, k) =>
+    Array.from({ length: k }, (_, i) => i).reduce((a, i) => (a * (n - i)) / (i + 1), 1),
   copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),
 };
-for (const name of ["log", "exp", "sqrt", "sin", "cos", "tan", "atan2", "asin", "acos", "atan", "hypot", "floor", "ceil"]) $math[name] = Math[name];
+for (const name of [
+  "log",
+  "exp",
+  "sqrt",
+  "sin",
+  "cos",
+  "tan",
+  "atan2",
+  "asin",
+  "acos",
+  "atan",
+  "hypot",
+  "floor",
+  "ceil",
+])
+  $math[name] = Math[name];
 function sumOf(a, b) {
   const power = Math.min(a.power, b.power);
   const at = (d) => d.whole * 10n ** BigInt(d.power - power);

@@ -139,7 +139,10 @@ export function lawOf({ lagging: { entry }, usual, asked }, condition) {
 }
 /** What is said of a law that the book does not have. @param {Said} said @returns {Problem} */
 export const unknownLaw = ({ name, lagging }) =>
-  left(`this page was not made with lagging ${lagging.name} as it is here. ${OTHERS}`, placeOf(name));
+  left(
+    `this page was not made with lagging ${lagging.name} as it is here. ${OTHERS}`,
+    placeOf(name),
+  );
 /** @param {string} pulley */
 const placeOf = (pulley) =>
   `pulley.${/^[\w-]+$/.test(pulley) ? pulley : JSON.stringify(pulley)}.lagging`;
@@ -235,8 +238,7 @@ export function caseOf(said, c, bookLaw, book) {
     behind: +Boolean(takeUp.after),
     alone: 1,
     printed: +(
-      ["", "CEMA"].includes(said.standard.name) &&
-      ["bare", "rubber"].includes(lagging.surface)
+      ["", "CEMA"].includes(said.standard.name) && ["bare", "rubber"].includes(lagging.surface)
     ),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
