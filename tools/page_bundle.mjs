@@ -56,7 +56,7 @@ async function built(file, how) {
 }
 /** The reader and writer of TOML as one module, for the pages. */
 async function vendored() {
-  const contents = 'export { parse, stringify, TomlDate } from "smol-toml";';
+  const contents = 'export { parse, stringify, TomlDate, TomlError } from "smol-toml";';
   const how = { stdin: { contents, resolveDir: root }, format: "esm" };
   const { outputFiles } = await build({ ...common, ...how });
   return outputFiles[0].text;

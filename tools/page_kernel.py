@@ -18,9 +18,9 @@ from typing import Any
 from javascript import whole
 from javascript.translate import Module, translated
 from wraparc import catalogue, errors
-from wraparc.arc import answer, capacity, profile
+from wraparc.arc import answer, capacity, profile, wrap_arc
 from wraparc.catalogue import loader
-from wraparc.checks import numbers
+from wraparc.checks import numbers, of_data
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
@@ -50,6 +50,7 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.quick,
     in_page.judged,
+    in_page.covered_creep,
     tension_rules.overridden,
     tension_rules.fault_of,
     tension_rules.overdetermined,
@@ -125,6 +126,9 @@ READER: dict[str, Any] = {
     "InputError": errors.InputError,
     "CatalogueBelt": loader.CatalogueBelt,
     "Provenance": Provenance,
+    "syntaxProblem": source.syntax_problem,
+    "ofBelt": wrap_arc.of_belt,
+    "weakSources": of_data.weak_sources,
 }
 #: What `static/documents.js` has in the place of functions that look into files.
 OF_FILES: dict[Any, str] = {

@@ -9,12 +9,9 @@ from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
-import pytest
-
 from wraparc.errors import InputError
 from wraparc.schema.source import parse
 from wraparc.train.file import any_drive_from_document, train_from_document
-from wraparc.units import DEFINITIONS, DIMENSION_TEXT, parse_quantity, unit_names
 from wraparc.web.answers.book import book
 from wraparc.web.answers.documents import json_like
 
@@ -74,9 +71,7 @@ def test_every_example_is_read_to_the_same_drive() -> None:
     # expected: every field of the program's own drive, each number to its last bit
     documents = [json_like(parse(path.read_text("utf-8"))) for path in EXAMPLES]
     assert len(documents) > 8
-    for path, document, found in zip(
-        EXAMPLES, documents, read_by_the_page(documents), strict=True
-    ):
+    for path, document, found in zip(EXAMPLES, documents, read_by_the_page(documents), strict=True):
         expected = read_by_the_program(document)
         assert expected["sentences"] == [], path
         assert differences(found, expected) == [], path

@@ -73,6 +73,19 @@ DRIVES: dict[str, tuple[str, str]] = {
     ),
 }
 DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
+_COVERS = '[belt]\npulley_cover = "4 mm"\ncarry_cover = "8 mm"\n'
+DRIVES["covers and mass of the belt"] = (
+    HEAD.replace("[belt]\n", f'{_COVERS}mass = "20 kg/m"\ncover_shear_modulus = "0.9 MPa"\n'),
+    "ATTENTION",
+)
+DRIVES["carry side, bond strength"] = (
+    HEAD.replace("[belt]\n", _COVERS).replace(
+        'lagging = "diamond-rubber"',
+        'side = "carry"\nlagging = { preset = "diamond-rubber", bond_strength = "0.1 MPa", '
+        'fatigue_limit = "0.2 MPa" }',
+    ),
+    "ATTENTION",
+)
 FITTED = (
     HEAD.replace('lagging = "diamond-rubber"', 'lagging = "ours"')
     + """

@@ -47,12 +47,17 @@ _OPERATORS = {
 _PLAIN = {ast.Div: "/", ast.Mod: "%"}
 _COMPARED = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
 #: Methods of texts, lists, dicts, sets and patterns.
-_METHODS = frozenset(re.findall(r"\w+", """
+_METHODS = frozenset(
+    re.findall(
+        r"\w+",
+        """
     strip lstrip rstrip lower upper casefold startswith endswith replace removeprefix removesuffix
     partition rpartition split join isprintable isdecimal isascii translate get items keys values
     setdefault pop update append count index isdisjoint match fullmatch search findall sub group
     end start
-"""))
+""",
+    )
+)
 
 
 class Module:
@@ -90,17 +95,17 @@ class Module:
 
     def value(self, value: Any, where: Where) -> str:
         """Return how a value of the running program is written."""
-        if value is None or isinstance(value, bool | int | float | str) or value is Ellipsis:
-            return literal(value.value if isinstance(value, enum.Enum) else value, where)
         if isinstance(value, enum.Enum):
             return self.value(value.value, where)
+        if value is None or isinstance(value, bool | int | float | str):
+            return literal(value, where)
         if self._hashable(value) and value in self.instead:
             return self._native(self.instead[value])
         if self._hashable(value) and value in self.frozen:
             return f"(() => {self.value(value(), where)})"
         if self._hashable(value) and value in _BUILT_IN:
             return f"$b.{_BUILT_IN[value]}"
-        if isinstance(value, BuiltinFunctionType) and getattr(math, value.__name__, 0) is value:
+        if isinstance(value, BuiltinFunctionType) and hasattr(math, value.__name__):
             return f"$math.{value.__name__}"
         if hasattr(value, "__wrapped__") or isinstance(value, FunctionType):
             return self.function(value, where)
@@ -171,12 +176,15 @@ class Module:
 
     def _written(self, value: Any, where: Where) -> str:
         """Return what a constant is made of."""
-        each = lambda values: ", ".join(self.value(v, where) for v in values)  # noqa: E731
+
+        def each(values: Iterable[Any]) -> str:
+            return ", ".join(self.value(v, where) for v in values)
+
         if isinstance(value, Decimal):
             return f'$Decimal.of("{value}")'
         if isinstance(value, re.Pattern):
             return _pattern(value)
-        if isinstance(value, dict) or isinstance(value, Mapping):
+        if isinstance(value, (dict, Mapping)):
             return f"new Map([{', '.join(f'[{each(pair)}]' for pair in value.items())}])"
         if isinstance(value, set | frozenset):
             return f"new Set([{each(sorted(value, key=str))}])"
@@ -216,10 +224,8 @@ class Module:
         return "\n".join([*functions, *classes, *constants, *statics, *named, ""])
 
     def _size(self) -> int:
-        return sum(map(len, (
-            self.classes, self._functions, self._methods, self._constants, self.reached,
-            self.by_name,
-        )))  # fmt: skip
+        found: tuple[Any, ...] = (self.classes, self._functions, self._methods, self._constants)
+        return sum(map(len, (*found, self.reached, self.by_name)))
 
     def _emit(self, name: str, value: Any, lines: dict[str, str], done: set[int]) -> None:
         """Write a constant behind those that it is made of."""
@@ -242,9 +248,7 @@ class Module:
             if attribute == "__init__" and _generated(kind):
                 continue
             how, of = "", found
-            if isinstance(found, classmethod):
-                how, of = "static ", found.__func__
-            elif isinstance(found, staticmethod):
+            if isinstance(found, (classmethod, staticmethod)):
                 how, of = "static ", found.__func__
             elif isinstance(found, property | cached_property):
                 how, of = "get ", found.fget if isinstance(found, property) else found.func
@@ -296,31 +300,35 @@ class Module:
     def _statics(self) -> Iterable[str]:
         """Yield what classes know of their fields, and what their objects have from them."""
         for name, kind in self.classes.items():
-            if _generated(kind):
-                names = [*_fields(kind)]
-                yield f"$sig({name}, {literal(names, Where(name, 0))});"
-                if not is_named_tuple(kind) and kind.__dataclass_params__.eq:
-                    compared = [f.name for f in dataclasses.fields(kind) if f.compare]
-                    yield f"{name}.$compared = {literal(compared, Where(name, 0))};"
-                elif is_named_tuple(kind):
-                    yield f"{name}.$compared = {name}.$names;"
-            elif "__init__" in vars(kind):
-                yield _signature(name, vars(kind)["__init__"], 1)
+            yield from self._of_fields(name, kind)
             for attribute, found in vars(kind).items():
-                if (name, attribute) in self._methods and attribute in self.by_name:
-                    of = getattr(found, "__func__", found)
-                    at = name if isinstance(found, classmethod) else f"{name}.prototype"
-                    yield _signature(f"{at}.{attribute}", of, 1)
-                hidden = _generated(kind) and attribute in _fields(kind)
-                plain = isinstance(found, str | int | float | tuple | Mapping) or (
-                    type(found).__module__.startswith(self.package)
-                )
-                if attribute in self.reached and plain and not hidden and attribute[0] != "_":
-                    value = self.value(found, Where(name, 0))
-                    yield f"{name}.{attribute} = {name}.prototype.{attribute} = {value};"
+                yield from self._of_class(name, kind, attribute, found)
         for name, (function, _) in self._functions.items():
             if name in self.by_name:
                 yield _signature(name, function, 0)
+
+    @staticmethod
+    def _of_fields(name: str, kind: Any) -> Iterable[str]:
+        if _generated(kind):
+            names, compared = [*_fields(kind)], [*_fields(kind)]
+            yield f"$sig({name}, {literal(names, Where(name, 0))});"
+            if not is_named_tuple(kind):
+                compared = [f.name for f in dataclasses.fields(kind) if f.compare]
+            if is_named_tuple(kind) or kind.__dataclass_params__.eq:
+                yield f"{name}.$compared = {literal(compared, Where(name, 0))};"
+        elif "__init__" in vars(kind):
+            yield _signature(name, vars(kind)["__init__"], 1)
+
+    def _of_class(self, name: str, kind: Any, attribute: str, found: Any) -> Iterable[str]:
+        if (name, attribute) in self._methods and attribute in self.by_name:
+            at = name if isinstance(found, classmethod) else f"{name}.prototype"
+            yield _signature(f"{at}.{attribute}", getattr(found, "__func__", found), 1)
+        hidden = attribute[0] == "_" or (_generated(kind) and attribute in _fields(kind))
+        plain = isinstance(found, str | int | float | tuple | Mapping)
+        plain = plain or type(found).__module__.startswith(self.package)
+        if attribute in self.reached and plain and not hidden:
+            value = self.value(found, Where(name, 0))
+            yield f"{name}.{attribute} = {name}.prototype.{attribute} = {value};"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -434,8 +442,10 @@ class Function:
             text = local(a.arg)
             if default is not None:
                 value = given[a.arg].default if of else _ABSENT
-                told = self.of(default) if value is _ABSENT else self.module.value(
-                    value, self.where(default)
+                told = (
+                    self.of(default)
+                    if value is _ABSENT
+                    else self.module.value(value, self.where(default))
                 )
                 text += f" = {told}"
             found.append(text)
@@ -502,9 +512,7 @@ class Function:
     def _put(self, target: ast.expr, value: str) -> str:
         if isinstance(target, ast.Subscript):
             return f"$put({self.of(target.value)}, {self.of(target.slice)}, {value});"
-        if isinstance(target, ast.Tuple) and any(
-            isinstance(e, ast.Subscript) for e in target.elts
-        ):
+        if isinstance(target, ast.Tuple) and any(isinstance(e, ast.Subscript) for e in target.elts):
             names = [f"$v{i}" for i in range(len(target.elts))]
             puts = map(self._put, target.elts, names)
             return f"{{ const [{', '.join(names)}] = {value}; {' '.join(puts)} }}"
@@ -638,8 +646,10 @@ class Function:
         text = self.of(node.value)
         if node.conversion == ord("r"):
             return f"$repr({text})"
-        return f"$format({text}, {self.of(node.format_spec)})" if node.format_spec else (
-            f"$str({text})"
+        return (
+            f"$format({text}, {self.of(node.format_spec)})"
+            if node.format_spec
+            else (f"$str({text})")
         )
 
     def _binop(self, node: ast.BinOp) -> str:
@@ -746,16 +756,20 @@ class Function:
         if isinstance(node.func, ast.Attribute) and called is _ABSENT:
             return self._of_object(node, node.func, args)
         function = self.of(node.func)
-        if isinstance(called, type) and not isinstance(called, enum.EnumMeta) and (
-            called not in _BUILT_IN
+        if (
+            isinstance(called, type)
+            and not isinstance(called, enum.EnumMeta)
+            and (called not in _BUILT_IN)
         ):
+            if hasattr(called, "__total__"):  # a dict whose keys are known
+                return f"$map({self._by_name(node)})"
             if not node.keywords:
                 return f"new {function}({', '.join(args)})"
             return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
         if not node.keywords:
             new = function == local(self.itself) and self.itself == "cls"
             return f"{'new ' if new else ''}{function}({', '.join(args)})"
-        if called is not _ABSENT and called in _BUILT_IN or function.startswith("$math"):
+        if (called is not _ABSENT and called in _BUILT_IN) or function.startswith("$math"):
             given = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
             mark = "" if function.startswith("$math") else "$k"
             return f"{function}({', '.join([*args, f'{mark}({{{given}}})'])})"
@@ -790,7 +804,10 @@ class Function:
             return f"$b.isinstance({self.of(node.args[0])}, {', '.join(kinds)})"
         if called is dataclasses.fields:
             return f"$fields({self.of(node.args[0])})"
-        text = ast.unparse(node.func)
+        return self._by_text(node, ast.unparse(node.func), called)
+
+    def _by_text(self, node: ast.Call, text: str, called: Any) -> str:
+        """Return such a call of a function that is known by its name."""
         if text == "re.compile":
             made = eval(ast.unparse(node), self.known)  # noqa: S307 - of our own source
             return self.module.value(made, self.where(node))
@@ -804,7 +821,7 @@ class Function:
             constant = self.module.value(re.compile(ast.literal_eval(pattern)), self.where(node))
             return f"$m.{node.func.attr}({constant}, {', '.join(map(self.of, rest))})"  # type: ignore[attr-defined]
         if called is getattr and isinstance(node.args[1], ast.Constant):
-            self.module.reached.add(node.args[1].value)
+            self.module.reached.add(str(node.args[1].value))
         return ""
 
     def _types(self, node: ast.expr) -> list[str]:

@@ -8,11 +8,9 @@ import base64
 import hashlib
 import html
 import json
-import math
 import re
 import zlib
 from collections.abc import Callable, Iterator
-from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,7 +20,7 @@ from wraparc.checks.of_drive import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
-from wraparc.train import Motor, Motors, Train
+from wraparc.train import Train
 from wraparc.train.as_drive import as_drive
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
@@ -44,8 +42,8 @@ _SECTIONS = (
     "drive", "belt", "pulley", "tensions", "lagging", "load_case", "take_up", "design_standard",
     "safety_factor", "sag", "train", "conveyor",
 )  # fmt: skip
-#: Keys of a lagging table in a pulley that the page reads.
-_LAGGING = ("preset", "thickness", "shear_modulus", "compression_modulus")
+#: Keys of a lagging table in a pulley whose law the page was not made with.
+_OTHER_LAW = ("law", "condition_factor", "slip_speed", "temperature")
 _PLACE = re.compile(r"\{\{(\w+)\}\}")
 _UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*(\S.*?)\s*")
 _SOLVES = "wraparc solve and wraparc serve solve it."
@@ -207,7 +205,7 @@ def _pulley_problems(
         yield beyond(f"{place}.across", "the load across the width is not solved in", remedy)
     lagging = table["lagging"]
     for key in lagging if isinstance(lagging, dict) else ():
-        if key not in _LAGGING:
+        if key in _OTHER_LAW:
             remedy = "Put the lagging into a [lagging.NAME] table of the drive file."
             yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
 

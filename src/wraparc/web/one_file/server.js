@@ -1,6 +1,6 @@
 // What the server answers, answered in the file: by the same modules and from the same data.
 import { Advice, Refused } from "../static/base/server.js";
-import { documentOf, textOf } from "../static/base/toml.js";
+import { textOf } from "../static/base/toml.js";
 import { in_page__quick as quick } from "../static/kernel.js";
 import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
@@ -12,6 +12,7 @@ import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
+import { documentOf } from "./texts.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";

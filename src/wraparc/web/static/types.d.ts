@@ -208,6 +208,8 @@ export interface Judging {
     elsewhere: Path[];
     tested: Arc["tested"];
     criteria: Record<string, number | string>;
+    /** Compliance of a cover that the slip of the law may hold or not [m/Pa]. */
+    cover?: number;
     checks: Words[];
     asks: Ask[];
     /** Of a pulley among others: its name, what it shares with these, its names for the words. */

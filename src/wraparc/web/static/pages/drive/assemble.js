@@ -3,6 +3,7 @@
 import { known, read } from "../../documents.js";
 import { in_page__described as described, in_page__unjudged as unjudged } from "../../kernel.js";
 import { TENSIONS } from "../../parts/problems.js";
+import { ofBelt, weakSources } from "../../reader.js";
 import { numbersOf } from "./own.js";
 import { standardOf } from "./standard.js";
 import { dataWords, filled, general, named, wordsOf } from "./wording.js";
@@ -61,7 +62,6 @@ export function saidOf(drive, i, doc, book) {
       wrap_angle: pulley.wrap_angle,
       overrun: orNone(pulley.overrun),
       creep_limit: orNone(pulley.creep_limit),
-      sources: pulley.sources,
     },
     belt: {
       width: belt.width,
@@ -75,8 +75,6 @@ export function saidOf(drive, i, doc, book) {
       mass: orNone(belt.mass),
       kind: belt.kind,
       name: /** @type {string} */ (belt.name),
-      weak: weaknesses(belt.provenance),
-      sources: belt.sources,
     },
     lagging: {
       thickness: lagging.thickness,
@@ -87,7 +85,6 @@ export function saidOf(drive, i, doc, book) {
       fatigue_limit: orNone(lagging.fatigue_limit),
       name: lagging.name,
       surface: lagging.surface,
-      sources: lagging.sources,
       entry: entryOf(doc, i, book),
     },
     takeUp: { kind: take_up.kind, after: take_up.after, ratio: take_up.sheave_ratio },
@@ -103,11 +100,19 @@ export function saidOf(drive, i, doc, book) {
     limit: drive.creep_limit,
     recovery: pulley.recovery,
     usual: lagging.condition,
+    weak: /** @type {[string, string][]} */ ([...weakSources(drive, pulley)]),
+    /** What the belt adds to the arc in a condition. @param {string} condition */
+    thick(condition) {
+      const in_ = pulley.conditions.find((/** @type {any} */ l) => l.condition === condition);
+      return ofBelt(belt, pulley.side, (in_ ?? lagging).law);
+    },
     asked: [doc.condition, doc.pulley[i].condition, ...casesOf(doc)].flat(),
   };
 }
 /** @param {any} doc @returns {any[]} */
 const casesOf = (doc) => (doc.load_case ?? []).map((/** @type {any} */ c) => c.condition);
+/** Keys of a lagging that make its law another one. */
+const LAW = ["law", "condition_factor", "slip_speed", "temperature"];
 /** What the book has of the lagging of a pulley. @param {any} doc @param {number} i
  * @param {Book} book @returns {BookLagging | undefined} */
 function entryOf(doc, i, book) {
@@ -115,18 +120,12 @@ function entryOf(doc, i, book) {
   const name = given.preset ?? given;
   const own = doc.lagging?.[name];
   const other = own && JSON.stringify(own) !== JSON.stringify(book.own?.[name]);
-  const law = typeof given === "object" && (given.law || given.condition_factor);
+  const law = LAW.some((key) => given[key] != null);
   return other || law ? undefined : book.laggings[name];
 }
 /** Breaking strength that the name of a steel-cord belt tells. @param {string} name */
 export const strengthIn = (name) =>
   1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
-/** In what ways a number from a source is weak. @param {any} source @returns {string[]} */
-export const weaknesses = (source) => [
-  ...(String(source?.note ?? "").startsWith("estimated") ? ["estimated"] : []),
-  ...(["illustrative", "calibrated"].includes(source?.kind) ? [source.kind] : []),
-];
-
 export const OTHERS =
   "Make the page anew with it, `wraparc page FILE`, or solve with `wraparc solve`";
 /** The law of a pulley in a condition, that of its own for none. @param {Said} said
@@ -200,6 +199,7 @@ export function caseOf(said, c, bookLaw, book) {
   const { pulley, belt, lagging, takeUp, safety, sag, recovery } = said;
   const usual = book.usual;
   const limit = limitOf(said, book);
+  const thick = said.thick(c.condition);
   const given = {
     ...Object.fromEntries(TENSIONS.map((key) => [key, none])),
     ...{ entry_tension: c.entry, exit_tension: c.exit },
@@ -212,7 +212,9 @@ export function caseOf(said, c, bookLaw, book) {
     creep_limit: limit,
     steepest_fall: bookLaw.steepest_fall,
     slip_with_shear: +bookLaw.slip_with_shear,
-    ...{ pitch_offset: 0, cover_compliance: 0, mass: none }, // see `thickOf`
+    pitch_offset: thick.get("pitch_offset") ?? 0,
+    cover_compliance: thick.get("cover_compliance"),
+    mass: belt.mass,
   };
   const tested = bookLaw.tested;
   const standard = standardOf(said, bookLaw, book);
@@ -244,7 +246,8 @@ export function caseOf(said, c, bookLaw, book) {
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
     wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
-  const of = { said, c, law: bookLaw, standard, criteria, share, book };
+  const cover = thick.get("cover_left_out");
+  const of = { said, c, law: bookLaw, standard, criteria, share, cover, book };
   const { checks, asks } = wordsOf(of);
   return {
     load_case: c.name,
@@ -257,6 +260,7 @@ export function caseOf(said, c, bookLaw, book) {
       slip_max: +tested.slip_max,
     },
     criteria,
+    cover,
     checks,
     asks,
     tensions: described(given),
