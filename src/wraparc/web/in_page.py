@@ -9,6 +9,7 @@ from __future__ import annotations
 from math import inf, nan
 from typing import NamedTuple
 
+from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
 from wraparc.arc.gross_slip import Line
@@ -228,6 +229,23 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     outside, stretches = stretches_outside(tested, profile, count)
     summary = summary_of(geometry, arc, tested, found)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
+
+
+def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
+    """Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m].
+
+    Parameters
+    ----------
+    law, given
+        The arc.
+    cover
+        Compliance of the cover [m/Pa].
+    """
+    arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
+    load = load_of(given, arc, None)
+    geometry = geometry_of(arc, law.onset_compliance)
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
+    return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 
 
 class Judged(NamedTuple):

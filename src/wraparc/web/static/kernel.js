@@ -4748,6 +4748,19 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   );
 }
 
+/** Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
+export function in_page__covered_creep(law, given, cover) {
+  let arc = in_page__description_of(
+    Object.assign(Object.create(Object.getPrototypeOf(given)), given, {
+      cover_compliance: given.cover_compliance + cover,
+    }),
+  );
+  let load = in_page__load_of(given, arc, null);
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
+  return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
+}
+
 /** The keys given that fix the effective tension. */
 export function tension_rules__effective_keys(of) {
   return [...EFFECTIVE].filter((key) => of[key] !== null);
