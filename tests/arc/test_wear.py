@@ -7,9 +7,10 @@ import pytest
 
 from present.drives import drive, solved
 from wraparc import load_lagging, solve
-from wraparc.arc.wear import coefficient_of_life, frictional_power, passes_per_hour, wear_life
+from wraparc.arc.wear import coefficient_of_life, frictional_power, wear_life
 from wraparc.choose.cost import lagging_cost
 from wraparc.drive import Cost
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.sheet import shown
 from wraparc.present.wear_table import life_data, life_table, wear_table
 
@@ -55,7 +56,7 @@ def test_without_a_belt_speed_there_is_no_power() -> None:
 
 
 def test_life_is_depth_over_wear() -> None:
-    assert passes_per_hour(3.0, 0.8) == pytest.approx(PASSES)
+    assert turns_an_hour(3.0, 0.4) == pytest.approx(PASSES)
     hours = wear_life(6e-3, 2e-13, 280.0, PASSES)
     assert hours == pytest.approx(6e-3 / (2e-13 * 280.0 * PASSES))
     assert coefficient_of_life(6e-3, hours, 280.0, PASSES) == pytest.approx(2e-13)

@@ -13,11 +13,11 @@ from wraparc.calibrate.field_numbers import (
     FieldNumbers,
     at_creep_limit,
     field_numbers,
-    passes,
     wear_coefficient,
 )
 from wraparc.checks import Level
 from wraparc.checks.check import Verdict
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.field_sheet import field_sheet
 from wraparc.present.sheet import shown as told_in
 
@@ -55,7 +55,7 @@ def test_the_alarm_is_at_the_creep_limit(results: dict[str, ArcResult]) -> None:
 
 def test_wear_is_energy_times_its_coefficient(results: dict[str, ArcResult]) -> None:
     """3 m/s on 0.8 m is 3 x 3600/(0.8 pi) = 4297 turns an hour; wear = k e n."""
-    assert passes(3.0, 0.8, 1.0) == pytest.approx(4297.18, rel=1e-5)
+    assert turns_an_hour(3.0, 0.4) == pytest.approx(4297.18, rel=1e-5)
     k = 0.5e-9 / 1e3
     found = field_numbers(results, {}, {"design": 6000.0}, coefficient=k, depth=6e-3)
     energy = results["design"].energy.frictional_energy * 4297.18 * 6000
@@ -68,7 +68,7 @@ def test_wear_is_energy_times_its_coefficient(results: dict[str, ArcResult]) -> 
 def test_the_energy_of_wear_is_the_heat_of_sliding(results: dict[str, ArcResult]) -> None:
     """Independent: sliding power v_s B e over the lagged area that passes in a second, v_s B."""
     r = results["design"]
-    turns = passes(3.0, 0.8, 1.0)
+    turns = turns_an_hour(3.0, 0.4)
     area = math.pi * 0.8 * 1.2
     joules = r.energy.frictional_energy * turns * area
     surface_over_belt = 1.0 / (1.0 - r.entry_creep_ratio)

@@ -69,7 +69,7 @@ def answer_table(results: Results) -> Table:
         row("active_arc", "exit part over which 99 % of the tension change takes place"),
         *(
             [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")]
-            if abs(first.exit_creep) > 1e-9  # of an idle pulley nothing but rounding
+            if not math.isnan(first.k_factor)
             else []
         ),
     ]

@@ -44,8 +44,8 @@ def run_tables(run: RunResult) -> tuple[Table, ...]:
 
 
 _LEFT_OUT = (
-    "Not in the model: belt mass on the arc, waves in the conveyor (one mass, one spring on each "
-    "side), rubber that flows, friction that depends on speed or on rest.",
+    "Not in the model: inertia of the belt on the arc, waves in the conveyor (one mass, one spring "
+    "on each side), rubber that flows, friction that depends on speed or on rest.",
 )
 
 
@@ -150,7 +150,7 @@ def stability_sheet(result: StabilityResult) -> Sheet:
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
         verdict=_verdict(result, own),
         tables=(_sensitivity_table(result), _controls_table(result)),
-        remarks=(*_LEFT_OUT, _NOT_EXCLUDED),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train, system)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
     )
 

@@ -11,11 +11,11 @@ from wraparc.arc.wear import (
     WORN_SHARE,
     coefficient_of_life,
     frictional_power,
-    passes_per_hour,
     wear_life,
 )
 from wraparc.catalogue import lagging_costs
 from wraparc.drive import Lagging
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.sheet import NONE, Row, Table, quantity
 from wraparc.present.sources import Sources
 from wraparc.units import RESULT_DIGITS, Cell
@@ -88,7 +88,7 @@ def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
     energy = abs(result.energy.frictional_energy)
     if speed is None or not result.status.solved or depth <= 0.0 or not energy > 0.0:
         return None
-    passes = passes_per_hour(speed, result.arc.diameter)
+    passes = turns_an_hour(speed, result.arc.radius + result.arc.offset)
     edges, power = frictional_power(result)
     k = lagging.wear_coefficient
     return {

@@ -117,8 +117,10 @@ def verdict(result: PlanResult) -> Verdict:
         headline = f"The law does not describe everything: {counted(misfit)}."
         return Verdict(Level.ATTENTION, headline, shown)
     unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
-    asked = (_started(NOT_STATED),) if unsure else ()
-    return Verdict(Level.OK, f"The law describes the tests. {_remainders(result)}", asked)
+    # What nobody could have noticed is no bare OK.
+    unless = ", if nothing wore meanwhile: their order is not stated" if unsure else ""
+    headline = f"The law describes the tests{unless}. {_remainders(result)}"
+    return Verdict(Level.OK, headline, (_started(NOT_STATED),) if unsure else ())
 
 
 def _remainders(result: PlanResult) -> str:

@@ -24,7 +24,7 @@ let last = { doc: "", found: /** @type {any} */ (null) };
 async function judgedTrain(doc, data) {
   const key = JSON.stringify(doc);
   if (last.doc === key) return last.found;
-  const { problems, judging, cases } = trainOf(doc, data.book, data.trains);
+  const { problems, judging, cases } = trainOf(doc, data.book, data.trains.words);
   if (!judging || !cases) throw new Refused(problems, 422);
   const all = await beside(arcsOf(judging));
   const quicks = cases.flatMap((c) => c.quicks);

@@ -16,7 +16,7 @@ import {
   collocation__overrun_at,
   collocation__ratio_behind_rest,
   collocation__solved,
-  collocation__solved_or_eased,
+  collocation__solved_or_softened,
   collocation__start_at,
   in_page__description_of,
   meet__all_sliding,
@@ -29,6 +29,7 @@ import {
   numbers__usual,
   profile__entry_ratio,
   profile__traction_of,
+  quantities__counted,
   quantities__jumps,
   summary__geometry_of,
   traction__held_stress,
@@ -1387,6 +1388,7 @@ const ATTENTION = "ATTENTION";
 const TRAIN_BALANCE = 1e-5;
 const _LEAST_RISE = 1e-9;
 const REST_SCALE = 0.001;
+const POINT_STEPS = 15000.0;
 const CREEP = 1;
 const NO_MESH = Infinity;
 const COARSELY = 0.0001;
@@ -1483,7 +1485,7 @@ export function in_page_train__least_of(pairs) {
 export function in_page_train__member_of(law, given) {
   let arc = in_page__description_of(given);
   let squeeze = (2.0 * (arc.thickness / arc.compression_modulus)) / (arc.width * arc.diameter);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal);
   let e = arc.pitch_offset;
   return new Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e);
@@ -3186,7 +3188,7 @@ export function passage___afresh(law, arc, ends, tol) {
     guess.leaving,
     guess.creep,
   );
-  let found = collocation__solved_or_eased(face, arc, ends, first, tol);
+  let found = collocation__solved_or_softened(face, arc, ends, first, tol);
   let met = meet__all_sliding(face, found);
   if (!met.done) {
     met = meet__by_growth(law, arc, ends, guess, tol);
@@ -3232,8 +3234,8 @@ export function passage___told(arc, met) {
 
 /** Pass an arc with an entry tension [N] and an exit creep [m]. */
 export function passage__passed(law, arc, entry, creep, near, tol) {
-  let held;
-  let ends = new Ends(1.0, 0.0, entry, CREEP, creep);
+  let ends, held;
+  [arc, ends] = [quantities__counted(arc, POINT_STEPS), new Ends(1.0, 0.0, entry, CREEP, creep)];
   if (arc.shear > 0.0 && meet__may_rest(law, arc)) {
     held = passage___held(law, arc, ends);
     if (held !== null) {
