@@ -12,6 +12,7 @@ from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
 from wraparc.present.inputs import Input
+from wraparc.present.sheet import Row
 from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
@@ -235,12 +236,14 @@ class _Workbook:
 
     def _tables(self, told: Note) -> None:
         """Write every number of the tables of a note on a line of its own, as it is filtered by."""
+
+        def line(title: str, row: Row, head: str, value: str) -> list[Cell]:
+            where = [in_units(text, self.system) for text in (title, row.title, row.symbol, head)]
+            number, unit = self._number(value)
+            return [*where, number, unit, str(row.level or ""), in_units(row.note, self.system)]
+
         rows = (
-            [
-                in_units(text, self.system)
-                for text in (table.title or section.title, row.title, row.symbol, head)
-            ]
-            + [*self._number(value), str(row.level or ""), in_units(row.note, self.system)]
+            line(table.title or section.title, row, head, value)
             for section in told.sections
             for table in section.tables
             for row in table.rows
