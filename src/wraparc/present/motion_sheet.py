@@ -150,7 +150,7 @@ def stability_sheet(result: StabilityResult) -> Sheet:
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
         verdict=_verdict(result, own),
         tables=(_sensitivity_table(result), _controls_table(result)),
-        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train, system)),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
     )
 
