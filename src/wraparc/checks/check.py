@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import NamedTuple, TypeVar
@@ -43,6 +43,11 @@ class Level(StrEnum):
 
     def __init__(self, _: str) -> None:
         self.rank = len(type(self).__members__)
+
+
+def escaped(text: str) -> str:
+    """Return a text that stands for itself in `Check.says`."""
+    return text.replace("{", "{{").replace("}", "}}")
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
@@ -277,6 +282,19 @@ class Verdict:
         judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
         return min(judged, key=_badness, default=None)
 
+    @cached_property
+    def odd(self) -> Check | None:
+        """The size that is asked about, where another check governs: it may be why."""
+        worst = self.governing
+        if worst is None or worst.name == "usual_sizes":
+            return None
+        return next((c for c in self.listed if c.name == "usual_sizes" and c.missed), None)
+
+    @property
+    def advising(self) -> Check | None:
+        """The check that says what is to be done first."""
+        return self.odd or self.governing
+
     @property
     def level(self) -> Level:
         """Level of the worst check; OK where there is none."""
@@ -345,6 +363,9 @@ class Verdict:
         worst = self.governing
         if worst is None:
             return "Nothing could be checked."
+        if self.odd is not None:
+            said = placed(replace(worst, remedy=""), system)
+            return f"{said}{self._sense()} {self.odd.sentence(system)}"
         if worst.missed:
             return f"{placed(worst, system)}{self._sense()}"
         text = self._kept(sum(c.compares for c in self.listed), system)
@@ -392,8 +413,8 @@ class Verdict:
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
         """Return what is missed besides the headline, and what could not be checked."""
-        first = self.governing.name if self.governing else ""
-        others = (check for check in self.missed if check.name != first)
+        first = {c.name for c in (self.governing, self.odd) if c is not None}
+        others = (check for check in self.missed if check.name not in first)
         told = [f"{check.level}: {placed(check, system)}" for check in others]
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")

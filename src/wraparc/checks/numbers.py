@@ -242,6 +242,7 @@ class Criteria(NamedTuple):
     alone: bool  # whether no other pulley pulls the belt
     printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
+    pulley_mass: float  # [kg]
     wet: float = 0.0  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
 
 

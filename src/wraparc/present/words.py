@@ -53,8 +53,8 @@ def in_words(
 
 
 def _action(told: Judgement, system: System) -> str:
-    """Return what the headline says is to be done: the remedy of the check that governs."""
-    worst = told.governing
+    """Return what the headline says is to be done: the remedy of the check that leads."""
+    worst = told.advising
     if worst is None or not worst.missed or not worst.says:
         return ""
     said = replace(worst, remedy="").sentence(system)

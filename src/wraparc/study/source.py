@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -26,7 +26,7 @@ from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
 from wraparc.study.fields import DRUM_KEYS, FRICTION_FACTOR, SLIP_FACTOR
 from wraparc.study.fitted import DrawnFit
-from wraparc.study.parameter_study import Rows
+from wraparc.study.parameter_study import TRAIN_OUTPUTS, Rows
 from wraparc.study.plan import Levels, Values
 from wraparc.study.train_columns import Divided, TrainColumns
 from wraparc.train.file import any_drive_from_document
@@ -245,11 +245,15 @@ class DriveSource:
         columns["entry_tension"] = np.where(valid, entry, lift + 2.0)
         columns["exit_tension"] = np.where(valid, leaving, lift + 1.0)
         laws, law = self._laws([b.law for b in known], which, values, size)
+        of_train = self._of_train(divided, entries, exits)
         arcs = Arcs(laws=LawBank.of(laws), law=law, **columns)
         ones = np.ones(size)
         return Rows(
             arcs=arcs,
-            held=held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
+            held=replace(
+                held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
+                **self._of_motors(of_train, load_case),
+            ),
             valid=valid,
             friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
             slip_factor=values.get(self._scaling.get(SLIP_FACTOR, ""), ones),
@@ -258,8 +262,19 @@ class DriveSource:
             pulley=self.pulley,
             load_case=load_case,
             lost=divided.lost if divided else np.zeros(size, dtype=np.int8),
-            of_train=self._of_train(divided, entries, exits),
+            of_train=of_train,
         )
+
+    def _of_motors(self, of_train: Mapping[str, Array], load_case: str) -> dict[str, Array]:
+        """Return load of the motors of the pulley, and what they bear, by fields of `Held`."""
+        if self.divides is None or "motor_load" not in of_train:
+            return {}
+        train, load = self.divides.train, np.abs(of_train["motor_load"])
+        momentary = train.case(load_case).kind != "running"
+        division = train.case(load_case).division
+        motor = division.motors[self._names.index(self.pulley)]  # type: ignore[union-attr]
+        most = np.full(len(load), motor.bears(momentary))
+        return {"motor": load, "momentary_load" if momentary else "motor_load": most}
 
     def _of_train(self, divided: Divided | None, entries: Array, exits: Array) -> dict[str, Array]:
         """What the pulley has within the whole drive."""
@@ -271,7 +286,8 @@ class DriveSource:
         )
         found = {"share": share}
         if divided is not None:
-            found["speed_trim"] = divided.solved[self.pulley]["speed_trim"]
+            drum = divided.solved[self.pulley].of_train
+            found |= {name: drum[name] for name in TRAIN_OUTPUTS if name in drum}
         return found
 
     def _laws(

@@ -179,6 +179,8 @@ export function trainOf(design, book, known) {
   const train = readTrain(doc, book, known.motors);
   if (train.problems.length) return { problems: train.problems };
   const { saids, names = [], takeUp } = train;
+  const odd = saids.find((s) => s.r.unusual);
+  if (odd) return refusing(`${odd.r.unusual?.join(".")}: ${NOT_HERE[3]}.`, true);
   const after = names.indexOf(takeUp?.after ?? "");
   const fixed = takeUp?.kind === "fixed";
   const cases = [];

@@ -51,6 +51,7 @@ export interface Spec {
   allowed?: string | null;
   least?: number | null;
   most?: number | null;
+  usual?: [number, number] | null;
 }
 export interface Section {
   key: string;

@@ -79,6 +79,7 @@ export function read(doc, book, known) {
     "wrap_angle",
     "overrun",
     "creep_limit",
+    "mass",
   );
   const belt = beltOf(r, book);
   const lagging = laggingOf(r, book);
@@ -293,7 +294,10 @@ export function assemble(doc, book) {
   );
   const made = r.problems.length ? [] : cases.map((c, i) => caseOf(said, c, laws[i], book));
   const steep = made.findIndex((m) => unjudgedOf(m));
-  if (steep >= 0) {
+  if (r.unusual && !r.problems.length) {
+    r.wrong(r.unusual, NOT_HERE[3]);
+    r.problems[0].beyond = true;
+  } else if (steep >= 0) {
     const why = unjudgedOf(made[steep]);
     r.wrong(steepPath(doc, cases[steep]), NOT_HERE[why]);
     r.problems[r.problems.length - 1].beyond = why > 1;
@@ -365,6 +369,7 @@ export function caseOf(said, c, bookLaw, book) {
     ),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
+    pulley_mass: pulley.mass,
     wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
   const of = { said, c, law: bookLaw, standard, criteria, share, book };

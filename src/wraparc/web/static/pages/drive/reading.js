@@ -13,6 +13,8 @@ export class Reader {
   constructor(doc) {
     this.doc = doc;
     this.problems = /** @type {Problem[]} */ ([]);
+    /** Where a size stands that conveyors do not have. @type {Path | undefined} */
+    this.unusual = undefined;
   }
   /** @param {Path} path @param {string} message @param {string} [remedy] */
   wrong(path, message, remedy) {
@@ -48,7 +50,11 @@ export class Reader {
     const open = of.allowed?.startsWith("more than");
     const least = of.least ?? Number.NEGATIVE_INFINITY;
     if (open ? read > least : read >= least) {
-      if (read <= (of.most ?? Number.POSITIVE_INFINITY)) return read;
+      if (read <= (of.most ?? Number.POSITIVE_INFINITY)) {
+        const [low, high] = of.usual ?? [read, read];
+        if (read && (read < low || read > high)) this.unusual ??= path;
+        return read;
+      }
     }
     return this.wrong(path, `must be ${of.allowed}`);
   }
