@@ -417,7 +417,7 @@ ROWS = (
         ("ATTENTION", "run out of event start, 20 mm", "2 mm"), ("OK",), ("run",), base=MOTION),
     # selection and studies
     Row("the cheapest has more wrap and tension for nothing", (),
-        ("OK dry only", "Choose full-ceramic, wrap 180 deg, slack side 20 kN"), ("210 deg",),
+        ("OK dry only", "Choose full-ceramic, wrap 180 deg with a slack-side tension of 20 kN:"), ("210 deg",),
         ("choose",)),
     Row("every candidate is below the standard", (("", '[take_up]\nkind = "fixed"\n'),
                                                   ("120 kN", "245 kN"), ("75 kN", "130 kN")),

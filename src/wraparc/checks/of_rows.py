@@ -27,7 +27,7 @@ from wraparc.checks.rules import (
 )
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
-from wraparc.checks.usual import unusual_row
+from wraparc.checks.usual import least_margin
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
@@ -90,7 +90,7 @@ class Held:
     misfit
         Whether the law does not describe its tests.
     odd
-        Whether the drive has a size beside those of the arc that is asked about.
+        Least margin of sizes beside those of the arc that are asked about, infinite for none [-].
     motor, motor_load, momentary_load
         Torque of the motors over the rated one, and the largest of it: one of them, by the kind of
         the load case [-].
@@ -114,7 +114,7 @@ class Held:
     diameter: Array
     scaled: Flags
     misfit: Flags
-    odd: Flags
+    odd: Array
     motor: Array
     motor_load: Array
     momentary_load: Array
@@ -187,7 +187,7 @@ def held_by(
         diameter=least,
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
-        odd=odd > 0.0,
+        odd=odd,
         **dict.fromkeys(("motor", "motor_load", "momentary_load"), np.full(len(arcs), math.nan)),
     )
 
@@ -211,7 +211,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
         belt.rating,
         belt.breaking_strength,
-        float(unusual_row(drive)),
+        least_margin(drive),
     )
 
 
@@ -402,7 +402,7 @@ def _gross_slip(
 def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
     missed = RULES["usual_sizes"].missed.rank
-    ranks, margins = np.where(held.odd, missed, Level.OK.rank), np.full(len(arcs), math.inf)
+    ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
     idle = _idle(arcs)
     pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
     wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))

@@ -89,7 +89,7 @@ USUAL: dict[str, dict[str, Ends]] = {
 #: ceramic at the lowest pressures (DeVries 2026), 0.1 of wet and muddy bare steel (DIN 22101).
 _PROFILES = {"shell_profile": 15e-3, "worn_depth": 25e-3, "build_up": 30e-3}
 _FRICTION = (0.03, 1.9)
-_TESTED = {"pressure_min": (0.5e3, 2e6), "pressure_max": (10e3, 10e6), "slip_max": (0.2e-3, 0.2)}
+_TESTED = {"pressure_min": (0.5e3, 2e6), "pressure_max": (10e3, 10e6), "slip_max": (0.05e-3, 0.3)}
 
 
 class Owner(NamedTuple):
@@ -110,8 +110,8 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
     others
         What else is, by the same table: the train, motors, what moves and what happens to it.
     """
-    found = [*_compared(drive), *_others(drive, others)]
-    odd = {check.sentence(): check for check in found}
+    parts = [*_others(drive, others)]
+    odd = {check.sentence(): check for check in (*_compared(drive, bool(parts)), *parts)}
     yield from odd.values()
     if not odd:
         yield Check(
@@ -122,14 +122,16 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
         )
 
 
-def unusual_row(drive: Drive) -> bool:
-    """Whether a drive has a size beside those of its arcs that is asked about."""
-    return any(True for _ in _others(drive, ()))
+def least_margin(drive: Drive) -> float:
+    """Return the least margin of sizes beside those of its arcs that are asked about [-].
+
+    Infinite where there are none.
+    """
+    return min((check.margin for check in _others(drive, ())), default=math.inf)
 
 
-def _compared(drive: Drive) -> Iterator[Check]:
-    """Yield what is unusual of `USUAL_SIZES`; ratios only where what they are made of is not."""
-    odd = False
+def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
+    """Yield what is unusual of `USUAL_SIZES`; what is made of others only where they are not."""
     for case in drive.load_cases:
         for pulley in drive.in_case(case).pulleys:
             names = _names(pulley, case)
@@ -137,7 +139,7 @@ def _compared(drive: Drive) -> Iterator[Check]:
             for (name, dimension, place), value, (least, most) in zip(
                 names, values, USUAL_SIZES, strict=True
             ):
-                made = name in (_RATIO, _STRONG) or name.startswith(_AT_RATING)
+                made = name in (_RATIO, _STRONG, _SAG) or name.startswith(_AT_RATING)
                 if not (usual(value, least, most) or (made and odd)):
                     size = drive.belt.width if dimension == "force" else 1.0
                     odd = True
@@ -317,6 +319,7 @@ def unusual(
 
 
 _AT_RATING = "pressure of the belt at its rating"
+_SAG = "tension that keeps the belt from sagging"
 _STRONG = "strength over the rating of the belt"
 _RATIO = "modulus over the rating of the belt"
 
@@ -342,7 +345,7 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         (f"fatigue limit {lagging}", "pressure", drum),
         ("largest wrap pressure of the belt", "pressure", belt),
         ("least pulley of the belt", "length", belt),
-        ("tension that keeps the belt from sagging", "force", belt),
+        (_SAG, "force", belt),
         (_RATIO, "number", belt),
         (_STRONG, "number", belt),
         (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),

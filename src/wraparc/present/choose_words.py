@@ -47,8 +47,13 @@ def money(value: float, currency: str) -> str:
     return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
 
 
-def design_name(selection: Selection, design: int, system: System = "si") -> str:
-    """Return what sets a design apart: only candidates of which there are several."""
+def design_name(
+    selection: Selection, design: int, system: System = "si", *, slack: bool = True
+) -> str:
+    """Return what sets a design apart: only candidates of which there are several.
+
+    Its slack-side tension too, unless that is said beside it.
+    """
     search, grid = selection.search, selection.grid
     shape = search.shape
     places = grid.places[:, design]
@@ -61,7 +66,7 @@ def design_name(selection: Selection, design: int, system: System = "si") -> str
         parts.append("D " + named("diameter", float(grid.diameter[design]), system))
     if shape[4] > 1:
         parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design]), system))
-    if shape[5] > 1:
+    if slack and shape[5] > 1:
         parts.append("slack side " + named("tension", float(grid.slack[design]), system))
     return ", ".join(parts)
 
