@@ -2,7 +2,8 @@
 
 Prints the drives of which an advice, taken as it is printed and solved again, does not do what it
 says: the least tension of solve and of what-if, the choice of choose, what the checks across the
-width advise, and a start in time. The gate runs the same with few (tests/judgement/test_advised.py).
+width advise, and a start in time. The gate runs the same with few, by the same functions
+(tests/judgement/test_advised.py).
 """
 
 from __future__ import annotations

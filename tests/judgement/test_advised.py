@@ -209,9 +209,7 @@ def followed_across(of: Drive, number: int) -> None:
         for asked, factor in ((MORE, 1.15), (LESS, 0.9)):
             if check.name in ACROSS_CHECKS and asked.search(check.remedy):
                 slack = min(astuple(of.load_cases[0].tensions["head"])[:2])
-                after = judge(
-                    solve(with_slack(uneven, factor * slack), raise_on_failure=False)
-                )
+                after = judge(solve(with_slack(uneven, factor * slack), raise_on_failure=False))
                 assert margin_of(after, check) > check.margin, check.sentence()
 
 

@@ -291,11 +291,6 @@ class Verdict:
         return next((c for c in self.listed if c.name == "usual_sizes" and c.missed), None)
 
     @property
-    def advising(self) -> Check | None:
-        """The check that says what is to be done first."""
-        return self.odd or self.governing
-
-    @property
     def level(self) -> Level:
         """Level of the worst check; OK where there is none."""
         return Level.OK if self.governing is None else self.governing.level
@@ -364,8 +359,9 @@ class Verdict:
         if worst is None:
             return "Nothing could be checked."
         if self.odd is not None:
-            said = placed(replace(worst, remedy=""), system)
-            return f"{said}{self._sense()} {self.odd.sentence(system)}"
+            said, odd = (replace(check, remedy="") for check in (worst, self.odd))
+            told = f"{placed(said, system)}{self._sense()} {odd.sentence(system)}"
+            return f"{told} {self.action(system)}".rstrip()
         if worst.missed:
             return f"{placed(worst, system)}{self._sense()}"
         text = self._kept(sum(c.compares for c in self.listed), system)
@@ -378,8 +374,17 @@ class Verdict:
             f"{worst.bound(system)}{where}.{self._sense()}"
         )
 
+    def action(self, system: System = "si") -> str:
+        """Return what the headline says is to be done: an odd size is looked at first."""
+        told = []
+        for check in (self.odd, self.governing):
+            if check is not None and check.missed and check.says:
+                said = replace(check, remedy="").sentence(system)
+                told.append(check.sentence(system).removeprefix(said).strip())
+        return " ".join(filter(None, told))
+
     def _sense(self) -> str:
-        """Say which pulleys brake, and in how many of the load cases if not in all."""
+        """Say which pulleys brake, or that none pulls, and in how many load cases if not in all."""
         every = {c.place.load_case for c in self.checks} - {""}
         braking = [c for c in self.checks if c.name == "sense"]
         told = ""
@@ -402,7 +407,8 @@ class Verdict:
     def _when_wet(self, system: System) -> str:
         if math.isinf(self.wet):
             return "wet it slips through"
-        return f"wet it creeps {quantity_text(self.wet, 'length', system)}"
+        digits = RESULT_DIGITS + self.over_wet  # in which 6.354 mm is beyond 6.35 mm
+        return f"wet it creeps {quantity_text(self.wet, 'length', system, digits)}"
 
     def beyond_wet(self, system: System = "si") -> str:
         """Return, without a full stop, that wet a limit is missed which is kept dry; or nothing."""

@@ -215,7 +215,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield from of_data.condition(case, pulley)
         yield from of_data.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
-        if result.arc.side < 0.0 and not idle(result.arc):
+        if all(idle(arc.arc) for arc in arcs) or (result.arc.side < 0.0 and not idle(result.arc)):
             yield of_drive.sense(case, pulley)
         balanced = of_arc.balance(result)
         if balanced is not None:

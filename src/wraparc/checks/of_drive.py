@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import held_alike
+from wraparc.checks.numbers import held_alike, idles
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -184,10 +184,13 @@ def take_up(drive: Drive) -> Iterator[Check]:
 
 
 def sense(case: LoadCase, pulley: Pulley) -> Check:
-    """Return what the verdict says of a pulley that brakes."""
+    """Return what the verdict says of a pulley that brakes, or pulls nothing where it should."""
+    tensions = case.tensions[pulley.name]
+    none = idles(tensions.entry, tensions.exit)
+    told = "pulls nothing (T1 = T2)" if none else "brakes (T1 < T2)"
     return Check(
         name="sense",
-        title=f"Pulley {pulley.name} brakes (T1 < T2)",
+        title=f"Pulley {pulley.name} {told}",
         level=Level.OK,
         place=Place(pulley.name, case.name),
         binding=False,

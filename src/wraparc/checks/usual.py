@@ -11,6 +11,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     USUAL_BELT_MASS,
@@ -23,7 +25,7 @@ from wraparc.checks.numbers import (
     usual,
 )
 from wraparc.checks.rules import RULES
-from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
+from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.train import Motor, Motors, Train
 from wraparc.train.motors import VariableSpeed
@@ -42,7 +44,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     "Pulley": {"mass": (10.0, 60e3)},
     "TakeUp": {"sheave_ratio": (0.2, 8.0)},
     "DesignStandard": {"friction": (0.1, 0.9), "start_factor": (1.0, 2.5)},
-    "SafetyFactors": {"running": (1.05, 4.0), "starting": (1.0, 4.0), "braking": (1.0, 4.0)},
+    "SafetyFactors": {"running": (1.05, 6.0), "starting": (1.0, 4.0), "braking": (1.0, 4.0)},
     "Sag": {"spacing": (0.3, 8.0), "line_mass": (1.0, 3000.0), "share": (0.002, 0.05)},
     # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
     "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
@@ -72,14 +74,14 @@ USUAL: dict[str, dict[str, Ends]] = {
     "LoadStep": {"factor": (-2.0, 4.0)},
     "OnBelt": {"friction": (0.02, 2.0), "compliance": (0.2, 5.0)},
     "motion": {
-        "conveyor_mass": (100.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
+        "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
         "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
-        "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (0.1, 1e6),
+        "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (1.0, 1e5),
         "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
         "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
         "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
         "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
-        "filter_time": (1e-3, 60.0), "duration": (0.1, 7200.0), "time": (0.1, 600.0),
+        "filter_time": (1e-3, 60.0), "duration": (0.1, 3600.0), "time": (0.1, 600.0),
         "at": (1e-3, 7200.0), "length": (0.01, 2e3), "rise": (-0.02, 0.02),
         "run_out": (-0.01, 0.01), "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3),
         "ripple": (-0.3, 0.3),
@@ -89,7 +91,13 @@ USUAL: dict[str, dict[str, Ends]] = {
 #: ceramic at the lowest pressures (DeVries 2026), 0.1 of wet and muddy bare steel (DIN 22101).
 _PROFILES = {"shell_profile": 15e-3, "worn_depth": 25e-3, "build_up": 30e-3}
 _FRICTION = (0.03, 1.9)
-_TESTED = {"pressure_min": (0.5e3, 2e6), "pressure_max": (10e3, 10e6), "slip_max": (0.05e-3, 0.3)}
+#: Names, dimensions and ends of what a law was tested in.
+_TESTED: dict[str, tuple[str, Dimension, Ends]] = {
+    "pressure_min": ("least tested pressure", "pressure", (0.5e3, 2e6)),
+    "pressure_max": ("largest tested pressure", "pressure", (10e3, 10e6)),
+    "slip_max": ("largest tested slip", "length", (0.05e-3, 0.3)),
+    "slip_speed": ("tested slip speed", "speed", (2e-6, 0.3)),
+}
 
 
 class Owner(NamedTuple):
@@ -197,6 +205,11 @@ def _of_owner(owner: Owner) -> Iterator[Check]:
         if ends and value and not usual(value, *ends):
             name = f"{key.replace('_', ' ')} {owner.words}".rstrip()
             yield unusual(name, limit.dimension, owner.place, value, ends)
+    for happening in getattr(of, "happenings", ()):
+        if happening.at >= of.duration:
+            name = f"begin (at) of what happens {owner.words}"
+            check = unusual(name, "time", NOWHERE, happening.at, (0.0, of.duration))
+            yield replace(check, remedy="Nothing happens then: give an earlier time.")
     if isinstance(of, Pulley) and of.across is not None:
         for key, most in _PROFILES.items():
             profile = getattr(of.across, key)
@@ -211,25 +224,21 @@ def _law_sizes(lagging: Lagging) -> Iterator[Check]:
     tested, of = lagging.law.tested, f"lagging {lagging.name}"
     if lagging.condition != "dry":
         of += f", {lagging.condition}"
-    pressure, slip = 100e3, 10e-3
+    odd = False
+    for key, (name, dimension, ends) in _TESTED.items():
+        value = getattr(tested, key, None)
+        if value is not None and not usual(value, *ends):
+            odd = True
+            yield unusual(f"{name} of {of}", dimension, NOWHERE, value, ends)
+    if odd:
+        return
+    pressures, slip = [100e3], 10e-3
     if tested is not None:
-        words = {"pressure_min": "least", "pressure_max": "largest", "slip_max": "largest"}
-        odd = False
-        for key, ends in _TESTED.items():
-            value, dimension = getattr(tested, key), "length" if key == "slip_max" else "pressure"
-            if not usual(value, *ends):
-                odd = True
-                name = f"{words[key]} tested {key.partition('_')[0]} of {of}"
-                yield unusual(name, dimension, NOWHERE, value, ends)  # type: ignore[arg-type]
-        pressure, slip = (
-            min(max(pressure, tested.pressure_min), tested.pressure_max),
-            tested.slip_max,
-        )
-        if odd:
+        pressures, slip = [tested.pressure_min, tested.pressure_max], tested.slip_max
+    for friction in np.ravel(lagging.law.friction(slip, np.array(pressures))).tolist():
+        if not usual(friction, *_FRICTION):
+            yield unusual(f"friction of {of}", "number", NOWHERE, friction, _FRICTION)
             return
-    friction = float(lagging.law.friction(slip, pressure))
-    if not usual(friction, *_FRICTION):
-        yield unusual(f"friction of {of}", "number", NOWHERE, friction, _FRICTION)
 
 
 def of_train(train: Train) -> Iterator[Owner]:
@@ -265,10 +274,10 @@ _MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
 
 
 def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
-    full = FULLEST * width**2
-    if of.material > full:
+    ends = EMPTIEST * width**2, FULLEST * width**2
+    if not usual(of.material, *ends):
         name = "load per length of the full belt (capacity, speed and width)"
-        yield unusual(name, "mass_per_length", NOWHERE, of.material, (0.0, full))
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, ends)
     slope = of.lift / of.length
     if abs(slope) > STEEPEST:
         name = "lift over length of the conveyor"

@@ -47,18 +47,9 @@ def in_words(
         told.headline(system),
         tuple(sentences),
         told.word,
-        _action(told, system),
+        told.action(system),
         None if kept is None else tuple(kept),
     )
-
-
-def _action(told: Judgement, system: System) -> str:
-    """Return what the headline says is to be done: the remedy of the check that leads."""
-    worst = told.advising
-    if worst is None or not worst.missed or not worst.says:
-        return ""
-    said = replace(worst, remedy="").sentence(system)
-    return worst.sentence(system).removeprefix(said).strip()
 
 
 def as_it_is(told: Judgement, system: System) -> str:
