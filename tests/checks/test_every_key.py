@@ -8,22 +8,31 @@ import re
 import tomllib
 from collections.abc import Iterator
 from copy import deepcopy
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from judgement.rows import CONVEYOR, MOTION, MOTORS, PLAIN, TANDEM
-from wraparc.checks import before
+from judgement.rows import BASE, CONVEYOR, MOTION, MOTORS, PLAIN, TANDEM
+from wraparc.calibrate.file import CALIBRATE
+from wraparc.checks import Level, before
 from wraparc.checks.of_run import of_run
 from wraparc.checks.usual import usual_sizes
+from wraparc.choose.file import search_from_document
+from wraparc.choose.selection import choose
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import DRIVE
 from wraparc.motion.file import motion_from_document
 from wraparc.motion.keys import MOTION as MOTION_KEYS
-from wraparc.schema.kinds import Count, Kind, Quantity
+from wraparc.present.choose_sheet import choose_sheet
+from wraparc.schema.kinds import Count, Kind, Percent, Quantity
+from wraparc.schema.problems import NOTHING, Report
 from wraparc.schema.tables import Table
+from wraparc.shear_test.plan_keys import PLAN
+from wraparc.study.event_study import EVENT_STUDY
+from wraparc.study.keys import STUDY
 from wraparc.train.file import train_from_document
 from wraparc.train.keys import TRAIN
 from wraparc.train.unsolved import unsolved_drive
@@ -321,3 +330,137 @@ def test_a_slip_of_unit_is_refused_or_asked_about(key: str, factor: float) -> No
     side = "up" if factor > 1.0 else "down"
     free = any(re.search(of, key) and where in (side, "both") for of, (where, _) in FREE.items())
     assert free or asked(scaled(DOCUMENTS[name], path, factor)), name
+
+
+SEARCH = tomllib.loads("""
+format = 1
+drive = "drive.toml"
+[candidates]
+laggings = ["diamond-rubber"]
+thicknesses = ["12 mm"]
+diameters = ["800 mm"]
+wrap_angles = ["190 deg"]
+slack_tensions = ["75 kN"]
+[limits]
+creep = "8 mm"
+bond_stress = "1 MPa"
+creep_limit_margin = 1
+tested_slip_margin = 1
+gross_slip_margin = 1.25
+rating_share.design = 1
+sag = { idler_spacing = "3 m", line_mass = "22 kg/m", share = 0.02 }
+[[condition]]
+name = "wet"
+friction_factor = 0.8
+[cost]
+currency = "AUD"
+years = 10
+hours.design = 6000
+face_width = "1.3 m"
+lagging.diamond-rubber = { material = 9, installation = 9, area = "3 m2", life_years = [3, 6] }
+""")
+#: Of a choose file, likewise: ends, and why.
+FREE_IN_SEARCH = {
+    r"(material|installation|hours)": ("both", "prices are of any currency, hours of any plant"),
+    r"limits\.(creep|bond_stress|rating_share)": (
+        "up",
+        "it does not hold here, and the drive's does",
+    ),
+    r"limits\.sag": ("down", "it asks for nothing"),
+    r"cost\.(years|face_width)": ("both", "between what its limits allow"),
+    r"condition\.friction_factor": ("", ""),
+}
+
+
+@pytest.mark.parametrize(
+    ("path", "factor"),
+    [(path, factor) for path, _ in leaves(SEARCH) for factor in (1e3, 1e-3) if path != ("format",)],
+    ids=lambda of: named(of) if isinstance(of, tuple) else f"{of:g}",
+)
+def test_a_slip_of_unit_in_a_choose_file_is_no_bare_ok(
+    path: tuple[Any, ...], factor: float, tmp_path: Path
+) -> None:
+    (tmp_path / "drive.toml").write_text(BASE, "utf-8")
+    side = "up" if factor > 1.0 else "down"
+    free = FREE_IN_SEARCH.items()
+    if any(re.search(of, named(path)) and where in (side, "both") for of, (where, _) in free):
+        return
+    try:
+        search = search_from_document(scaled(SEARCH, path, factor), folder=str(tmp_path))
+    except InputError:
+        return
+    told = choose_sheet(choose(search)).verdict
+    assert told is not None
+    assert told.level is not Level.OK
+
+
+#: Usual values of keys of other files, and why one that is a thousand times off is taken by its
+#: kind; those of drives in it are asked about above, as designs are.
+OTHERS = {
+    "sample_area": "0.04 m2", "stress_area": "0.04 m2", "pressure": "100 kPa",
+    "normal_force": "4 kN", "transition_pressure": "200 kPa", "largest_lash": "3 mm",
+    "thickness": "12 mm", "roughness": "0.3 mm", "slip_max": "20 mm", "peak_slip": "9 mm",
+    "lash": "0.5 mm", "cover_thickness": "5 mm", "least_friction": 0.02, "most_friction": 3.0,
+    "peak_friction": 0.7, "faces": 2, "friction_factor": 0.8, "share": 0.5,
+    "cover_shear_modulus": "1 MPa", "shear_modulus": "2.3 MPa", "elastic_modulus": "6.9 MPa",
+    "compression_modulus": "9.8 MPa", "speed": "10 mm/min", "temperature": "293 K",
+    "zero": "5 N", "drum_speed": "3.05 m/s", "belt_speed": "3 m/s", "entry_tension": "120 kN",
+    "exit_tension": "75 kN",     "diameter": "1 mm", "pitch_offset": "1 mm",
+    "geometric_standard_deviation": 1.1, "samples": 1000,
+}  # fmt: skip
+TAKEN = {
+    **dict.fromkeys(
+        ("zero", "drum_speed", "belt_speed", "entry_tension", "exit_tension", "roughness", "lash",
+         "peak_slip", "peak_friction", "least_friction", "most_friction", "slip_max",
+         "stress_area", "largest_lash", "speed", "cover_shear_modulus", "transition_pressure"),
+        "the results tell: a curve, a test or a fit that does not follow is said",
+    ),
+    **dict.fromkeys(
+        ("thickness", "shear_modulus", "elastic_modulus", "compression_modulus"),
+        "a drive of that lagging asks",
+    ),
+    **dict.fromkeys(("diameter", "pitch_offset"), "an error that is little is none"),
+    "temperature": "told beside the tests, and in no number",
+    "friction_factor": "the friction that is left slides, or is told",
+    "geometric_standard_deviation": "the spread is told",
+    "cover_thickness": "0 mm where nothing shears", "share": "shares sum to one",
+}  # fmt: skip
+COUNTS = {
+    "faces",
+    "table",
+    "block",
+    "order",
+    "pieces",
+    "count",
+    "seed",
+    "samples",
+    "points",
+    "format",
+}
+
+
+def kinds_in(kind: Kind, key: str, depth: int = 0) -> Iterator[tuple[str, Quantity]]:
+    """Quantities below a kind with their keys."""
+    if isinstance(kind, Quantity):
+        yield key, kind
+    elif isinstance(kind, Table):
+        for entry in kind.entries:
+            yield from kinds_in(entry.kind, entry.key, depth + 1)
+    elif depth < 12:
+        for part in vars(kind).values():
+            for one in part if isinstance(part, list | tuple) else (part,):
+                if isinstance(one, Kind):
+                    yield from kinds_in(one, key, depth + 1)
+
+
+@pytest.mark.parametrize("table", [PLAN, CALIBRATE, STUDY, EVENT_STUDY], ids=lambda t: t.title)
+def test_keys_of_other_files_are_refused_or_stand_here_with_their_reason(table: Table) -> None:
+    for key, kind in kinds_in(table, ""):
+        if key in COUNTS or isinstance(kind, Percent):  # a part that is little is none
+            continue
+        usual_value = OTHERS[key]
+        assert kind.read(usual_value, (key,), Report()) is not NOTHING
+        for factor in (1e3, 1e-3):
+            value = scaled({"key": usual_value}, ("key",), factor)["key"]
+            refused = kind.read(value, (key,), Report()) is NOTHING
+            assert refused or key in TAKEN, (key, value)

@@ -41,7 +41,6 @@ USUAL: dict[str, dict[str, Ends]] = {
         "carcass": (0.4e-3, 30e-3), "thickness": (1.5e-3, 60e-3),
         "cover_shear_modulus": (0.3e6, 5e6),
     },
-    "Pulley": {"mass": (10.0, 60e3)},
     "TakeUp": {"sheave_ratio": (0.2, 8.0)},
     "DesignStandard": {"friction": (0.1, 0.9), "start_factor": (1.0, 2.5)},
     "SafetyFactors": {"running": (1.05, 6.0), "starting": (1.0, 4.0), "braking": (1.0, 4.0)},
@@ -98,6 +97,11 @@ _TESTED: dict[str, tuple[str, Dimension, Ends]] = {
     "slip_max": ("largest tested slip", "length", (0.05e-3, 0.3)),
     "slip_speed": ("tested slip speed", "speed", (2e-6, 0.3)),
 }
+
+
+#: Density of steel [kg/m3], and modulus over rating of the stiffest fabric belts [-]; 119 is
+#: published (Goodyear 2012).
+STEEL, FABRIC = 7850.0, 250.0
 
 
 class Owner(NamedTuple):
@@ -166,6 +170,17 @@ def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
         least, most = (width * end for end in USUAL_BELT_MASS)
         check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
         yield replace(check, remedy="Is it that of the whole belt? Give the mass of a metre.")
+    for pulley in drive.pulleys:
+        if pulley.mass is not None:
+            solid = STEEL * 0.25 * math.pi * pulley.diameter**2 * width
+            ends = 0.02 * solid, 1.5 * solid  # a thin drum, and with a shaft as long as two faces
+            if not usual(pulley.mass, *ends):
+                place = Place(pulley.name)
+                yield unusual(f"mass of pulley {pulley.name}", "mass", place, pulley.mass, ends)
+    rating, stiff = drive.belt.rating, drive.belt.modulus
+    fabric = drive.belt.kind == "fabric" and rating and usual(rating, *USUAL_SIZES[11])
+    if fabric and rating and not usual(stiff / rating, 0.0, FABRIC):
+        yield unusual(_RATIO, "number", NOWHERE, stiff / rating, (15.0, FABRIC))
     for lagging in drive.laggings:
         yield from _law_sizes(lagging)
 
