@@ -118,7 +118,7 @@ LAWS = {
     "] }",
 }
 LAW_DRIVES = {
-    name: tomllib.loads(re.sub(r"law = \{.*\}", lambda _, law=law: f"law = {{ {law}", HEAD))
+    name: tomllib.loads(f"law = {{ {law}".join(re.split(r"law = \{.*\}", HEAD)))
     for name, law in LAWS.items()
 }
 LIMITED = HEAD.replace('creep_limit = "6 mm"\n', "")
@@ -202,9 +202,7 @@ def leaves(thing: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[tuple[Any, 
     for key, value in items:
         if isinstance(value, dict | list):
             yield from leaves(value, (*path, key))
-        elif isinstance(value, int | float) and not isinstance(value, bool):
-            yield (*path, key), value
-        elif isinstance(value, str) and re.match(r"-?\d+(\.\d+)? ?[a-zA-Z%]", value):
+        elif re.match(r"-?\d+(\.\d+)?($| ?[a-zA-Z%])", str(value)):
             yield (*path, key), value
 
 

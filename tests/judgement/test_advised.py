@@ -226,9 +226,9 @@ def followed_run(number: int) -> None:
     try:
         run = started(**numbers)
     except InputError as error:  # what it says to take instead starts
-        least = re.search(r"Take (\S+ s) or more", str(error))
-        assert least is not None, error
-        numbers["time"] = parse_quantity(least[1], "time")
+        numbers["time"] = parse_quantity(
+            str(error).partition(". Take ")[2].split(" or ")[0], "time"
+        )
         run = started(**numbers)
     told = judge_run(run)
     words = " ".join((told.headline(), *told.sentences()))

@@ -10,7 +10,7 @@ from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
-from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.check import Check, Level, Place, Verdict, escaped
 from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import (
@@ -293,8 +293,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         level=Level.ATTENTION,
         place=place,
         short="trim without belt thickness",
-        says=f"The trim of {of_drive.escaped(place.pulley)} is that of a belt without thickness: "
-        f"{why}",
+        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
         remedy="Give pulley_cover, carry_cover and carcass in [belt].",
         more={"shift": (100.0 * shift, "number")},
         binding=False,
@@ -348,7 +347,7 @@ def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
         title="Operating point of the drives",
         level=Level.FAULT if fault else Level.FAILS,
         short=shorts.get(status, "not solved"),
-        says=of_drive.escaped(f"{reason} {status}".strip()),
+        says=escaped(f"{reason} {status}".strip()),
         place=place,
     )
 

@@ -120,7 +120,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield from _end(run)
     for pulley, drum in zip(drive.pulleys, run, strict=True):
         place = Place(pulley.name, event=run.event.name)
-        yield from _creeps(drive, pulley, drum, place)
+        yield from _creeps(drive, pulley, drum, place, bool(run.event.moves))
         yield of_arc.bond(pulley, drum.extremes.shear.value, place)
         slip = drum.extremes
         yield from of_arc.slip_in_tests(pulley, slip.slip.value, slip.slip_speed.value, place)
@@ -221,10 +221,14 @@ def _settled(run: RunResult) -> Iterator[Check]:
     )
 
 
-def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> Iterator[Check]:
+def _creeps(
+    drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
+) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
+    slower = "start and stop more slowly, " if moves else ""
+    remedy = f"Raise the slack-side tension, {slower}or choose a lagging with more friction."
     if creep.value > max(SLIDES, limit):
-        yield _slides(place, creep.value, creep.time)
+        yield _slides(place, creep.value, creep.time, remedy)
     yield judged(
         RULES["creep"],
         "Largest creep at exit",
@@ -235,12 +239,11 @@ def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> It
         short="over creep limit",
         says=f"Creeps {{value}} at {display(creep.time, 'time', digits=3)}, more than the limit of "
         f"{{limit}}, and is over it for {display(drum.over_limit, 'time', digits=2)}.",
-        remedy="Start and stop more slowly, raise the slack-side tension, or choose a lagging "
-        "with more friction.",
+        remedy=remedy,
     )
 
 
-def _slides(place: Place, creep: float, time: float) -> Check:
+def _slides(place: Place, creep: float, time: float, remedy: str) -> Check:
     return Check(
         name=RULES["gross_slip"].name,
         title="Carries its load",
@@ -250,8 +253,7 @@ def _slides(place: Place, creep: float, time: float) -> Check:
         says=f"The belt slides on the pulley: {display(creep, 'length', digits=3)} of creep at "
         f"{display(time, 'time', digits=3)}, more than {{slides}}, is gross slip.",
         more={"slides": (SLIDES, "length")},
-        remedy="Raise the slack-side tension, start and stop more slowly, or choose a lagging with "
-        "more friction.",
+        remedy=remedy,
     )
 
 
@@ -347,7 +349,9 @@ def _tension(run: RunResult, case: LoadCase) -> Check:
         short="over belt rating",
         says=f"The belt tension {peak.place} reaches {{value}} at "
         f"{display(peak.time, 'time', digits=3)}, more than the belt allows, {{limit}}.",
-        remedy="Start more slowly, or take a stronger belt.",
+        remedy="Start more slowly, or take a stronger belt."
+        if run.event.moves
+        else "Take a stronger belt.",
     )
 
 

@@ -27,7 +27,7 @@ from wraparc.checks.numbers import (
 from wraparc.checks.rules import RULES
 from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
-from wraparc.train import Motor, Motors, Train
+from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by
 
@@ -161,8 +161,8 @@ def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
 def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
     for owner in (*_owners(drive), *others):
         yield from _of_owner(owner)
-        if isinstance(owner.of, Motor):
-            yield from _motor_sizes(drive, owner)
+        if isinstance(owner.of, Motor | float):
+            yield from _turning(drive, owner)
     if drive.conveyor is not None:
         yield from _conveyor_sizes(drive.conveyor, drive.belt.width)
     mass, width = drive.belt.mass, drive.belt.width
@@ -257,30 +257,35 @@ def _law_sizes(lagging: Lagging) -> Iterator[Check]:
 
 
 def of_train(train: Train) -> Iterator[Owner]:
-    """Yield the motors of a train."""
+    """Yield the motors of a train, or the speeds that its drums are given."""
     division = train.cases[0].division
+    if isinstance(division, Speeds) and division.absolute:
+        for pulley, turns in zip(train.pulleys, division.rotation_speeds, strict=True):
+            yield Owner(turns, "", Place(pulley.name))
     for pulley, motor in zip(
         train.pulleys, division.motors if isinstance(division, Motors) else (), strict=False
     ):
         yield Owner(motor, f"of the motor of pulley {pulley.name}", Place(pulley.name))
 
 
-def _motor_sizes(drive: Drive, owner: Owner) -> Iterator[Check]:
-    """Yield what is unusual of a motor, and of a gear that does not fit the belt speed."""
-    motor, pulley = owner.of, drive.pulley(owner.place.pulley)
-    setting = motor.setting if isinstance(motor, VariableSpeed) else 1.0
-    turns = setting * motor.rated_speed / motor.gear_ratio
+def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
+    """Yield what is unusual of a motor, and of a speed that does not fit that of the belt."""
+    motor, pulley, power, speed = owner.of, drive.pulley(owner.place.pulley), math.nan, math.nan
+    turns, remedy = motor, "Check the speeds of the drums, the diameter and the belt speed."
+    if isinstance(motor, Motor):
+        power, speed = motor.rated_power, motor.rated_speed
+        setting = motor.setting if isinstance(motor, VariableSpeed) else 1.0
+        turns = setting * speed / motor.gear_ratio
+        remedy = "Check gear_ratio, rated_speed, diameter and belt speed."
     belt = math.nan if drive.belt.speed is None else drive.belt.speed
-    power, speed = motor.rated_power, motor.rated_speed
     values = compared_motor(power, speed, turns, 0.5 * pulley.diameter, belt)
     for (name, dimension), value, ends in zip(_MOTOR_NAMES, values, USUAL_MOTORS, strict=True):
         if not usual(value, *ends):
             check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
-            gear = "Check gear_ratio, rated_speed, diameter and belt speed."
-            yield replace(check, remedy=gear) if name == _FITS else check
+            yield replace(check, remedy=remedy) if name == _FITS else check
 
 
-_FITS = "speed of the drum by its motor and gear over that of the belt"
+_FITS = "speed of the drum over that of the belt"
 _MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
     ("rated power of the motor", "power"),
     ("rated speed of the motor", "rotation_speed"),
@@ -289,19 +294,21 @@ _MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
 
 
 def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
-    ends = EMPTIEST * width**2, FULLEST * width**2
-    if not usual(of.material, *ends):
-        name = "load per length of the full belt (capacity, speed and width)"
-        yield unusual(name, "mass_per_length", NOWHERE, of.material, ends)
-    slope = of.lift / of.length
-    if abs(slope) > STEEPEST:
-        name = "lift over length of the conveyor"
-        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
+    """Yield what is unusual of a conveyor; what is made of its sizes only where they are usual."""
+    odd = False
     for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
         if not usual(value, least, most):
+            odd = True
             name = f"{key.replace('_', ' ')} of the conveyor"
             dimension = Conveyor.LIMITS[key].dimension
             yield unusual(name, dimension, NOWHERE, value, (least, most))
+    ends, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
+    if not (odd or usual(of.material, *ends)):
+        name = "load per length of the full belt (capacity, speed and width)"
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, ends)
+    if not (odd or usual(slope, -STEEPEST, STEEPEST)):
+        name = "lift over length of the conveyor"
+        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
 
 
 def unusual(

@@ -230,8 +230,8 @@ def loads_table(result: DriveResult, system: System) -> Table:
             note += f"{momentary:.3g} starting and stopping"
         note += "."
     heads = ("resultant", "direction", "belt", "with weight, most", "least")
-    heads = heads[: 5 if weighed else 3]
-    return Table("Loads of pulleys and belt", tuple(rows), heads, note, "loads")
+    shown = heads[: 5 if weighed else 3]
+    return Table("Loads of pulleys and belt", tuple(rows), shown, note, "loads")
 
 
 def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:

@@ -48,8 +48,8 @@ class Column(Kind):
         return {"type": ["string", "integer"], "minimum": 1}
 
 
-_PRESSURE = Quantity("pressure", Limit("pressure", least=100.0, most=2e7))
-_FORCE = Quantity("force", Limit("force", least=0.1, most=1e6))
+_PRESSURE = Quantity("pressure", Limit("pressure", least=500.0, most=2e7))
+_FORCE = Quantity("force", Limit("force", least=5.0, most=1e6))
 _FORCE_OR_NONE = Quantity("force", Limit("force"))
 _LENGTH = Quantity("length", Limit("length", open=True, most=1.0))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))

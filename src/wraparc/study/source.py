@@ -13,7 +13,7 @@ from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
-from wraparc.checks.of_rows import held_by
+from wraparc.checks.of_rows import Held, held_by
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.drive.tension_rules import LoadGiven
@@ -29,6 +29,7 @@ from wraparc.study.fitted import DrawnFit
 from wraparc.study.parameter_study import TRAIN_OUTPUTS, Rows
 from wraparc.study.plan import Levels, Values
 from wraparc.study.train_columns import Divided, TrainColumns
+from wraparc.train import Motor, Motors
 from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.turning import surface_sentence
@@ -250,9 +251,10 @@ class DriveSource:
         ones = np.ones(size)
         return Rows(
             arcs=arcs,
-            held=replace(
+            held=self._with_motors(
                 held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
-                **self._of_motors(of_train, load_case),
+                of_train,
+                load_case,
             ),
             valid=valid,
             friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
@@ -265,16 +267,18 @@ class DriveSource:
             of_train=of_train,
         )
 
-    def _of_motors(self, of_train: Mapping[str, Array], load_case: str) -> dict[str, Array]:
-        """Return load of the motors of the pulley, and what they bear, by fields of `Held`."""
-        if self.divides is None or "motor_load" not in of_train:
-            return {}
-        train, load = self.divides.train, np.abs(of_train["motor_load"])
-        momentary = train.case(load_case).kind != "running"
-        division = train.case(load_case).division
-        motor = division.motors[self._names.index(self.pulley)]  # type: ignore[union-attr]
-        most = np.full(len(load), motor.bears(momentary))
-        return {"motor": load, "momentary_load" if momentary else "motor_load": most}
+    def _with_motors(self, held: Held, of_train: Mapping[str, Array], load_case: str) -> Held:
+        """Return what rows are held against, with load of the motors and what they bear."""
+        division = None if self.divides is None else self.divides.train.case(load_case).division
+        if not isinstance(division, Motors) or "motor_load" not in of_train:
+            return held
+        motor = division.motors[self._names.index(self.pulley)]
+        load = np.abs(of_train["motor_load"])
+        if not isinstance(motor, Motor):
+            return held
+        if self.drive.load_case(load_case).kind == "running":
+            return replace(held, motor=load, motor_load=np.full(len(load), motor.bears(False)))
+        return replace(held, motor=load, momentary_load=np.full(len(load), motor.bears(True)))
 
     def _of_train(self, divided: Divided | None, entries: Array, exits: Array) -> dict[str, Array]:
         """What the pulley has within the whole drive."""

@@ -251,9 +251,7 @@ def _section(
     return Section(key=key, title=title, repeated=repeated, fields=fields)
 
 
-def _field(
-    entry: Entry, prefix: str, name: str, usual: tuple[float, float] | None
-) -> Field:
+def _field(entry: Entry, prefix: str, name: str, usual: tuple[float, float] | None) -> Field:
     path = prefix + entry.key
     worded = entry.kind if isinstance(entry.kind, WordOr) else None
     kind = worded.kind if worded else entry.kind
