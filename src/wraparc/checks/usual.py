@@ -15,7 +15,6 @@ import numpy as np
 
 from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
-    USUAL_BELT_MASS,
     USUAL_MOTORS,
     USUAL_SIZES,
     Sizes,
@@ -153,7 +152,7 @@ def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
             ):
                 made = name in (_RATIO, _STRONG, _SAG) or name.startswith(_AT_RATING)
                 if not (usual(value, least, most) or (made and odd)):
-                    size = drive.belt.width if dimension == "force" else 1.0
+                    size = drive.belt.width if dimension in _OVER_WIDTH else 1.0
                     odd = True
                     yield unusual(name, dimension, place, size * value, (size * least, size * most))
 
@@ -165,11 +164,7 @@ def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
             yield from _turning(drive, owner)
     if drive.conveyor is not None:
         yield from _conveyor_sizes(drive.conveyor, drive.belt.width)
-    mass, width = drive.belt.mass, drive.belt.width
-    if mass is not None and not usual(mass / width, *USUAL_BELT_MASS):
-        least, most = (width * end for end in USUAL_BELT_MASS)
-        check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
-        yield replace(check, remedy="Is it that of the whole belt? Give the mass of a metre.")
+    width = drive.belt.width
     for pulley in drive.pulleys:
         if pulley.mass is not None:
             solid = STEEL * 0.25 * math.pi * pulley.diameter**2 * width
@@ -329,6 +324,8 @@ def unusual(
         remedy = "Check the diameter and the rating."
     if name == _STRONG:
         remedy = "Check strength and rating."
+    if name == _MASS and value > most:
+        remedy = "Is it that of the whole belt? Give the mass of a metre."
     if name == _RATIO:
         remedy = "Is the rating or the strength given as the modulus? Check the units of both."
     return Check(
@@ -349,6 +346,9 @@ def unusual(
     )
 
 
+#: Dimensions of sizes that are compared over the width of the belt.
+_OVER_WIDTH = ("force", "mass_per_length")
+_MASS = "mass of the belt"
 _AT_RATING = "pressure of the belt at its rating"
 _SAG = "tension that keeps the belt from sagging"
 _STRONG = "strength over the rating of the belt"
@@ -383,6 +383,7 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         (f"entry tension {of}", "force", at),
         (f"exit tension {of}", "force", at),
         (f"power {of}", "power", at),
+        (_MASS, "mass_per_length", belt),
     ]
 
 
@@ -417,4 +418,5 @@ def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
         entry=tensions.entry,
         leaving=tensions.exit,
         pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
+        mass=known(belt.mass),
     )

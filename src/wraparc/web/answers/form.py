@@ -3,7 +3,6 @@
 from collections.abc import Iterable
 from functools import cache
 
-from wraparc.checks.usual import USUAL
 from wraparc.conveyor.keys import CONVEYOR
 from wraparc.drive import CREEP_LIMIT
 from wraparc.files.across_keys import ACROSS, PULLEY_END, TRANSITION
@@ -36,12 +35,6 @@ _IN_KEYS = {
     "lagging": {"thickness": "lagging_thickness"},
     "pulley": {"mass": "pulley_mass"},
 }
-#: Classes of sections, for the usual sizes of their fields.
-_CLASSES = {
-    "belt": "Belt", "pulley": "Pulley", "lagging": "Lagging", "conveyor": "Conveyor",
-    "take_up": "TakeUp", "design_standard": "DesignStandard", "safety_factor": "SafetyFactors",
-    "sag": "Sag",
-}  # fmt: skip
 #: Keys of a lagging that a form has a field for; the others come with the lagging.
 _OF_LAGGING = (
     "thickness",
@@ -112,7 +105,6 @@ class Field(Answer):
     least: float | None = None
     most: float | None = None
     range: Range | None = None
-    usual: tuple[float, float] | None = None
 
 
 class Section(Answer):
@@ -238,20 +230,14 @@ def _section(
 ) -> Section:
     names = _IN_KEYS.get(key, {})
     in_time = prefix.startswith("motion.")  # a run is a length there, and no rise of tension
-    usual = USUAL.get(_CLASSES.get(key, ""), {})
     fields = [
-        _field(
-            entry,
-            prefix,
-            "" if in_time else names.get(entry.key, entry.key),
-            usual.get(entry.attribute),
-        )
+        _field(entry, prefix, "" if in_time else names.get(entry.key, entry.key))
         for entry in entries
     ]
     return Section(key=key, title=title, repeated=repeated, fields=fields)
 
 
-def _field(entry: Entry, prefix: str, name: str, usual: tuple[float, float] | None) -> Field:
+def _field(entry: Entry, prefix: str, name: str) -> Field:
     path = prefix + entry.key
     worded = entry.kind if isinstance(entry.kind, WordOr) else None
     kind = worded.kind if worded else entry.kind
@@ -270,7 +256,6 @@ def _field(entry: Entry, prefix: str, name: str, usual: tuple[float, float] | No
         word=worded.word if worded and path != "belt.modulus" else None,
         default=_default(path),
         slider=_slider(path),
-        usual=usual,
         **_limits(kind),
     )
 
