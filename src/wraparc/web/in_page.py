@@ -9,6 +9,7 @@ from __future__ import annotations
 from math import inf, nan
 from typing import NamedTuple
 
+from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
 from wraparc.arc.gross_slip import Line
@@ -199,7 +200,7 @@ def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
         return True
     if arc.centrifugal >= min(entry, leaving):
         return True
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     pressure = pressure_of(arc, entry)
     return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
 
@@ -219,7 +220,7 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     arc = description_of(given)
     if refused(law, arc, given.steepest_fall):
         return None
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     load = load_of(given, arc, None)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
@@ -228,6 +229,23 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     outside, stretches = stretches_outside(tested, profile, count)
     summary = summary_of(geometry, arc, tested, found)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
+
+
+def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
+    """Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m].
+
+    Parameters
+    ----------
+    law, given
+        The arc.
+    cover
+        Compliance of the cover [m/Pa].
+    """
+    arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
+    load = load_of(given, arc, None)
+    geometry = geometry_of(arc, law.onset_compliance)
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
+    return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 
 
 class Judged(NamedTuple):
@@ -285,7 +303,7 @@ def judged(
         return None
     if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
-    geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
+    geometry, load = geometry_of(arc), load_of(given, arc, tested)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
