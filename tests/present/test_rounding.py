@@ -35,7 +35,8 @@ from wraparc.present.checks_table import check_data, check_table, margin_text
 from wraparc.present.document import json_text
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.profile_csv import profile_csv
-from wraparc.present.sheet import Sheet, percent
+from wraparc.present.sheet import Sheet, percent, shown
+from wraparc.present.sheet import shown as told_in
 from wraparc.present.train_sheet import signed, train_sheet
 from wraparc.present.train_words import case_sentences
 from wraparc.study.parameter_study import Study
@@ -71,7 +72,7 @@ def test_a_train_reads_the_same(name: str) -> None:
         other: TrainResult = moved(result, np.random.default_rng(seed))
         assert other != result
         for system in systems:
-            assert differing(train_sheet(result, system), train_sheet(other, system)) == []
+            assert differing(*(shown(train_sheet(r), system) for r in (result, other))) == []
 
 
 @pytest.mark.parametrize(
@@ -83,7 +84,7 @@ def test_a_drive_reads_the_same(name: str, changes: list[str]) -> None:
     result = solve(drive, method=Distributed(points=20))
     for seed in range(3):
         other = moved(result, np.random.default_rng(seed))
-        assert differing(drive_sheet([result]), drive_sheet([other])) == []
+        assert differing(*(shown(drive_sheet([r]), "si") for r in (result, other))) == []
 
 
 def test_tensions_equal_to_rounding_are_equal() -> None:
@@ -96,7 +97,7 @@ def test_tensions_equal_to_rounding_are_equal() -> None:
         idle = replace(drive, load_cases=(replace(case, tensions=level),))
         result = solve(idle, method=Distributed(points=20))
         assert result.arcs[0].effective_tension == 0.0
-        texts.append(drive_sheet([result]))
+        texts.append(shown(drive_sheet([result]), "si"))
     assert all(differing(texts[0], text) == [] for text in texts[1:])
 
 
@@ -105,25 +106,25 @@ def test_an_idle_pulley_has_no_spring_rate() -> None:
     result = solve(load_drive(EXAMPLES / "head-drive-fabric.toml"), method=Distributed(points=20))
     for creep in (0.0, 1e-18, -3e-17):
         arcs = tuple(replace(arc, exit_creep=creep) for arc in result.arcs)
-        titles = [row.title for row in answer_table(arcs, "si").rows]
+        titles = [row.title for row in told_in(answer_table(arcs), "si").rows]
         assert not any("Spring rate" in title for title in titles)
         assert all(math.isnan(arc.k_factor) for arc in arcs)
-    assert any("Spring rate" in row.title for row in answer_table(result.arcs, "si").rows)
+    assert any("Spring rate" in row.title for row in told_in(answer_table(result.arcs), "si").rows)
 
 
 def test_what_is_below_its_accuracy_is_told_so() -> None:
     """Expected: by hand, the limit of a check of the solution is the accuracy of its value."""
     kept = Check(name="balance", title="Balance", level=Level.OK, value=2e-16, limit=1e-4)
-    assert kept.texts() == ("below 0.0001", "0.0001")
+    assert told_in(kept.texts(), "si") == ("below 0.0001", "0.0001")
     assert kept.sentence() == "Balance: below 0.0001, at most 0.0001."
-    assert (kept.margin, margin_text(kept)) == (1.0, "-")
+    assert (kept.margin, told_in(margin_text(kept), "si")) == (1.0, "-")
     data = check_data(kept)
     assert (data["value"], data["floor"]) == (2e-16, 1e-4)
     missed = replace(kept, level=Level.FAULT, value=3e-4, says="Misses by {value}.")
     assert missed.sentence() == "Misses by 0.0003."
     assert missed.margin == pytest.approx(-2.0)
     creep = replace(kept, name="creep", value=2e-3, limit=6.35e-3, dimension="length")
-    assert (creep.texts()[0], creep.floor) == ("2 mm", 0.0)
+    assert (told_in(creep.texts(), "si")[0], creep.floor) == ("2 mm", 0.0)
 
 
 def test_the_place_of_a_check_of_the_solution_is_not_that_of_the_largest_noise() -> None:
@@ -131,7 +132,8 @@ def test_the_place_of_a_check_of_the_solution_is_not_that_of_the_largest_noise()
     places = {next(c.place for c in judge(r).listed if c.name == "balance")
               for r in (result, moved(result, np.random.default_rng(1)))}  # fmt: skip
     assert len(places) == 1
-    assert all(row.values[0].startswith("below") for row in check_table(judge(result)).rows
+    rows = told_in(check_table(judge(result)), "si").rows
+    assert all(row.values[0].startswith("below") for row in rows
                if "balance" in row.title)  # fmt: skip
 
 
@@ -140,7 +142,12 @@ def test_nothing_is_minus_nothing() -> None:
     assert display(-4e-13, "length", digits=3) == "0 mm"
     assert display(4e-12, "wear_coefficient") == "0.004 mm3/J"
     assert display(1.2e-19, "wear_coefficient") == "1.200e-10 mm3/J"
-    assert percent(-0.0) == percent(-1e-12) == percent(3e-13) == "0 %"
+    assert (
+        told_in(percent(-0.0), "si")
+        == told_in(percent(-1e-12), "si")
+        == told_in(percent(3e-13), "si")
+        == "0 %"
+    )
     assert signed(-0.0) == signed(2e-9) == signed(-2e-9) == "0"
     assert "-0" not in json_text({"a": -0.0, "b": [-0.0], "c": {"d": (-0.0,)}})
     assert math.copysign(1.0, margin_of(2.0, 2.0, False)) == 1.0
@@ -166,7 +173,7 @@ def test_a_term_of_which_no_digit_shows_has_no_sign() -> None:
         first, second = case.members
         members = (first, replace(second, contraction_term=term))
         changed = replace(case, members=members)
-        sentences = case_sentences(changed, result.cases, "si")
+        sentences = told_in(tuple(case_sentences(changed, result.cases)), "si")
         (told[repr(term)],) = (s for s in sentences if "belt contraction" in s)
     shown = {t: s.partition("contraction ")[2].partition(",")[0] for t, s in told.items()}
     assert (shown.pop("5.1e-06"), shown.pop("-5.1e-06")) == ("+0.001 %", "-0.001 %")

@@ -77,8 +77,8 @@ def recovery_compliance(arc: Description) -> float:
     return 2.0 * squeeze / (arc.width * arc.diameter * (0.5 * arc.diameter))
 
 
-def geometry_of(arc: Description, onset: float) -> Geometry:
-    """Numbers of the arc for the solver; `onset` is that of its law [m/Pa].
+def geometry_of(arc: Description) -> Geometry:
+    """Numbers of the arc for the solver.
 
     They are those of the arc without thickness that is the same, see `wraparc.drive.pitch`; its
     tensions are those above m v^2.
@@ -96,7 +96,7 @@ def geometry_of(arc: Description, onset: float) -> Geometry:
         arc.shear_compliance,
         arc.overrun if given else 0.0,
         0.0 if given else by_formula,
-        onset,
+        None,
     )
 
 
