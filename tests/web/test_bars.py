@@ -15,8 +15,8 @@ HEAD = str(Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml")
 def bars(page: Page) -> dict[str, tuple[str, float]]:
     """Return words and length [% of the bar] of every check by its title."""
     found = page.locator(".checks li").evaluate_all(
-        "(all) => all.map((e) => [e.querySelector('.badge').textContent.slice(2),"
-        "e.querySelector('small').textContent, parseFloat(e.querySelector('i i').style.width)])"
+        "(all) => all.map((e) => [e.querySelector('.n').firstChild.textContent,"
+        "e.querySelector('.v').textContent, parseFloat(e.querySelector('.use u').style.width)])"
     )
     return {title: (words, length) for title, words, length in found}
 

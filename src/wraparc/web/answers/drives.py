@@ -1,10 +1,12 @@
 """A drive document to the answer: fast for one arc, or everything there is to say."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Check, Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.checks_table import check_table
@@ -98,9 +100,27 @@ class Paper(Answer):
     profile: Profile
 
 
+class Bar(Answer):
+    """A check as a bar against its limit; `share` is the value over the limit.
+
+    `says` is what it says where it is not kept, `source` where its limit came from.
+    """
+
+    title: str
+    level: Level
+    place: str
+    at_most: bool
+    share: float
+    found: Both
+    limit: Both
+    says: Both
+    source: str
+
+
 class WholeArc(Arc):
     """One arc with everything there is to say; `raise_to` is for this load case alone [N]."""
 
+    bars: list[Bar]
     status_text: str
     short: str
     raise_to: float | None
@@ -141,18 +161,6 @@ class LeastTension(Answer):
     table: Table
 
 
-class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value over the limit."""
-
-    title: str
-    level: Level
-    place: str
-    at_most: bool
-    share: float
-    found: Both
-    limit: Both
-
-
 class SolveAnswer(Answer):
     """A solved drive."""
 
@@ -167,7 +175,6 @@ class SolveAnswer(Answer):
     remarks: list[Both]
     conditions: Table | None
     checks: Table
-    bars: list[Bar]
     least_tension: LeastTension | None
     summary: Table | None
     sources: list[Source]
@@ -254,7 +261,6 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         remarks=_remarks(first),
         conditions=_conditions(first),
         checks=tables(lambda system: [check_table(judge(whole), system)], ["checks"])[0],
-        bars=_bars(whole),
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
         sources=sources,
@@ -277,10 +283,15 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables(lambda system: [conditions_table(result, system)], ["conditions"])[0]
 
 
-def _bars(result: DriveResult | TrainResult) -> list[Bar]:
+def _reason(check: Check, system: System) -> str:
+    """Return what a check says that is not kept, without what to do about it."""
+    return replace(check, remedy="").sentence(system) if check.missed else ""
+
+
+def _bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
     made = []
-    for check in judge(result).listed:
+    for check in checks:
         share = check.value / check.limit if check.limit else math.nan
         silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
         if silent or check.numerical:
@@ -294,6 +305,8 @@ def _bars(result: DriveResult | TrainResult) -> list[Bar]:
                 share=share,
                 found=Both.model_validate({s: check.texts(s)[0] for s in SYSTEMS}),
                 limit=Both.model_validate({s: check.bound(s) for s in SYSTEMS}),
+                says=both(partial(_reason, check)),
+                source=check.source,
             )
         )
     return made
@@ -343,7 +356,9 @@ def _whole_arc(
     whole: Whole, answered: DriveResult, result: ArcResult, paper: ArcResult
 ) -> WholeArc:
     of = Sources()
+    judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return WholeArc(
+        bars=_bars(judged.listed),
         status_text=str(result.status),
         short=short(answered, result),
         raise_to=_alone(answered, result),

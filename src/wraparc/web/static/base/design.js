@@ -61,13 +61,41 @@ globalThis.addEventListener?.("focusout", () => (lastKey = ""));
  */
 export function change(doc, key = "") {
   const now = performance.now();
-  if (app.doc && !(key && key === lastKey && now - lastTime < 1000)) past.push(app.doc);
+  const same = grip.from ? app.doc !== grip.from : key && key === lastKey && now - lastTime < 1000;
+  if (app.doc && !same) past.push(app.doc);
   if (past.length > 300) past.shift();
   [lastKey, lastTime] = [key, now];
   future.length = 0;
   app.doc = doc;
   inRange();
   redraw();
+}
+/** A hand that holds a slider or a handle: all that it moves is one step of the history. */
+const grip = { from: /** @type {Design | null} */ (null) };
+export const gripped = () => grip.from !== null;
+export function grasp() {
+  grip.from ??= app.doc;
+}
+/** Let go; what was moved stays, or is given back. @param {boolean} [back] */
+export function release(back) {
+  const { from } = grip;
+  if (!from) return;
+  grip.from = null;
+  lastKey = "";
+  if (back && app.doc !== from) app.doc = past.pop() ?? from;
+  inRange();
+  redraw();
+}
+addKeys();
+/** Escape gives back what is being moved. */
+function addKeys() {
+  globalThis.addEventListener?.("keydown", (e) => {
+    if (e.key !== "Escape" || !gripped()) return;
+    e.preventDefault();
+    release(true);
+  });
+  for (const end of ["pointerup", "pointercancel", "blur"])
+    globalThis.addEventListener?.(end, () => release());
 }
 /** @param {Path} path @param {any} value */
 export const edit = (path, value) => change(set(app.doc, path, value), path.join());

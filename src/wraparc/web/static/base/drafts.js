@@ -71,7 +71,8 @@ export function keepDraft() {
   const { doc, units, name, design, origin, source, pulley } = app;
   const when = Date.now();
   pending = { window: own, when, doc, units, name, design, origin, source, pulley, case: app.case };
-  if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keepNow, 200);
+  if (document.activeElement?.matches("[type=range], [role=slider]"))
+    waiting ||= setTimeout(keepNow, 200);
   else keepNow();
 }
 function keepNow() {

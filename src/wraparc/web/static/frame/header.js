@@ -31,6 +31,7 @@ export const Header = () => [
   h(
     "div",
     { class: "tools", role: "group", "aria-label": "Design", key: "tools" },
+    h("b", { class: "title", id: "title" }, app.doc.title || "Drive without a title"),
     unitSwitch(),
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
