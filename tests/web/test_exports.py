@@ -56,9 +56,9 @@ def test_results_and_profiles_are_the_files_of_the_command_line(
 ) -> None:
     # expected: what `wraparc solve --json --csv` writes of the drive file that the page downloads
     page = visitor.open("drive")
-    if page.locator("#drive .pick h2").inner_text() != title:
+    if page.locator("#title").inner_text() != title:
         visitor.example(title)
-    expect(page.locator("#drive .pick h2")).to_have_text(title)
+    expect(page.locator("#title")).to_have_text(title)
     for units in ("SI", "US"):
         page.get_by_label(units, exact=True).check(force=True)
         visitor.solved()

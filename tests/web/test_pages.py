@@ -138,7 +138,7 @@ def test_late_answer_never_stands_under_another_drive(visitor: Visitor) -> None:
     page.route("**/api/v1/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
     visitor.example("Head drive, overland conveyor")
     page.wait_for_selector("#results.waiting >> text=Solving")
-    expect(page.locator("#drive .pick h2")).to_have_text("Head drive, overland conveyor")
+    expect(page.locator("#title")).to_have_text("Head drive, overland conveyor")
     wait_for(lambda: page.evaluate("true") and held)
     held[0].continue_()
     page.wait_for_selector("#results:not(.waiting)")
@@ -271,8 +271,8 @@ def test_file_is_opened_and_what_it_says_is_kept(visitor: Visitor, tmp_path: Pat
     answer = page.request.get(f"{visitor.address}api/v1/examples/downhill-braking").json()
     file.write_text(answer["toml"], "utf-8")
     visitor.load(file)
-    expect(page.locator("#drive .pick h2")).to_have_text("Downhill conveyor, braking drive")
-    expect(page.locator("#drive .duty")).to_have_text("braking")
+    expect(page.locator("#title")).to_have_text("Downhill conveyor, braking drive")
+    expect(page.locator("svg.stage")).to_contain_text("brakes")
     assert page.input_value("#f-belt-width") == "48"
     assert page.inner_text("#f-belt-width-u") == "in"
     # a file that is no drive file says so and changes nothing
@@ -280,7 +280,7 @@ def test_file_is_opened_and_what_it_says_is_kept(visitor: Visitor, tmp_path: Pat
     broken.write_text("format = = 1", "utf-8")
     visitor.load(broken)
     page.wait_for_selector("#toast.bad:not(:empty)")
-    expect(page.locator("#drive .duty")).to_have_text("braking")
+    expect(page.locator("svg.stage")).to_contain_text("brakes")
 
 
 def test_tests_are_read_fitted_and_used_at_once(visitor: Visitor, tmp_path: Path) -> None:
@@ -440,15 +440,15 @@ def test_moved_slider_is_answered_without_the_server(visitor: Visitor) -> None:
         seen.add(key_figure(visitor, "Creep at exit"))
     assert len(seen) == 8
     assert len([r for r in held if r.request.url.endswith("/fast")]) <= 1  # where the hand rested
-    chosen = page.locator("#verdict .chosen")
-    expect(chosen.locator(".badge")).to_have_count(1)  # judged as well
+    chosen = page.locator("#verdict")
+    expect(chosen).to_have_class("say warn ")  # judged as well
     own = page.locator("#drive .figures").inner_text()
     page.unroute("**/api/v1/solve**")
     for route in held:
         with contextlib.suppress(Error):  # what the page has given up meanwhile
             route.continue_()
     visitor.solved()
-    expect(chosen.locator(".badge")).to_have_count(1)
+    expect(chosen).to_have_class("say warn ")
     told = page.locator("#drive .figures").inner_text()
     assert own.splitlines()[:2] == told.splitlines()[:2]  # creep at exit and what it is made of
     assert len(page.evaluate("steps")) == 8  # nothing was drawn twice
@@ -482,12 +482,12 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         page.get_by_label(f"{name}, slider", exact=True).evaluate(SLIDE, part)
         wait_for(lambda: page.evaluate(JUDGED))
         visitor.painted()
-        expect(page.locator("#verdict")).to_contain_text("follow once the hand rests")
+        expect(page.locator(".governing")).to_contain_text("follow once the hand rests")
         moved = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(moved, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
         verdict, arc = told["verdict"], told["arcs"][0]
-        said = page.locator("#verdict .verdict .headline").inner_text()
+        said = page.locator(".governing .headline").inner_text()
         assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
         levels.add(verdict["level"])
         creep = arc["exit_creep"]
@@ -496,7 +496,7 @@ def test_checks_follow_the_slider_without_the_server(visitor: Visitor, tmp_path:
         found = key_figure(visitor, "Margin to the creep limit")
         assert found == display(arc["creep_limit_margin"], "number", digits=RESULT_DIGITS)
         least = told["least_tension"]
-        shown = page.locator("#verdict .verdict li").first.inner_text()
+        shown = page.locator(".governing li").first.inner_text()
         assert shown == least["sentence"]
         tension = least["tension"]
         found = key_figure(visitor, "Least slack-side tension")
@@ -536,7 +536,7 @@ def test_choices_are_answered_without_the_server(visitor: Visitor, tmp_path: Pat
         chosen = page.evaluate("import('/static/main.js').then((m) => m.app.doc)")
         file.write_text(document_text(chosen, TRAIN_FILE), "utf-8")
         told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
-        said = page.locator("#verdict .verdict .headline").inner_text()
+        said = page.locator(".governing .headline").inner_text()
         verdict = told["verdict"]
         assert said.partition(" ")[2] == f"{verdict['word']} {verdict['headline']}"
         creep = display(told["arcs"][0]["exit_creep"], "length", digits=RESULT_DIGITS)

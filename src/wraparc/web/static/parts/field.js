@@ -14,7 +14,8 @@ import { valueIn } from "./choose.js";
  *   good?: [number, number] | null}} Scale
  *   where a slider goes [SI], its stops, where a limit is, and between what that is kept
  * @typedef {{spec: Spec, path: Path, label?: string, choices?: Choices[], slider?: boolean,
- *   scale?: Scale | null, placeholder?: string, page?: string, read?: () => any, put?: (value: any) => void,
+ *   scale?: Scale | null, placeholder?: string, page?: string, read?: () => any,
+ *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
  *   read and put: other than the place of the document; a field with a check is taken when the
  *   typing is done and nothing speaks against it

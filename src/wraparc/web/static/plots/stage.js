@@ -20,8 +20,10 @@ import { attr, each, fixed, put, s, say } from "./svg.js";
 const [CX, CY, R] = [490, 250, 164];
 const [LAG, BAND] = [13, 54];
 const CELLS = 72;
-/** How far a handle is from the pulley at no tension, and how much farther at the full one. */
-const [NEAR, FAR] = [44, 360];
+/** How far a handle is from the pulley at no tension, and how much farther at the full one; on a
+ * narrow screen. */
+const [NEAR, FAR, CLOSE] = [44, 360, 190];
+const NARROW = 520; // [px]
 /** A strand that bends off behind the pulley. */
 const STRAIGHT = 66;
 const FLAT = 0.07; // [rad] from half a turn
@@ -104,6 +106,8 @@ export class Stage {
   data = null;
   /** @type {Handle | null} */
   grip = null;
+  far = FAR;
+  left = 0;
 
   /**
    * @param {HTMLElement} box
@@ -123,6 +127,12 @@ export class Stage {
       ["t1", "t2", "wrap"].map((k) => this.knob(/** @type {Handle} */ (k))),
     );
     put(box, this.svg);
+    new ResizeObserver(([e]) => {
+      const narrow = e.contentRect.width < NARROW;
+      attr(this.svg, { viewBox: narrow ? "228 4 500 496" : "0 0 780 505" });
+      [this.far, this.left] = narrow ? [CLOSE, 228] : [FAR, 0];
+      if (this.data) this.draw(this.data);
+    }).observe(box);
     this.svg.addEventListener("pointermove", (e) => this.pointed(e, point));
     this.svg.addEventListener("pointerleave", () => this.grip || point(null));
     for (const end of ["pointerup", "pointercancel", "lostpointercapture"])
@@ -195,7 +205,7 @@ export class Stage {
   }
   /** Where a tension is on its strand. @param {Handle} key @param {number} t @returns {Point} */
   along(key, t) {
-    const d = NEAR + (FAR * t) / (this.data?.full || 1);
+    const d = NEAR + (this.far * t) / (this.data?.full || 1);
     if (key === "t1") return [CX - d, CY - R - this.thick(this.data?.t1 ?? 0) / 2];
     const { x, y, dx, dy, straight } = this.exit();
     if (d < straight || !straight) return [x + dx * d, straight ? y + dy * d : y];
@@ -205,11 +215,11 @@ export class Stage {
    * @param {number} y */
   tension(key, x, y) {
     const full = this.data?.full || 1;
-    if (key === "t1") return (full * (CX - NEAR - x)) / FAR;
+    if (key === "t1") return (full * (CX - NEAR - x)) / this.far;
     const e = this.exit();
     const bent = e.x + e.dx * e.straight;
     const d = e.out ? (x - e.x) * e.dx + (y - e.y) * e.dy : bent - x + e.straight;
-    return (full * (d - NEAR)) / FAR;
+    return (full * (d - NEAR)) / this.far;
   }
   /** @param {StageData} d */
   draw(d) {
@@ -263,8 +273,8 @@ export class Stage {
     const bent = straight && !out;
     const side = (dy < 0 ? 1 : -1) * (20 + this.thick(d.t2) / 2);
     attr(this.snub, bent ? { cx: fixed(bx), cy: fixed(by + side), r: 20 } : { r: 0 });
-    attr(this.ways[0], { d: `M15 ${y1 - 4}l8 4l-8 4z` });
-    attr(this.ways[1], { d: out ? "" : `M25 ${fixed(by) - 4}l-8 4l8 4z` });
+    attr(this.ways[0], { d: `M${this.left + 15} ${y1 - 4}l8 4l-8 4z` });
+    attr(this.ways[1], { d: out ? "" : `M${this.left + 25} ${fixed(by) - 4}l-8 4l8 4z` });
     const ra = R - 26;
     const far = d.phi > Math.PI ? 1 : 0;
     const arc = d.phi < 6.2 ? `${at(ra, 0)}A${ra} ${ra} 0 ${far} 1 ${at(ra, d.phi)}` : at(ra, 0);
@@ -321,7 +331,7 @@ export class Stage {
       attr(label, { x: fixed(lx), y: fixed(ly + 5) });
     } else {
       const beside = key === "t1" ? -24 : 36;
-      attr(label, { x: cut(x, 62, 700), y: fixed(y + beside) });
+      attr(label, { x: cut(x, this.left + 62, 700), y: fixed(y + beside) });
     }
     say(label, d.texts[key]);
     this.mark(d, key);

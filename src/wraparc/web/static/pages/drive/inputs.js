@@ -208,7 +208,6 @@ export function inputs(now) {
     h("div", { class: "pick-row", key: "belt" }, preset()),
     ofPulley(i, "diameter", "Diameter"),
     ofBelt(spec("belt", "width")),
-    late.more?.fromExample(),
     h(
       "details",
       { class: "more", id: "more", key: "more" },

@@ -14,8 +14,6 @@ import { byCase, catalogued, givenLoad, isCase, ofBelt, PAIRS, pairAt } from "./
 import { follows, takenOver } from "./load.js";
 import { givenBy, givenInCase } from "./load_given.js";
 
-export { fromExample } from "./from_example.js";
-
 /** @import { Children, Path } from "../../types.d.ts" */
 /** @import { Now } from "./inputs.js" */
 

@@ -25,6 +25,7 @@ import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise, raiseAlone } from "./advice.js";
 import { addCase } from "./cases.js";
 import { shownCase } from "./condition.js";
+import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
 import { fullTension, limits, scaleOf } from "./ranges.js";
 import { questions } from "./questions.js";
@@ -162,7 +163,7 @@ export class Screen extends Component {
     return h(
       "div",
       { class: "stage-box" },
-      h("div", { class: "stage-svg", ref: this.stageBox }),
+      h("figure", { class: "stage-svg", ref: this.stageBox }),
       both &&
         h(
           "div",
@@ -189,7 +190,7 @@ export class Screen extends Component {
         ),
         h("output", {}, arc?.status === "solved" && reading(arc, part ?? 1)),
       ),
-      h("div", { class: "curve-box", ref: this.curveBox }),
+      h("figure", { class: "curve-box", ref: this.curveBox }),
     );
   }
   /** @param {QuickAnswer | null} arc */
@@ -216,10 +217,11 @@ export class Screen extends Component {
   /** @param {Bar} b @param {boolean} chosen */
   check(b, chosen) {
     const used = b.at_most ? b.share : 1 / b.share;
+    const cls = levelClass(b.level);
     const width = Math.max(1, Math.min(100, 50 * (used > 0 ? used : 2)));
     return h(
       "li",
-      { key: b.title, class: levelClass(b.level) },
+      { key: b.title, class: cls },
       h(
         "button",
         {
@@ -229,9 +231,14 @@ export class Screen extends Component {
           onClick: () => this.setState({ check: b.title }),
         },
         glyph(b.level),
-        h("span", { class: "n" }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
-        h("span", { class: "v" }, h("b", {}, words(b.found)), " ", atLimit(b)),
-        h("span", { class: "use" }, h("u", { style: { width: `${width}%` } }), h("s", {})),
+        h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
+        h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
+        h(
+          "span",
+          { class: "use" },
+          h("u", { class: cls, style: { width: `${width}%` } }),
+          h("s", {}),
+        ),
       ),
     );
   }
@@ -297,14 +304,14 @@ function verdict(arc, refused) {
   if (how !== "fresh") return said("", "Solving …", "Below is the answer before the change.");
   const { level, verdict: v } = arc;
   const full = known();
-  if (!level) return said("", creeps(arc), "");
+  if (!level) return said("", creepOf(arc), "");
   const [one, rest] = first(v.headline, arc);
   const lost = unsolved(arc);
   const worse = lost ?? elsewhere(full?.arcs, arc) ?? rest;
   return said(level, one, worse, full && action(arc), words(v.headline));
 }
 /** @param {QuickAnswer} arc */
-const creeps = ({ numbers, creep_limit, status }) =>
+const creepOf = ({ numbers, creep_limit, status }) =>
   status === "solved"
     ? `${title("exit_creep")} ${shown("exit_creep", Math.abs(numbers.exit_creep))}, ` +
       `${percent(Math.abs(numbers.exit_creep) / creep_limit)} of the limit.`
@@ -351,13 +358,14 @@ function elsewhere(arcs, arc) {
   const pulley = app.doc.pulley.findIndex((p) => p.name === worse.pulley);
   const place =
     worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
+  const creeps = `creeps ${percent(use(worse))} of its limit`;
   const to = () => look({ case: caseKey(worse.load_case), pulley: Math.max(0, pulley) });
   return [
     "Worse elsewhere: ",
     h(
       "button",
       { type: "button", class: "link", onClick: to },
-      `${place} ${worse.status === "solved" ? `creeps ${percent(use(worse))} of its limit` : worse.short}`,
+      `${place} ${worse.status === "solved" ? creeps : worse.short}`,
     ),
   ];
 }
@@ -366,6 +374,8 @@ const caseKey = (name) => (name === caseNames(app.doc)[0] ? "" : name);
 /** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
 function action(arc) {
   if (rank(arc) < 1) return null;
+  const { train } = app.doc;
+  if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
   const all = known()?.least_tension?.raise_to;
   const found = all != null ? raise(all) : raiseAlone(wholeArc());
   if (found) return found;
@@ -415,7 +425,7 @@ function picks() {
   const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
     const arc = worstIn(arcs, name);
     const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";
-    const creeps = arc && (arc.status === "solved" ? percent(use(arc)) : "slips");
+    const creeps = arc && (arc.status === "solved" ? short(use(arc)) : "slips");
     const spoken = arc ? `Creep is ${creeps} of its limit: ${arc.short}` : "";
     return h(
       "button",
@@ -429,6 +439,7 @@ function picks() {
       },
       glyph(arc?.level ?? null),
       h("span", {}, `${name}${whose}`),
+      " ",
       h("i", { class: levelClass(arc?.level) }, creeps ?? "–"),
     );
   };
@@ -457,6 +468,8 @@ function picks() {
     ],
   );
 }
+/** A share that a chip has room for. @param {number} v */
+const short = (v) => (v < 10 ? percent(v) : "> 999 %");
 const MANY = 6; // load cases: more are a list
 const CASES = {
   id: "cases",
@@ -534,7 +547,7 @@ function why(b, full) {
   const source = b.source || told?.source;
   return h(
     "div",
-    { class: "why", id: "why", role: "region", "aria-label": "Reason and source" },
+    { class: "why", id: "why", role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
     h("p", { class: "src" }, [b.place, source].filter(Boolean).join(". ")),
@@ -581,7 +594,7 @@ function sources({ status, numbers: n }) {
   return h(
     "div",
     { class: "sources3" },
-    h("h2", {}, "Where it comes from"),
+    h("h2", {}, "Sources of the creep"),
     h(
       "div",
       { class: "src3", "aria-hidden": "true" },
@@ -606,12 +619,13 @@ function foot(arc) {
       : arc?.tested && arc.status === "solved" && "All within the tested range.";
   const all = (arc?.remarks || []).map(words).join(" ");
   return h(
-    "p",
+    "div",
     { class: "foot-line", title: all },
     kinds.includes("illustrative") &&
       h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
     kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
     h("span", { class: out > 0 ? "mark outside" : "" }, range),
+    fromExample(),
   );
 }
 
@@ -720,7 +734,8 @@ function hub(arc) {
   if (!arc) return ["creep at exit", `– ${u}`, "", "", ""];
   const { numbers: n, creep_limit: limit } = arc;
   if (arc.status !== "solved") return ["gross slip", "slips", "", "no state at rest", ""];
-  const head = n.effective_tension < 0 ? "brakes; creep at exit" : "creep at exit";
+  const turns = n.effective_tension < 0 ? "brakes; " : n.effective_tension ? "" : "idles; ";
+  const head = `${turns}creep at exit`;
   const creep = Math.abs(n.exit_creep);
   return [head, digits(creep / f), u, `limit ${show(limit, "length")}`, percent(creep / limit)];
 }
@@ -731,7 +746,8 @@ function curveData(arc, q) {
   const limit = solved && q === "creep" ? arc.creep_limit : 0;
   const slips = arc && !solved;
   const pull = Math.abs(arc?.numbers.effective_tension ?? 0);
-  const { gross_slip_margin: margin } = wholeArc()?.numbers ?? {};
+  const slides = wholeArc()?.bars.find((b) => /gross slip/.test(b.title));
+  const margin = slides ? Number.parseFloat(words(slides.found)) : 0;
   /** @type {[string, number, string][]} */
   const bars = [["Pull asked for", pull, show(pull, "force", 3)]];
   if (slips && margin > 0)

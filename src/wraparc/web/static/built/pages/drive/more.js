@@ -1,1 +1,1 @@
-import{a,b,c}from"../../chunk-Q6RRRF6Y.js";export{a as fromExample,c as moreInputs,b as pulleyName};
+import{a,b}from"../../chunk-YBXVHHIJ.js";export{b as moreInputs,a as pulleyName};
