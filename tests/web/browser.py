@@ -89,6 +89,27 @@ def axe() -> str:
     raise AssertionError("no package of the environment carries axe.min.js")
 
 
+#: The tab that a page is under; that of saved designs is in the menu of files.
+TABS = {
+    **dict.fromkeys(("drive", "train", "across", "events"), "drive"),
+    **dict.fromkeys(("compare", "study"), "choose"),
+    "tests": "measure",
+}
+
+
+def turn(page: Page, name: str) -> None:
+    """Go to a page, in two presses at most."""
+    if name == "saved":
+        page.click("#file > summary")
+        page.get_by_role("button", name="saved designs").click()
+        return
+    at = page.locator(f"#nav-{name}")
+    if not at.is_visible():
+        page.click(f"#tab-{TABS[name]}")
+    if at.count():
+        at.click()
+
+
 class Visitor:
     """A page of the browser that remembers what went wrong on it."""
 
@@ -143,7 +164,7 @@ class Visitor:
             if unfold:
                 self.unfold()
         if not self.page.locator(f"#{name}").is_visible():
-            self.page.click(f"#nav-{name}")
+            turn(self.page, name)
         self.page.wait_for_selector(READY[name])
         return self.page
 

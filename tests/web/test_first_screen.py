@@ -241,3 +241,27 @@ def test_what_would_change_the_creep_does(visitor: Visitor) -> None:
         expect(page.locator(".hub-number")).to_have_text("7.38mm")
         visitor.solved()
         page.wait_for_selector(".ways li")
+
+
+def test_steps_back_outlive_a_reload(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.fill("#f-pulley-0-exit_tension", "70")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.fill("#f-pulley-0-diameter", "1000")
+    page.press("#f-pulley-0-diameter", "Tab")
+    page.reload()
+    visitor.solved()
+    expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
+    page.click("#undo")
+    expect(page.locator("#f-pulley-0-diameter")).to_have_value("800")
+    page.click("#undo")
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
+
+
+def test_a_long_title_widens_nothing(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    for width in (1440, 1024, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.fill("#f-title", "x" * 300)
+        visitor.painted()
+        assert page.evaluate("document.documentElement.scrollWidth") == width

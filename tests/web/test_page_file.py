@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, browser
+from web.browser import Visitor, browser, turn
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
 from web.test_page_file_trains import assert_firefox_says
@@ -574,7 +574,7 @@ def test_comparison_is_that_of_the_server(page_of: Any, name: str) -> None:
     # expected: the server's own comparison, without what it costs
     text = 'condition = "wet"\n' + HEAD if name == "wet" else DRIVES[name][0]
     page = page_of(text)
-    page.click("#nav-compare")
+    turn(page, "compare")
     whats: tuple[Any, ...] = ("laggings", "belts")
     for what in whats:
         page.get_by_label(what.capitalize(), exact=True).check(force=True)

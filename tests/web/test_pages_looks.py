@@ -217,7 +217,15 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
                 " || document.activeElement.parentElement.id"
             )
         )
-    for wanted in ("nav-drive", "nav-saved", "file", "export", "f-belt-preset", "f-belt-width"):
+    for wanted in (
+        "tab-drive",
+        "tab-measure",
+        "nav-train",
+        "file",
+        "export",
+        "f-belt-preset",
+        "f-belt-width",
+    ):
         assert wanted in seen, wanted
     assert {"Tight side T1", "Slack side T2", "Wrap angle"} < set(seen)
     page.locator("#file > summary").focus()
@@ -226,7 +234,7 @@ def test_keyboard_alone_reaches_and_works_everything(calculator: Calculator) -> 
     page.keyboard.press("Escape")
     expect(page.get_by_role("button", name="Download the drive file")).to_be_hidden()
     assert page.evaluate("document.activeElement.parentElement.id") == "file"
-    page.locator("#nav-compare").focus()
+    page.locator("#tab-choose").focus()
     page.keyboard.press("Enter")
     page.wait_for_selector(READY["compare"])
     page.locator("#sort-margin").focus()

@@ -114,6 +114,11 @@ function step(from, to) {
   inRange();
   redraw();
 }
+/** Steps back that a reload keeps. */
+const KEPT = 20;
+export const remembered = () => past.slice(-KEPT);
+/** @param {Design[] | null} steps */
+export const recall = (steps) => past.splice(0, past.length, ...(steps ?? []));
 export const undo = () => step(past, future);
 export const redo = () => step(future, past);
 export const history = { back: () => past.length > 0, forth: () => future.length > 0 };
@@ -173,10 +178,18 @@ export const isDrive = (doc) =>
     (Array.isArray(doc.load_case) && doc.load_case.every((/** @type {any} */ c) => isTable(c)))) &&
   ["lagging", "train", "conveyor"].every((key) => doc[key] === undefined || isTable(doc[key]));
 
-/** The drive that a new design begins with: nothing is filled in but names. @returns {Design} */
-export const blank = () => ({
+/** The drive that a new design begins with: of usual size, its load to be filled in.
+ * @param {Units} units @returns {Design} */
+export const blank = (units) => ({
   format: 1,
   title: "",
-  belt: {},
-  pulley: [{ name: "head" }],
+  belt: { preset: "Plylon Plus 1000/4", width: units === "us" ? "48 in" : "1200 mm" },
+  pulley: [
+    {
+      name: "head",
+      diameter: units === "us" ? "32 in" : "800 mm",
+      wrap_angle: "180 deg",
+      lagging: "diamond-rubber",
+    },
+  ],
 });

@@ -36,6 +36,8 @@ export const parted = (fields, keys) => [
   fields.filter((f) => !keys.includes(f.key)),
 ];
 
+/** What is said of a field that is empty, and is no mistake. */
+export const NEEDED = "Still needed.";
 /** Names of the fields on the pages by the place they show: which problems have a field. */
 export const shownFields = /** @type {Map<string, string[]>} */ (new Map());
 /** @param {Path} path */
@@ -215,7 +217,10 @@ export class Field extends Component {
     const [text, u] = this.text();
     return h(
       "div",
-      { class: `field${shape}${problem ? " wrong" : ""}`, ref: this.row },
+      {
+        class: `field${shape}${problem ? ` ${problem === NEEDED ? "needed" : "wrong"}` : ""}`,
+        ref: this.row,
+      },
       h(
         "label",
         { for: this.id },
@@ -284,7 +289,7 @@ export class Field extends Component {
     const common = {
       id: this.id,
       "aria-describedby": `${this.id}-h ${this.id}-e`,
-      "aria-invalid": Boolean(this.problem),
+      "aria-invalid": Boolean(this.problem) && this.problem !== NEEDED,
     };
     const options = choices || ownChoices(s);
     const taken = (/** @type {Event} */ e) => this.take(valueIn(e), u);

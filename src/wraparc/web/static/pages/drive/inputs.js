@@ -1,6 +1,6 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, change, get, painted, redraw, set } from "../../base/design.js";
+import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
 import { part } from "../../base/server.js";
 import { viewed } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";
@@ -201,7 +201,7 @@ export function inputs(now) {
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    h("h2", {}, "Inputs", h("span", {}, "green: keeps the limit")),
+    h("h2", {}, "Inputs", h("span", {}, isUsual() ? "usual values" : "green: keeps the limit")),
     loadBoxes(i),
     ofPulley(i, "wrap_angle"),
     laggingPick(i),
@@ -216,6 +216,14 @@ export function inputs(now) {
     ),
     also(),
   );
+}
+/** Whether all but the load stands as a new drive has it. */
+function isUsual() {
+  const { belt, pulley } = blank(app.units);
+  const { diameter, wrap_angle, lagging } = app.doc.pulley[0];
+  const now = [app.doc.belt, diameter, wrap_angle, lagging];
+  const usual = [belt, pulley[0].diameter, pulley[0].wrap_angle, pulley[0].lagging];
+  return !app.doc.title && JSON.stringify(now) === JSON.stringify(usual);
 }
 /** Some of what is not turned here, to be seen. */
 function also() {

@@ -29,6 +29,7 @@ import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
 import { fullTension, limits, scaleOf } from "./ranges.js";
 import { questions } from "./questions.js";
+import { views } from "../../frame/tabs.js";
 import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
 
 /** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */
@@ -138,7 +139,7 @@ export class Screen extends Component {
         "data-whole": whole() ? "yes" : undefined,
         "data-stands": how,
       },
-      h("div", { class: "sub" }, picks()),
+      h("div", { class: "sub" }, app.page === "drive" && views(), picks()),
       h(
         "div",
         { class: "frame" },
@@ -666,7 +667,7 @@ function wrapOf(arc) {
 function stageData(arc, q) {
   const solved = arc?.status === "solved";
   const n = arc?.numbers ?? {};
-  const [t1, t2] = [n.entry_tension ?? 1, n.exit_tension ?? 0.4];
+  const [t1, t2] = [n.entry_tension ?? 0.7, n.exit_tension ?? 0.3];
   const p = arc?.profile ?? {};
   const phi = arc ? wrapOf(arc) : Math.PI;
   const values = solved ? p[q] : [0, 0];
@@ -684,7 +685,7 @@ function stageData(arc, q) {
     phi,
     t1: Math.abs(t1),
     t2: Math.abs(t2),
-    full: fullTension(t1, t2),
+    full: arc ? fullTension(t1, t2) : 1,
     position: solved ? p.position : [0, phi],
     tension: solved ? p.tension : [t1, t2],
     values,
