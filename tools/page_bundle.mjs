@@ -61,7 +61,7 @@ const styleOf = async (file) =>
   (await build({ ...common, entryPoints: [file] })).outputFiles[0].text;
 /** The reader and writer of TOML as one module, for the pages. */
 async function vendored() {
-  const contents = 'export { parse, stringify, TomlDate } from "smol-toml";';
+  const contents = 'export { parse, stringify, TomlDate, TomlError } from "smol-toml";';
   const how = { stdin: { contents, resolveDir: root }, format: "esm" };
   const { outputFiles } = await build({ ...common, ...how });
   return outputFiles[0].text;
@@ -141,6 +141,7 @@ const made = new Map([
   [TOML, vendor],
   [join(folder, "solver.js"), await built("solver.js", { globalName: "solver" })],
   [join(folder, "page.js"), await built("main.js", { plugins: [instead] })],
+  [join(folder, "start.js"), await built("start.js", { format: "esm" })],
   [join(folder, "page.css"), (await Promise.all(STYLES.map(styleOf))).join("")],
   ...(await served()),
 ]);

@@ -135,6 +135,10 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         "usual_sizes", lambda: quiet(belt={"speed": 100.0}), Level.ATTENTION, 100.0, 15.0,
         "Check the unit",
     ),
+    (  # 130 kg/m2 on 1.2 m
+        "usual_sizes", lambda: quiet(belt={"mass": 500.0}), Level.ATTENTION, 500.0, 156.0,
+        "Is it that of the whole belt?",
+    ),
     (  # kN typed as N: 60 N on 1.2 m, and 0.5 kN/m is the least
         "usual_sizes",
         lambda: quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None)),

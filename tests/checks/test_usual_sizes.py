@@ -35,6 +35,8 @@ def said(**of: Any) -> list[str]:
         ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
         ({"belt": {"strength": 100e3}}, "The strength over the rating of the belt, 0.571,"),
         ({"pulley": {"diameter": 0.2}}, "at its rating on pulley head, 1750 kPa"),
+        ({"belt": {"mass": 500.0}}, "Is it that of the whole belt? Give the mass of a metre."),
+        ({"belt": {"mass": 0.3}}, "The mass of the belt, 0.3 kg/m"),
         ({"entry": 60.064e3}, "The power of pulley head, 0.192 kW"),  # 0.19 kW at 3 m/s
         (
             {"criteria": Criteria(sag=Sag(spacing=1.2, line_mass=0.06, share=0.02))},

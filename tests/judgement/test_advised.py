@@ -22,7 +22,7 @@ from wraparc.choose.what_if import what_if
 from wraparc.files.write import drive_document
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.least_tension import at_least, least_table
-from wraparc.present.sheet import Row
+from wraparc.present.sheet import Row, shown
 from wraparc.present.train_words import matching_verdict
 from wraparc.present.what_if_sheet import what_if_sheet
 from wraparc.present.words import verdict
@@ -51,7 +51,7 @@ def printed(text: str) -> float:
 def followed(of: Drive) -> None:
     """Follow what `solve` advises on a drive: its least and its largest tension, in its words."""
     result = solve(of, raise_on_failure=False)
-    told, found = verdict(result), least_tension(result)
+    told, found = shown(verdict(result), "si"), least_tension(result)
     assert found is not None
     words = " ".join((told.headline, *told.sentences))
     asks_more, asks_less = MORE.search(words), LESS.search(words)
@@ -63,7 +63,7 @@ def followed(of: Drive) -> None:
         return
     raised = with_slack(of, printed(least[1]))
     # what is advised is within what is allowed, or between the two there is nothing to print
-    table = least_table(result)
+    table = shown(least_table(result), "si")
     assert table is not None
     most = min(printed(r.values[0]) for r in table.rows if r.title.endswith("at most"))
     assert missed(raised) - FROM_ABOVE == set()
@@ -82,7 +82,7 @@ def followed_what_if(of: Drive) -> None:
     """Follow the least tension that what-if prints for a thicker lagging."""
     case = of.load_cases[0].name
     changes = list(changes_of(of, of, "head", Named(thicknesses=("18 mm",))))
-    sheet = what_if_sheet(what_if(of, "head", case, changes), "")
+    sheet = shown(what_if_sheet(what_if(of, "head", case, changes), ""), "si")
     rows: dict[str, Row] = {row.title: row for row in sheet.tables[0].rows}
     for place, whole in enumerate((of, *(change.drive for change in changes))):
         text = rows["Least slack-side tension"].values[place]
@@ -120,7 +120,7 @@ def followed_choice(of: Drive, folder: Path) -> None:
         }
     )
     selection = choose(search)
-    sheet = choose_sheet(selection)
+    sheet = shown(choose_sheet(selection), "si")
     assert sheet.verdict is not None
     found = re.search(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.headline)
     if found is None:
@@ -147,7 +147,7 @@ def followed_trim(train: Train) -> None:
     if not result.cases[0].status.solved or len(train.pulleys) != 2:
         return
     matching = match_drives(result, points=5)
-    told = matching_verdict(result, matching).headline
+    told = shown(matching_verdict(result, matching), "si").headline
     found = re.match(r"(?:Set|Keep) (\S+) (?:to|at) a trim of (\S+) %", told)
     if found is None:
         assert not matching.equal.status.solved
@@ -173,7 +173,7 @@ def test_where_a_binding_standard_cannot_be_applied_no_tension_is_advised(tmp_pa
     assert of.pulleys[0].wrap_angle < 3.14
     assert of.criteria.standard.binding
     assert of.criteria.take_up.fixed
-    told = verdict(solve(of, raise_on_failure=False))
+    told = shown(verdict(solve(of, raise_on_failure=False)), "si")
     assert "No slack-side tension keeps every binding check: CEMA cannot" in told.sentences[0]
     followed(of)
     followed_what_if(of)
@@ -187,7 +187,9 @@ def test_a_contradiction_is_seen() -> None:
     words = " ".join((told.headline(), *told.sentences()))
     assert not MORE.search(words)
     assert not LESS.search(words)
-    assert "No slack-side tension" in " ".join(verdict(solve(of, raise_on_failure=False)).sentences)
+    assert "No slack-side tension" in " ".join(
+        shown(verdict(solve(of, raise_on_failure=False)), "si").sentences
+    )
 
 
 def _none(of: Drive) -> bool:
@@ -202,5 +204,5 @@ def _none(of: Drive) -> bool:
      (9.996e3, "9.996 kN"), (9.9951e3, "10 kN"), (9.9949e3, "10 kN"), (1234.56e3, "1240 kN")],
 )  # fmt: skip
 def test_a_least_tension_is_rounded_upwards(tension: float, text: str) -> None:
-    assert at_least(tension) == text
+    assert shown(at_least(tension), "si") == text
     assert printed(text) >= tension * (1.0 - 1e-9)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import NOWHERE, Check, Level, Miss, Place, keeps
 from wraparc.checks.numbers import (
-    USUAL_BELT_MASS,
     USUAL_SIZES,
     Sizes,
     compared_sizes,
@@ -50,7 +48,7 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
                     _AT_RATING
                 )  # of two that are given
                 if not (usual(value, least, most) or (made and odd)):
-                    size = drive.belt.width if dimension == "force" else 1.0
+                    size = drive.belt.width if dimension in _OVER_WIDTH else 1.0
                     ends = size * least, size * most
                     check = unusual(name, dimension, place, size * value, ends)
                     odd.setdefault(check.sentence(), check)
@@ -58,12 +56,6 @@ def usual_sizes(drive: Drive) -> Iterator[Check]:
         () if drive.conveyor is None else _conveyor_sizes(drive.conveyor, drive.belt.width)
     ):
         odd.setdefault(check.sentence(), check)
-    mass, width = drive.belt.mass, drive.belt.width
-    if mass is not None and not usual(mass / width, *USUAL_BELT_MASS):
-        least, most = (width * end for end in USUAL_BELT_MASS)
-        check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
-        remedy = "Is it that of the whole belt? Give the mass of a metre."
-        odd["mass"] = replace(check, remedy=remedy)
     yield from odd.values()
     if not odd:
         yield Check(
@@ -105,6 +97,8 @@ def unusual(
         remedy = "Check the diameter and the rating."
     if name == _STRONG:
         remedy = "Check strength and rating."
+    if name == _MASS and value > most:
+        remedy = "Is it that of the whole belt? Give the mass of a metre."
     if name == _RATIO:
         remedy = "Is the rating or the strength given as the modulus? Check the units of both."
     return Check(
@@ -125,6 +119,9 @@ def unusual(
     )
 
 
+#: Dimensions of sizes that are compared over the width of the belt.
+_OVER_WIDTH = ("force", "mass_per_length")
+_MASS = "mass of the belt"
 _AT_RATING = "pressure of the belt at its rating"
 _STRONG = "strength over the rating of the belt"
 _RATIO = "modulus over the rating of the belt"
@@ -158,6 +155,7 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         (f"entry tension {of}", "force", at),
         (f"exit tension {of}", "force", at),
         (f"power {of}", "power", at),
+        (_MASS, "mass_per_length", belt),
     ]
 
 
@@ -192,6 +190,7 @@ def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
         entry=tensions.entry,
         leaving=tensions.exit,
         pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
+        mass=known(belt.mass),
     )
 
 

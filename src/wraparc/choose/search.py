@@ -249,6 +249,12 @@ class Grid:
         table = np.array([[of(b, lagging.law) for b in s.belts] for lagging in s.laggings])
         return np.asarray(table[self.places[0], self.places[2]])
 
+    @property
+    def offset(self) -> Array:
+        """E of every design, 0 where its belt is not known that well [m]."""
+        side = self.search.base.side
+        return self._of_belts(lambda belt, law: pitch_offset(belt, side) or 0.0)
+
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
         s = self.search
@@ -270,7 +276,7 @@ class Grid:
             "belt_speed": speed[self.places[2]],
             "overrun": np.nan if base.overrun is None else base.overrun,
             "recovery": float(base.recovery),
-            "pitch_offset": self._of_belts(lambda belt, law: pitch_offset(belt, base.side) or 0.0),
+            "pitch_offset": self.offset,
             "cover_compliance": self._of_belts(
                 lambda belt, law: of_belt(belt, base.side, law)["cover_compliance"]
             ),
