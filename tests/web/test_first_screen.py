@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterator
-from typing import Any
 
 import pytest
 from playwright.sync_api import Page, Request, ViewportSize, expect
@@ -219,12 +218,6 @@ def test_handles_are_sliders_for_keys(visitor: Visitor) -> None:
     page.focus("#f-pulley-0-diameter")
     page.keyboard.press("ArrowUp")
     expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
-
-
-def what_changes(page: Page) -> list[Any]:
-    return page.locator(".ways button").evaluate_all(
-        "(all) => all.map((e) => e.innerText.replaceAll('\\n', ' '))"
-    )
 
 
 def test_what_would_change_the_creep_does(visitor: Visitor) -> None:

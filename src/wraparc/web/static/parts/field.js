@@ -14,10 +14,10 @@ import { valueIn } from "./choose.js";
  *   good?: [number, number] | null}} Scale
  *   where a slider goes [SI], its stops, where a limit is, and between what that is kept
  * @typedef {{spec: Spec, path: Path, label?: string, choices?: Choices[], slider?: boolean,
- *   scale?: Scale | null, placeholder?: string, page?: string, read?: () => any,
+ *   scale?: Scale | null, inUnit?: string, placeholder?: string, page?: string, read?: () => any,
  *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
- *   read and put: other than the place of the document; a field with a check is taken when the
+ *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the document; a field with a check is taken when the
  *   typing is done and nothing speaks against it
  * @typedef {{draft: string | null, from: any, help: boolean, refused: string}} FieldState
  */
@@ -184,7 +184,7 @@ export class Field extends Component {
     /** @type {[string, string]} */
     const own =
       value == null
-        ? ["", s.dimension ? unit(s.dimension)[0] : ""]
+        ? ["", this.props.inUnit ?? (s.dimension ? unit(s.dimension)[0] : "")]
         : s.dimension
           ? viewed(value, s.dimension)
           : [String(value), ""];

@@ -23,7 +23,7 @@ const MORE = 1.35;
 
 /** What was found last, and of which arc. */
 const last = { of: /** @type {unknown[]} */ ([]), all: /** @type {Way[]} */ ([]) };
-const now = () => [app.doc, app.pulley, answer.quick?.load_case];
+const now = () => [app.doc, app.pulley, app.units, answer.quick?.load_case];
 const same = (/** @type {unknown[]} */ of) => now().every((v, i) => v === of[i]);
 /** Those of now; while a hand moves something, those of before. */
 export const ways = () => (same(last.of) || gripped() ? last.all : []);
