@@ -134,7 +134,7 @@ def test_what_a_cover_may_be_wrong_by_is_said(sound: tuple[TestPlan, Records]) -
     ):
         asked = replace(covered, uncertainty=Uncertainty(cover_shear_modulus=error))
         found = fitted(asked, records)
-        table = budget_table(found.conditions[0], "si", "")
+        table = budget_table(found.conditions[0], "")
         assert table is not None
         assert [r.note for r in table.rows if r.title == "modulus of the belt cover"] == [origin]
         assert any(r.endswith(said) for r in found.conditions[0].remarks)
