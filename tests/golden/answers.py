@@ -228,7 +228,7 @@ def cli_short() -> Answers:
         *(("solve", _file(name)) for name in (*DRIVES, *TRAINS)),
         *(("solve", _file(name), "--units", "us") for name in TEXTS),
         ("trim", _file(TRAINS[0]), "--points", "9"),
-        ("run", _file(TRAINS[0])),
+        ("run", _file(TRAINS[0]), "--event", "run-out"),
         ("stability", _file(TRAINS[0])),
         ("choose", "wet-season/choose.toml"),
         ("what-if", _file(DRIVES[-1]), "--other-carcass", "--wet", "DIN 22101"),
