@@ -4,12 +4,9 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from web.browser import READY, Calculator, Visitor, turn
+from web.browser import LATER, READY, Calculator, Visitor, turn
 from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
-
-#: Most time between two questions whether the server is there [ms].
-LATER = 30_000
 
 
 def test_a_killed_server_is_waited_for_and_comes_back(
