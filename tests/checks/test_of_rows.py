@@ -152,7 +152,7 @@ CASES: list[tuple[str, Drive]] = [
     ("tested_pressure_max", quiet(lagging=lagging(tested=replace(WIDE, pressure_max=1e5)))),
     ("tested_pressure_min", quiet(lagging=lagging(tested=replace(WIDE, pressure_min=150e3)))),
     ("tested_slip", quiet(lagging=lagging(tested=replace(WIDE, slip_max=1e-5)))),
-    ("tested_slip_speed", quiet(lagging=lagging(tested=replace(WIDE, slip_speed=1e-6)))),
+    ("tested_slip_speed", quiet(lagging=lagging(tested=replace(WIDE, slip_speed=3e-6)))),
     ("sag", quiet(criteria=replace(NONE, sag=Sag(spacing=5.0, line_mass=300.0)))),
 ]  # fmt: skip
 
@@ -218,7 +218,7 @@ def test_a_standard_that_cannot_be_applied_ends_alike(binding: bool, name: str) 
 def test_advice_leads_only_where_no_limit_is_missed() -> None:
     """Ten thousand times the speed of the tests says less than a creep just over its limit."""
     assert SOFT.law.tested is not None
-    slow = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=1e-6))  # type: ignore[call-arg]
+    slow = replace(SOFT.law, tested=replace(SOFT.law.tested, slip_speed=3e-6))  # type: ignore[call-arg]
     of = quiet(lagging=replace(SOFT, law=slow))
     assert one_by_one(of) == ("ATTENTION", "tested_slip_speed")
     assert of_rows(of) == one_by_one(of)
