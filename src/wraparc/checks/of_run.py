@@ -27,7 +27,7 @@ from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
 from wraparc.train.result import drive_with
-from wraparc.units import display
+from wraparc.units import display, quantity
 
 if TYPE_CHECKING:
     from wraparc.motion.event import Event
@@ -213,8 +213,8 @@ def _settled(run: RunResult) -> Iterator[Check]:
         title="Followed to its end",
         level=Level.ATTENTION,
         place=Place(event=run.event.name),
-        says=f"At the end of the run the belt moves at {display(end, 'speed', digits=3)}, where "
-        f"{display(asked, 'speed', digits=3)} is asked of it in the end: what comes until then is "
+        says=f"At the end of the run the belt moves at {quantity(end, 'speed')}, where "
+        f"{quantity(asked, 'speed')} is asked of it in the end: what comes until then is "
         "not seen.",
         remedy="Give the event a longer duration.",
         short="not followed to its end",
@@ -237,8 +237,8 @@ def _creeps(
         "length",
         place=place,
         short="over creep limit",
-        says=f"Creeps {{value}} at {display(creep.time, 'time', digits=3)}, more than the limit of "
-        f"{{limit}}, and is over it for {display(drum.over_limit, 'time', digits=2)}.",
+        says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
+        f"{{limit}}, and is over it for {quantity(drum.over_limit, 'time', 2)}.",
         remedy=remedy,
     )
 
@@ -250,8 +250,8 @@ def _slides(place: Place, creep: float, time: float, remedy: str) -> Check:
         level=Level.FAILS,
         place=place,
         short="slides",
-        says=f"The belt slides on the pulley: {display(creep, 'length', digits=3)} of creep at "
-        f"{display(time, 'time', digits=3)}, more than {{slides}}, is gross slip.",
+        says=f"The belt slides on the pulley: {quantity(creep, 'length')} of creep at "
+        f"{quantity(time, 'time')}, more than {{slides}}, is gross slip.",
         more={"slides": (SLIDES, "length")},
         remedy=remedy,
     )
@@ -319,7 +319,7 @@ def _vibration(run: RunResult) -> Check:
     )
     if not root.real > CALM:
         return check
-    double = display(math.log(2.0) / root.real, "time", digits=2)
+    double = quantity(math.log(2.0) / root.real, "time", 2)
     return replace(
         check,
         level=Level.FAILS,
@@ -348,7 +348,7 @@ def _tension(run: RunResult, case: LoadCase) -> Check:
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
         says=f"The belt tension {peak.place} reaches {{value}} at "
-        f"{display(peak.time, 'time', digits=3)}, more than the belt allows, {{limit}}.",
+        f"{quantity(peak.time, 'time')}, more than the belt allows, {{limit}}.",
         remedy="Start more slowly, or take a stronger belt."
         if run.event.moves
         else "Take a stronger belt.",

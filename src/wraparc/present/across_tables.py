@@ -24,6 +24,7 @@ from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import NONE, Row, Table, headed, named, number, percent, row_of
+from wraparc.train.turning import surface_sentence
 
 #: Places across the belt in a table; all of them are in the data.
 _PLACES = 9
@@ -102,7 +103,7 @@ def answer_table(result: AcrossResult) -> Table:
         row("yaw_moment"),
         row("entry_guide_force"),
         row("exit_guide_force"),
-        row("drum_number"),
+        row("drum_number", "" if arc.pitch_offset is not None else surface_sentence(arc.diameter)),
     ]  # fmt: skip
     if result.wide.static_profile is not None:
         rows.insert(2, row("largest_static_tension", "the label lines held at both ends"))
