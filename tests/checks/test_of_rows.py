@@ -171,7 +171,7 @@ def test_a_cover_that_the_law_may_include_is_asked_about_in_rows_too(side: Side)
     assert one_by_one(asked)[1] == "cover_creep"
     assert of_rows(asked) == one_by_one(asked)
     head = asked.pulleys[0]
-    law = replace(head.lagging.law, slip_includes=("cover shear",))  # type: ignore[call-arg]
+    law = replace(head.lagging.law, slip_includes=("cover shear",))
     stated = replace(asked, pulleys=(replace(head, lagging=replace(head.lagging, law=law)),))
     assert of_rows(stated) == one_by_one(stated)
     assert of_rows(stated)[0] == Level.OK.value

@@ -8,7 +8,6 @@ from web.browser import READY, Calculator, Visitor
 from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
 
-
 #: Most time between two questions whether the server is there [ms].
 LATER = 30_000
 
