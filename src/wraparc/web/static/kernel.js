@@ -1073,7 +1073,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.03],
+  [5e-5, 0.061],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -4769,7 +4769,7 @@ export function in_page__covered_creep(law, given, cover) {
     }),
   );
   let load = in_page__load_of(given, arc, null);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
