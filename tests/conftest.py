@@ -80,7 +80,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("time", range(times))
 
 
-#: What takes longest, so that workers who begin with it end together.
+#: What takes longest, so that workers who begin with it end together; then what needs a browser.
 FIRST = (
     "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_page_file",
     "web/test_pages", "web/test_pages_editing", "web/test_states_looks",
@@ -93,6 +93,10 @@ FIRST = (
 )  # fmt: skip
 
 
+def _place(item: pytest.Item) -> str:
+    return f"{item.path.parent.name}/{item.path.stem}"
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     places = {name: place for place, name in enumerate(FIRST)}
     if seed := config.getoption("--shuffle"):
@@ -102,7 +106,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
         items.sort(key=lambda i: (mixed(i.nodeid.partition("::")[0]), mixed(i.nodeid)))
     elif not config.getoption("--budget"):
-        items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
+        items.sort(key=lambda i: places.get(_place(i), len(FIRST) + (i.path.parent.name != "web")))
     if config.getoption("--under-load"):
         others = [item for item in items if not item.get_closest_marker("processes")]
         config.hook.pytest_deselected(items=others)

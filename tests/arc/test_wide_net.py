@@ -98,7 +98,6 @@ CAPACITIES = [
     ("any table", [1, 386]),
     ("constant", [1, 239]),
     ("constant", [1, 122]),
-    ("constant", [1, 941]),  # an overrun grows with the entry tension of a rest arc
     ("elastic-plastic", [1, 178]),
     ("elastic-plastic", [1, 718]),
     ("table", [1, 1110]),

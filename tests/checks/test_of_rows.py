@@ -186,7 +186,7 @@ def test_each_check_governs_a_row_where_it_governs_the_drive(name: str, of: Driv
 def test_where_friction_falls_past_its_peak_the_margin_is_the_same() -> None:
     assert SOFTENING.steepest_fall() < 0.0
     of = quiet(lagging=replace(SOFT, law=SOFTENING), entry=150e3, leaving=50e3,
-               criteria=replace(NONE, safety=SafetyFactors(running=9.0)))  # fmt: skip
+               criteria=replace(NONE, safety=SafetyFactors(running=6.0)))  # fmt: skip
     assert one_by_one(of) == ("ATTENTION", "gross_slip")
     assert of_rows(of) == one_by_one(of)
 

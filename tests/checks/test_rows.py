@@ -21,7 +21,7 @@ from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.provenance import Kind, Provenance
 
 NONE = Criteria(standard=DesignStandard(name="none"))
-WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=1.0)
+WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=0.2)
 
 
 def lagging(friction: float = 0.8, **of: Any) -> Lagging:

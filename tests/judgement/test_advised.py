@@ -4,22 +4,32 @@ Expected: what the sentence says. A tension that is recommended keeps every chec
 advice of one answer works against another, a trim divides the load as told.
 """
 
+import math
 import re
-from dataclasses import replace
+from dataclasses import astuple, replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 import tomli_w
 
 from checks.test_least_tension import FROM_ABOVE, random_drives, with_slack
+from judgement.rows import MOTION, event
+from judgement.rows import Row as BenchRow
 from wraparc import Drive, load_train, solve, solve_train
-from wraparc.checks import Verdict, judge
+from wraparc.checks import Check, Verdict, judge, judge_run
+from wraparc.checks.judge import EVEN
 from wraparc.checks.least_tension import least_tension
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.choose.file import search_from_document
 from wraparc.choose.named_changes import Named, changes_of
 from wraparc.choose.selection import choose
 from wraparc.choose.what_if import what_if
+from wraparc.drive import Across, WidthProfile
+from wraparc.errors import InputError
 from wraparc.files.write import drive_document
+from wraparc.motion import RunResult, simulate
+from wraparc.motion.file import motion_from_text
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.least_tension import at_least, least_table
 from wraparc.present.sheet import Row, shown
@@ -165,6 +175,87 @@ def followed_trim(train: Train) -> None:
 def test_the_trim_that_is_told_shares_the_load() -> None:
     for name in ("tandem-fabric.toml", "tandem-steel-cord.toml"):
         followed_trim(load_train(EXAMPLES / name))
+
+
+def unevened(of: Drive, number: int) -> Drive:
+    """A drive with a pulley that is uneven across the width, in one way or another."""
+    (head,) = of.pulleys
+    size = 1.0 + 0.37 * (number % 7)
+    ways = (
+        Across(misalignment=0.4e-3 * size),
+        Across(shell_profile=WidthProfile(crown=0.8e-3 * size)),
+        Across(deflection=0.4e-3 * size),
+    )
+    return replace(of, pulleys=(replace(head, across=ways[number % 3]),))
+
+
+def margin_of(told: Verdict, check: Check) -> float:
+    """The margin that a check has in another verdict, infinite where it is kept or not asked."""
+    found = [c for c in told.checks if (c.name, c.place) == (check.name, check.place) and c.missed]
+    return found[0].margin if found else math.inf
+
+
+def followed_across(of: Drive, number: int) -> None:
+    """Even out the pulley, or take another tension, as the checks across the width advise."""
+    uneven = unevened(of, number)
+    told = judge(solve(uneven, raise_on_failure=False))
+    words = " ".join((told.headline(), *told.sentences()))
+    assert not (MORE.search(words) and LESS.search(words)), words
+    even = judge(solve(of, raise_on_failure=False))
+    for check in told.missed:
+        if "ven out" in check.remedy:
+            same = EVEN.get(check.name, "")
+            assert same not in {c.name for c in even.missed}, check.sentence()
+        for asked, factor in ((MORE, 1.15), (LESS, 0.9)):
+            if check.name in ACROSS_CHECKS and asked.search(check.remedy):
+                slack = min(astuple(of.load_cases[0].tensions["head"])[:2])
+                after = judge(solve(with_slack(uneven, factor * slack), raise_on_failure=False))
+                assert margin_of(after, check) > check.margin, check.sentence()
+
+
+@pytest.mark.parametrize("number", [0, 1, 2, 7])
+def test_what_is_advised_across_the_width_helps(number: int) -> None:
+    followed_across(random_drives(40, seed=11)[number], number)
+
+
+def followed_run(number: int) -> None:
+    """Start more slowly, or with more slack-side tension, as a run advises."""
+    rng = np.random.default_rng(number)
+    numbers = {"time": rng.uniform(3.0, 14.0), "slack": rng.uniform(25.0, 110.0),
+               "pull": rng.uniform(30.0, 90.0)}  # fmt: skip
+    try:
+        run = started(**numbers)
+    except InputError as error:  # what it says to take instead starts
+        numbers["time"] = parse_quantity(
+            str(error).partition(". Take ")[2].split(" or ")[0], "time"
+        )
+        run = started(**numbers)
+    told = judge_run(run)
+    words = " ".join((told.headline(), *told.sentences()))
+    assert not (MORE.search(words) and LESS.search(words)), words
+    for check in told.missed:
+        for asked, change in (
+            (re.compile("more slowly|less hard"), {"time": 2.0 * numbers["time"]}),
+            (MORE, {"slack": 1.2 * numbers["slack"]}),
+            (LESS, {"slack": 0.9 * numbers["slack"]}),
+        ):
+            if asked.search(check.remedy):
+                after = judge_run(started(**numbers | change))
+                assert margin_of(after, check) > check.margin, check.sentence()
+
+
+def started(time: float, slack: float, pull: float) -> RunResult:
+    """A start of the tandem of the bench [s, kN, kN], followed until its speed is reached."""
+    changes = (("70 kN", f"{slack} kN"), ("60 kN", f"{pull} kN"))
+    text = BenchRow("", (*event(f'kind = "start", time = "{time} s"', f"{time + 3.0} s"), *changes),
+               (), base=MOTION).text  # fmt: skip
+    motion = motion_from_text(text)
+    return simulate(motion.station, motion.event("start"), points=15)
+
+
+def test_what_a_run_advises_helps() -> None:
+    for number in (2, 3):
+        followed_run(number)
 
 
 def test_where_a_binding_standard_cannot_be_applied_no_tension_is_advised(tmp_path: Path) -> None:

@@ -100,7 +100,7 @@ def told(document: Data) -> Data:
 
     numbers = [
         (a.arc.load_case, short(result, a), found.at(a.arc.pulley, a.arc.load_case).headline(),
-         a.scalars() | loads_of(result.drive.belt, a.arc))
+         a.scalars() | loads_of(result.drive, a.arc))
         for a in result
     ]  # fmt: skip
     return {"arcs": numbers} | {system: texts(system) for system in SYSTEMS}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import NamedTuple, TypeVar
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
-from wraparc.units import Cell, Dimension, System, in_units, quantity
+from wraparc.units import RESULT_DIGITS, Cell, Dimension, System, in_units, quantity
 from wraparc.units.cell import Form
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
@@ -42,6 +42,11 @@ class Level(StrEnum):
 
     def __init__(self, _: str) -> None:
         self.rank = len(type(self).__members__)
+
+
+def escaped(text: str) -> str:
+    """Return a text that stands for itself in `Check.says`."""
+    return text.replace("{", "{{").replace("}", "}}")
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
@@ -281,6 +286,14 @@ class Verdict:
         judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
         return min(judged, key=_badness, default=None)
 
+    @cached_property
+    def odd(self) -> Check | None:
+        """The size that is asked about, where another check governs: it may be why."""
+        worst = self.governing
+        if worst is None or worst.name == "usual_sizes":
+            return None
+        return next((c for c in self.listed if c.name == "usual_sizes" and c.missed), None)
+
     @property
     def level(self) -> Level:
         """Level of the worst check; OK where there is none."""
@@ -354,6 +367,9 @@ class Verdict:
         worst = self.governing
         if worst is None:
             return "Nothing could be checked."
+        if self.odd is not None:
+            said, odd = (replace(check, remedy="") for check in (worst, self.odd))
+            return f"{placed(said)}{self._sense()} {odd.said} {self.action}".rstrip()
         if worst.missed:
             return f"{placed(worst)}{self._sense()}"
         text = self._kept(sum(c.compares for c in self.listed))
@@ -366,8 +382,18 @@ class Verdict:
             f"{worst.bound()}{where}.{self._sense()}"
         )
 
+    @property
+    def action(self) -> str:
+        """What the headline says is to be done: an odd size is looked at first."""
+        told = (
+            check.said.removeprefix(replace(check, remedy="").said).strip()
+            for check in (self.odd, self.governing)
+            if check is not None and check.missed and check.says
+        )
+        return " ".join(filter(None, told))
+
     def _sense(self) -> str:
-        """Say which pulleys brake, and in how many of the load cases if not in all."""
+        """Say which pulleys brake, or that none pulls, and in how many load cases if not in all."""
         every = {c.place.load_case for c in self.checks} - {""}
         braking = [c for c in self.checks if c.name == "sense"]
         told = ""
@@ -390,7 +416,8 @@ class Verdict:
     def _when_wet(self) -> str:
         if math.isinf(self.wet):
             return "wet it slips through"
-        return f"wet it creeps {quantity_text(self.wet, 'length')}"
+        digits = RESULT_DIGITS + self.over_wet  # in which 6.354 mm is beyond 6.35 mm
+        return f"wet it creeps {quantity(self.wet, 'length', digits)}"
 
     def beyond_wet(self) -> str:
         """Return, without a full stop, that wet a limit is missed which is kept dry; or nothing."""
@@ -406,8 +433,8 @@ class Verdict:
     @property
     def others(self) -> tuple[str, ...]:
         """What is missed besides the headline, a sentence each; their quantities are cells."""
-        first = self.governing.name if self.governing else ""
-        others = (check for check in self.missed if check.name != first)
+        first = {c.name for c in (self.governing, self.odd) if c is not None}
+        others = (check for check in self.missed if check.name not in first)
         told = [f"{check.level}: {placed(check)}" for check in others]
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")

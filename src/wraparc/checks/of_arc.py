@@ -10,13 +10,12 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
-from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import rises, sliding
 from wraparc.checks.numbers import asked_slack, balance_miss, steepest
 from wraparc.checks.of_drive import (
     MORE_CREEP,
-    escaped,
     judged,
     not_checked,
     origin,

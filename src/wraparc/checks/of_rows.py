@@ -29,6 +29,7 @@ from wraparc.checks.rules import (
 )
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
+from wraparc.checks.usual import least_margin
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
@@ -40,7 +41,7 @@ Codes = NDArray[np.int8]
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
 _NOT_OF_ROWS = (
-    "creep_interval", "balance", "train_balance", "motor_load", "momentary_load", "motor_heat",
+    "creep_interval", "balance", "train_balance", "motor_heat",
 )  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
@@ -52,7 +53,7 @@ NAMES = (
 NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
-    "the torque of motors",
+    "the torque of motors, where the load of a train is not divided anew in every row",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
@@ -92,6 +93,11 @@ class Held:
         Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
+    odd
+        Least margin of sizes beside those of the arc that are asked about, infinite for none [-].
+    motor, motor_load, momentary_load
+        Torque of the motors over the rated one, and the largest of it: one of them, by the kind of
+        the load case [-].
     """
 
     safety: Array
@@ -114,6 +120,10 @@ class Held:
     diameter: Array
     scaled: Flags
     misfit: Flags
+    odd: Array
+    motor: Array
+    motor_load: Array
+    momentary_load: Array
 
     def rows(self, which: slice | NDArray[np.int64]) -> Held:
         """Return some of the rows."""
@@ -147,7 +157,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating, strength, mass, cover,
+        misfit, rating, strength, mass, cover, odd,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -185,6 +195,8 @@ def held_by(
         diameter=least,
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
+        odd=odd,
+        **dict.fromkeys(("motor", "motor_load", "momentary_load"), np.full(len(arcs), math.nan)),
     )
 
 
@@ -209,6 +221,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         belt.breaking_strength,
         belt.mass,
         of_belt(belt, drive.pulley(pulley).side, lagging.law)["cover_left_out"],
+        least_margin(drive),
     )
 
 
@@ -342,6 +355,8 @@ def _compared(
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
     yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
     yield "pulley_diameter", arcs.diameter, held.diameter
+    yield "motor_load", held.motor, held.motor_load
+    yield "momentary_load", held.motor, held.momentary_load
 
 
 def _covered_creep(
@@ -419,8 +434,8 @@ def _gross_slip(
 
 def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
-    ranks = np.full(len(arcs), Level.OK.rank)
-    margins = np.full(len(arcs), math.inf)
+    missed = RULES["usual_sizes"].missed.rank
+    ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
     idle = _idle(arcs)
     pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
     wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))
@@ -437,6 +452,6 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
         with np.errstate(divide="ignore", invalid="ignore"):
             under = np.where(low, margin_to(value, least, at_most=False), math.inf)
             found = np.where(high, margin_to(value, most, at_most=True), under)
-        ranks = np.where(low | high, RULES["usual_sizes"].missed.rank, ranks)
+        ranks = np.where(low | high, missed, ranks)
         margins = np.minimum(margins, found)
     return "usual_sizes", ranks, margins

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.choose.cost import Costing, price_problems
-from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag
+from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag, Tensions
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
@@ -232,6 +232,25 @@ class Grid:
         own = np.isnan(self.slack)
         slack = np.where(own, end, self.slack)
         return slack, np.where(own, most, slack + (most - end))
+
+    def drive(self, design: int, condition: int = 0) -> Drive:
+        """Return one design as a drive of its pulley alone, in a condition."""
+        s, i = self.search, design
+        lagging = s.conditions[condition].lagging(s.laggings[int(self.places[0, i])])
+        pulley = replace(
+            s.base, lagging=lagging.with_thickness(float(self.thickness[i])), conditions=(),
+            diameter=float(self.diameter[i]), wrap_angle=float(self.wrap_angle[i]),
+        )  # fmt: skip
+        cases = []
+        for case in s.drive.load_cases:
+            entry, leaving = (float(tension[i]) for tension in self.tensions(case))
+            pair = {pulley.name: Tensions(entry=entry, exit=leaving)}
+            cases.append(replace(case, condition="", tensions=pair))
+        belt, criteria = s.belts[int(self.places[2, i])], s.drive.criteria
+        alone = replace(criteria, take_up=replace(criteria.take_up, after=""))
+        return replace(
+            s.drive, belt=belt, pulleys=(pulley,), load_cases=tuple(cases), criteria=alone
+        )
 
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from wraparc.checks import Level
+from wraparc.checks.usual import usual_sizes
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
-from wraparc.drive import Sag
+from wraparc.drive import Drive, Sag
 from wraparc.drive.conditions import DRY
 from wraparc.present.choose_words import (
     below_standard,
@@ -106,9 +107,10 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
     below, silent = below_standard(selection, best), silent_standard(selection, best)
-    told = f"Choose {design_name(selection, best)}"
+    name = design_name(selection, best, slack=False)
+    told = f"Choose {name}"
     if below:
-        told = f"No candidate {below}; the cheapest is {design_name(selection, best)}"
+        told = f"No candidate {below}; the cheapest is {name}"
     headline = (
         f"{silent}{told} with a slack-side tension of "
         f"{at_least(float(selection.slack_tension[best]))}: "
@@ -128,7 +130,9 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             f"slack side {named('tension', lighter.slack_tension)}, largest tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}."
         )
-    level = Level.ATTENTION if below or silent else Level.OK
+    odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
+    headline = " ".join([headline, *odd[:1]])
+    level = Level.ATTENTION if below or silent or odd else Level.OK
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""
@@ -137,6 +141,13 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         ground = f"{level}{' dry only' if dry else ''}"
         ground += f", on {kind} data" if kind in WEAK else ""
     return Verdict(level, headline, tuple(sentences), ground)
+
+
+def _chosen(selection: Selection) -> Drive:
+    """Return the recommended design, at the slack-side tension that it is recommended with."""
+    best = int(selection.ranking[0])
+    slack = np.asarray(selection.slack_tension, dtype=float)
+    return selection.grid.with_slack(slack).drive(best)
 
 
 def _heads(selection: Selection) -> tuple[str, ...]:

@@ -47,8 +47,11 @@ def money(value: float, currency: str) -> str:
     return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
 
 
-def design_name(selection: Selection, design: int) -> str:
-    """Return what sets a design apart: only candidates of which there are several."""
+def design_name(selection: Selection, design: int, *, slack: bool = True) -> str:
+    """Return what sets a design apart: only candidates of which there are several.
+
+    Its slack-side tension too, unless that is said beside it.
+    """
     search, grid = selection.search, selection.grid
     shape = search.shape
     places = grid.places[:, design]
@@ -61,7 +64,7 @@ def design_name(selection: Selection, design: int) -> str:
         parts.append("D " + named("diameter", float(grid.diameter[design])))
     if shape[4] > 1:
         parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design])))
-    if shape[5] > 1:
+    if slack and shape[5] > 1:
         parts.append("slack side " + named("tension", float(grid.slack[design])))
     return ", ".join(parts)
 

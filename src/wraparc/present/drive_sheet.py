@@ -7,7 +7,7 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
 from wraparc.checks.rules import tension_factor
-from wraparc.drive import CREEP_LIMIT, Belt, Drive
+from wraparc.drive import CREEP_LIMIT, Drive
 from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
@@ -190,24 +190,35 @@ def summary_table(results: Sequence[DriveResult]) -> Table:
     return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
-def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
+def loads_of(drive: Drive, of: WrapArc) -> dict[str, float]:
     """Return what the belt does to a pulley and bears there, by names of the glossary [SI]."""
-    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
-    ends = of.entry_tension, of.exit_tension, of.wrap_angle
-    return resultant(*ends, strength * of.width)._asdict()
+    strength, mass = drive.belt.breaking_strength, drive.pulley(of.pulley).mass
+    known = (math.nan if strength is None else strength * of.width), mass or math.nan
+    return resultant(of.entry_tension, of.exit_tension, of.wrap_angle, *known)._asdict()
 
 
 def loads_table(result: DriveResult) -> Table:
     """One line for each pulley and load case: its resultant, and the safety of the belt there."""
-    belt, rows = result.drive.belt, []
+    drive, belt, rows = result.drive, result.drive.belt, []
+    weighed = [
+        f"{p.name} {quantity(p.mass, 'mass', GIVEN_DIGITS)}" for p in drive.pulleys if p.mass
+    ]
     strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
     for arc in result:
-        cells = (named(key, value) for key, value in loads_of(belt, arc.arc).items())
-        rows.append(Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells)))
+        cells = [named(key, value) for key, value in loads_of(drive, arc.arc).items()]
+        rows.append(
+            Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells[: 5 if weighed else 3]))
+        )
     note = (
         "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
         "of T2, the weight of the pulley left out. "
     )
+    if weighed:
+        note += (
+            f"With the weight ({', '.join(weighed)}): most where the belt pulls straight down, "
+            "least where it pulls straight up; where it pulls level, the root of the sum of both "
+            "squares. "
+        )
     if belt.breaking_strength is None:
         note += "Safety factor of the belt: its strength is not given."
     else:
@@ -219,8 +230,9 @@ def loads_table(result: DriveResult) -> Table:
             note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
             note += f"{momentary:.3g} starting and stopping"
         note += "."
-    heads = ("resultant", "direction", "belt")
-    return Table("Loads of pulleys and belt", tuple(rows), heads, note, "loads")
+    heads = ("resultant", "direction", "belt", "with weight, most", "least")
+    shown = heads[: 5 if weighed else 3]
+    return Table("Loads of pulleys and belt", tuple(rows), shown, note, "loads")
 
 
 def _summary_values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:

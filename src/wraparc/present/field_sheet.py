@@ -11,7 +11,7 @@ from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.train.turning import surface_sentence
-from wraparc.units import either
+from wraparc.units import display, either
 
 
 def field_sheet(
@@ -112,10 +112,12 @@ def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
     for rule in TRIP_RULES:
         slack = 1.0 - rule.speed_share
+        healthy, trip = (
+            display(float(f"{slack / of:.2g}"), "number", digits=3) for of in (worst, found.trip)
+        )
         yield (
-            f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: "
-            f"{slack / worst:.2g} times the healthy one, {slack / found.trip:.2g} times the trip "
-            "level given here."
+            f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: {healthy} "
+            f"times the healthy one, {trip} times the trip level given here."
         )
 
 

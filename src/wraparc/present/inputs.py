@@ -169,6 +169,8 @@ def _pulley(
 
     yield _named(group, "diameter", pulley.diameter, origin("diameter"))
     yield _named(group, "wrap_angle", pulley.wrap_angle, origin("wrap_angle"))
+    if pulley.mass is not None:
+        yield _named(group, "pulley_mass", pulley.mass, origin("mass"))
     if pulley.overrun is not None:
         yield _named(group, "overrun", pulley.overrun, origin("overrun"))
     else:

@@ -23,6 +23,9 @@ def least_sentence(result: DriveResult | TrainResult) -> str:
         return _none(found, result)
     what = least_name(result)
     as_now = ", the load divided as it is," if divides_anew(result) else ""
+    described = result.drive if isinstance(result, DriveResult) else result.train
+    if any(pulley.across for pulley in described.pulleys):
+        as_now += ", were the pulley even,"
     text = (
         f"The least {what} with which every binding check is kept{as_now} is {least}, set by "
         f"{why} ({governs.place}); given {given}"

@@ -46,18 +46,9 @@ def in_words(
         told.lead,
         tuple(sentences),
         told.word,
-        _action(told),
+        told.action,
         None if kept is None else tuple(kept),
     )
-
-
-def _action(told: Judgement) -> str:
-    """Return what the headline says is to be done: the remedy of the check that governs."""
-    worst = told.governing
-    if worst is None or not worst.missed or not worst.says:
-        return ""
-    said = replace(worst, remedy="").said
-    return worst.said.removeprefix(said).strip()
 
 
 def as_it_is(told: Judgement) -> str:

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING, Any
 
-from wraparc import units
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import Check, Verdict
 from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
 from wraparc.present.inputs import Input
+from wraparc.present.sheet import Row
 from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
@@ -22,6 +22,7 @@ from wraparc.units import (
     SMALL,
     Dimension,
     System,
+    cell_of,
     display_unit,
     in_units,
     on_safe_side,
@@ -235,12 +236,14 @@ class _Workbook:
 
     def _tables(self, told: Note) -> None:
         """Write every number of the tables of a note on a line of its own, as it is filtered by."""
+
+        def line(title: str, row: Row, head: str, value: str) -> list[Cell]:
+            where = [in_units(text, self.system) for text in (title, row.title, row.symbol, head)]
+            number, unit = self._number(value)
+            return [*where, number, unit, str(row.level or ""), in_units(row.note, self.system)]
+
         rows = (
-            [
-                in_units(text, self.system)
-                for text in (table.title or section.title, row.title, row.symbol, head)
-            ]
-            + [*self._number(value), str(row.level or ""), in_units(row.note, self.system)]
+            line(table.title or section.title, row, head, value)
             for section in told.sections
             for table in section.tables
             for row in table.rows
@@ -250,8 +253,9 @@ class _Workbook:
 
     def _number(self, text: str) -> tuple[Cell, str]:
         """Return the number of a cell and its unit; what is more than one number stays a text."""
-        cell = text if isinstance(text, units.Cell) else None
-        if cell is None or cell.form in ("unit", "to", "-"):
+        cell = cell_of(text)
+        ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
+        if cell is None or cell.form == "unit" or ends:
             return in_units(text, self.system), ""
         if cell.form == "percent":
             return 100.0 * cell.value, "%"

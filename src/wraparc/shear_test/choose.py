@@ -70,8 +70,10 @@ def choose_columns(
             if not candidates and role is Role.FORCE and choices.stress_area is not None:
                 candidates = [(column, 0.0) for column in stresses(named, given)]
             column = _best(named, data, role, given, candidates, problems, notes, file)
-        unit = column and _unit_of(column, role, given, file, problems, choices.stress_area)
-        if column is not None and unit is not None:
+        if column is None:
+            continue
+        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
+        if unit is not None:
             columns[role] = (column, unit)
             notes.extend(filter(None, [unit.note]))
     if choices.normal_force is None and _is_the_pull(columns, data):

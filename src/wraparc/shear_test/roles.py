@@ -153,9 +153,9 @@ def suitability(name: str, role: Role) -> float:
 
 
 def _is_normal_force(plain: str) -> bool:
-    words = _PRESSES.search(plain) and _has_stem(plain, _STEMS[Role.FORCE].split())
-    words = words or _PRESSES.fullmatch(plain)
-    return bool(words) or _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split())
+    if _PRESSES.fullmatch(plain) or _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split()):
+        return True
+    return bool(_PRESSES.search(plain)) and _has_stem(plain, _STEMS[Role.FORCE].split())
 
 
 def is_other(name: str) -> bool:

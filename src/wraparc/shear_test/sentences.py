@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE
-from wraparc.shear_test.campaign import order_sentences
+from wraparc.shear_test.campaign import lot_sentences, order_sentences
 from wraparc.shear_test.consistency import FAR, USUAL
 from wraparc.shear_test.curve_fit import fit_curve
 from wraparc.shear_test.load_slips import load_questions, surface_questions
@@ -42,7 +42,7 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         misfit += _curves_off(tests, law, found)
         misfit += _predictions(found.left_out) + _wide(tests, law, found) + _rises(law, found)
         by_order, order_remarks = order_sentences(tests, law, found.points, found.flagged)
-        misfit += by_order
+        misfit += by_order + lot_sentences(tests, found.levels)
         order_remarks = [] if plan.digitised else order_remarks
     peaks = np.array([test.fit.parameters.peak_friction for test in tests])
     misfit += surface_questions(plan.surface, found.condition, peaks, plan.rig.faces)

@@ -56,8 +56,8 @@ def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
 def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
     """Return the first and last rows that are results or settings, not readings.
 
-    There a column has no number that has one in all other rows, for a word stands in its place; or
-    one that rises evenly everywhere else, as time does, jumps back.
+    In the last a column has no number that has one before, for a word stands in its place; or one
+    that rises evenly everywhere else, as time does, jumps back.
 
     Parameters
     ----------
@@ -77,6 +77,7 @@ def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
         off = ~np.isfinite(values)
         if off[middle].any():
             continue
+        off[:most] = False
         steps = np.diff(values)
         usual = float(np.median(steps[middle]))
         # rows before the last jump at the start, and from the first jump at the end

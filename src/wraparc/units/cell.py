@@ -168,7 +168,7 @@ def distinct(texts: Iterable[str]) -> tuple[str, ...]:
 def cells_in(text: str) -> Iterator[Cell]:
     """Yield the cells of a text, in their order."""
     for found in _SLOT.finditer(text):
-        cell = _read(found[0])
+        cell = cell_of(found[0])
         if cell is not None:
             yield cell
 
@@ -184,13 +184,13 @@ def in_units(text: str, system: System = "si") -> str:
 
 @lru_cache(maxsize=4096)  # a table is shown in several ways
 def _filled(slot: str, system: System) -> str:
-    cell = _read(slot)
+    cell = cell_of(slot)
     return slot.replace("\x02", "").replace("\x03", "") if cell is None else cell.text(system)
 
 
-def _read(slot: str) -> Cell | None:
-    """Return the cell of a slot; None of what only looks like one, from an input."""
-    found = _SLOT.fullmatch(slot)
+def cell_of(text: str) -> Cell | None:
+    """Return the cell that a text is; None if it is more, or only looks like one."""
+    found = _SLOT.fullmatch(text)
     if found is None or found[1] not in DIMENSIONS or found[3] not in _FORMS:
         return None
     try:

@@ -361,7 +361,9 @@ def judged(
             criteria.safety,
             others,
         ),
-        resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+        resultant(
+            entry, leaving, arc.wrap_angle, criteria.strength * arc.width, criteria.pulley_mass
+        ),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
     )

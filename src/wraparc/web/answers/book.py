@@ -19,6 +19,7 @@ from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
+from wraparc.checks.usual import USUAL
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
@@ -117,6 +118,7 @@ def _whole() -> Book:
             "share": Sag.share,
             **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
         },
+        sizes={name: dict(ends) for name, ends in USUAL.items()},
         design=DESIGN,
         own={},
     )

@@ -1377,6 +1377,7 @@ const USUAL_CONVEYOR = [
   ["take_up_tension", 300.0, 2000000.0],
   ["counterweight", 30.0, 200000.0],
 ];
+const EMPTIEST = 0.7;
 const FULLEST = 700.0;
 const STEEPEST = 0.5;
 const RESULT_DIGITS = 3;
@@ -2415,7 +2416,7 @@ export function in_page_conveyor__unusual(of, width) {
       return key;
     }
   }
-  if (of.material > FULLEST * width ** 2) {
+  if (!numbers__usual(of.material, EMPTIEST * width ** 2, FULLEST * width ** 2)) {
     return of.capacity === null ? "material_mass" : "capacity";
   }
   return Math.abs(of.lift) > STEEPEST * of.length ? "lift" : "";

@@ -864,15 +864,19 @@ export class Asked {
 }
 
 export class Resultant {
-  constructor(resultant_force, resultant_angle, belt_safety) {
+  constructor(resultant_force, resultant_angle, belt_safety, most_shaft_load, least_shaft_load) {
     this.resultant_force = resultant_force;
     this.resultant_angle = resultant_angle;
     this.belt_safety = belt_safety;
+    this.most_shaft_load = most_shaft_load;
+    this.least_shaft_load = least_shaft_load;
   }
   *[Symbol.iterator]() {
     yield this.resultant_force;
     yield this.resultant_angle;
     yield this.belt_safety;
+    yield this.most_shaft_load;
+    yield this.least_shaft_load;
   }
 }
 
@@ -1069,7 +1073,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.0635],
+  [5e-5, 0.03],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -1110,6 +1114,7 @@ const MOST = 2;
 const DIFFERENCE = 0.001;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
+const GRAVITY = 9.80665;
 const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
 const ONE_TOO_MANY = "Leave one of them out.";
@@ -4624,13 +4629,15 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
   );
 }
 
-/** Return the resultant of the belt tensions at a pulley, without its own weight. */
-export function load_case__resultant(entry, leaving, wrap_angle, strength) {
+/** Return the resultant of the belt tensions at a pulley, and its bounds with its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength, mass = NaN) {
   let along = entry - leaving * Math.cos(wrap_angle);
   let across = leaving * Math.sin(wrap_angle);
   let force = Math.sqrt(along * along + across * across);
   let angle = Math.atan2(across, along);
-  return new Resultant(force, angle, strength / max(entry, leaving));
+  let weight = mass * GRAVITY;
+  let safety = strength / max(entry, leaving);
+  return new Resultant(force, angle, safety, force + weight, Math.abs(force - weight));
 }
 
 /** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
@@ -4742,7 +4749,13 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
       criteria.safety,
       others,
     ),
-    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+    load_case__resultant(
+      entry,
+      leaving,
+      arc.wrap_angle,
+      criteria.strength * arc.width,
+      criteria.pulley_mass,
+    ),
     sliding.cause,
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
   );
