@@ -1,1 +1,1 @@
-import{b as s}from"../../chunk-TUNRFF2D.js";var l=180;function r(e){let n=[];for(let{law:t,given:u,tested:a,criteria:f,among:i}of e){let o=s(t,u,a,f,l,i);if(!o)return null;n.push(o)}return n}globalThis.onmessage=e=>postMessage(r(e.data));
+import{b as s}from"../../chunk-5CBHCF4H.js";var l=180;function r(e){let n=[];for(let{law:t,given:u,tested:a,criteria:f,among:i}of e){let o=s(t,u,a,f,l,i);if(!o)return null;n.push(o)}return n}globalThis.onmessage=e=>postMessage(r(e.data));
