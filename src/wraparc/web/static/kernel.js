@@ -558,6 +558,7 @@ export class Sizes {
     entry,
     leaving,
     pull,
+    mass,
   ) {
     this.width = width;
     this.modulus = modulus;
@@ -580,6 +581,7 @@ export class Sizes {
     this.entry = entry;
     this.leaving = leaving;
     this.pull = pull;
+    this.mass = mass;
   }
   *[Symbol.iterator]() {
     yield this.width;
@@ -603,6 +605,7 @@ export class Sizes {
     yield this.entry;
     yield this.leaving;
     yield this.pull;
+    yield this.mass;
   }
 }
 
@@ -861,15 +864,19 @@ export class Asked {
 }
 
 export class Resultant {
-  constructor(resultant_force, resultant_angle, belt_safety) {
+  constructor(resultant_force, resultant_angle, belt_safety, most_shaft_load, least_shaft_load) {
     this.resultant_force = resultant_force;
     this.resultant_angle = resultant_angle;
     this.belt_safety = belt_safety;
+    this.most_shaft_load = most_shaft_load;
+    this.least_shaft_load = least_shaft_load;
   }
   *[Symbol.iterator]() {
     yield this.resultant_force;
     yield this.resultant_angle;
     yield this.belt_safety;
+    yield this.most_shaft_load;
+    yield this.least_shaft_load;
   }
 }
 
@@ -1059,7 +1066,7 @@ const LOBATTO = 0.27639320225002106;
 const AT_ENDS = 0.08333333333333333;
 const INSIDE = 0.4166666666666667;
 const ACTIVE_SHARE = 0.01;
-const IDLE = 1e-6;
+const IDLE = 1e-9;
 const CREEP_LIMIT = 0.00635;
 const USUAL_SIZES = [
   [0.2, 4.0],
@@ -1068,7 +1075,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.0635],
+  [5e-5, 0.03],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -1085,6 +1092,7 @@ const USUAL_SIZES = [
   [500.0, 10000000.0],
   [500.0, 10000000.0],
   [250.0, 20000000.0],
+  [1.0, 130.0],
 ];
 const CAPACITIES = 30;
 const LEAST = 8;
@@ -1108,6 +1116,7 @@ const MOST = 2;
 const DIFFERENCE = 0.001;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
+const GRAVITY = 9.80665;
 const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
 const ONE_TOO_MANY = "Leave one of them out.";
@@ -3856,9 +3865,9 @@ export function profile__read(arc, met, tested) {
   );
 }
 
-/** Spring rate of the belt over its active arc, EA/l [N/m]; nan without one. */
-export function summary__spring_rate(axial_stiffness, length) {
-  return length > 0.0 ? axial_stiffness / length : NaN;
+/** Spring rate of the belt over its active arc, EA/l [N/m]; nan of an idle pulley. */
+export function summary__spring_rate(axial_stiffness, length, creep) {
+  return length > IDLE && Math.abs(creep) > IDLE ? axial_stiffness / length : NaN;
 }
 
 /** Reported numbers of an arc that is solved; nan where there is none. */
@@ -3906,7 +3915,7 @@ export function summary__summary_of(geometry, arc, tested, found) {
     told.peak_at / radius,
     Math.abs(Math.log(entry / exit_tension)) / arc.wrap_angle,
     told.active / radius,
-    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius)),
+    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius), told.creep),
     told.outside,
     told.stuck / radius,
     speed * pull,
@@ -3966,7 +3975,7 @@ export function in_page__alone(arc, criteria) {
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function numbers__idles(entry, leaving) {
-  return Math.abs(entry - leaving) <= IDLE * entry;
+  return Math.abs(entry - leaving) <= 1e-6 * entry;
 }
 
 /** What is given of an arc, to be compared with usual sizes. */
@@ -3995,6 +4004,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     entry,
     leaving,
     criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
+    given.mass,
   );
 }
 
@@ -4024,6 +4034,7 @@ export function numbers__compared_sizes(of) {
     of.entry / of.width,
     of.leaving / of.width,
     Math.abs(of.pull) * of.speed,
+    of.mass / of.width,
   ];
 }
 
@@ -4534,9 +4545,9 @@ export function numbers__balance_miss(error, pull, g, entry, compliance) {
   return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
 }
 
-/** How often the pulley turns in an hour [-]. */
-export function numbers__passes_an_hour(speed, diameter) {
-  return (3600.0 * speed) / (3.141592653589793 * diameter);
+/** How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-]. */
+export function pitch__turns_an_hour(speed, pitch) {
+  return (3600.0 * speed) / (2.0 * 3.141592653589793 * pitch);
 }
 
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
@@ -4637,13 +4648,15 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
   );
 }
 
-/** Return the resultant of the belt tensions at a pulley, without its own weight. */
-export function load_case__resultant(entry, leaving, wrap_angle, strength) {
+/** Return the resultant of the belt tensions at a pulley, and its bounds with its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength, mass = NaN) {
   let along = entry - leaving * Math.cos(wrap_angle);
   let across = leaving * Math.sin(wrap_angle);
   let force = Math.sqrt(along * along + across * across);
   let angle = Math.atan2(across, along);
-  return new Resultant(force, angle, strength / max(entry, leaving));
+  let weight = mass * GRAVITY;
+  let safety = strength / max(entry, leaving);
+  return new Resultant(force, angle, safety, force + weight, Math.abs(force - weight));
 }
 
 /** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
@@ -4703,6 +4716,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
+  let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
@@ -4724,13 +4738,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     summary__pressure_of(arc, min(entry, leaving)),
     numbers__largest(profile.slip, count),
     arc.belt_speed *
-      numbers__steepest(
-        profile.position,
-        profile.slip,
-        count,
-        0.5 * arc.diameter,
-        0.5 * arc.diameter * arc.wrap_angle,
-      ),
+      numbers__steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle),
     numbers__balance_miss(
       summary.identity_error,
       summary.effective_tension,
@@ -4741,7 +4749,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     others.sagging,
     arc.diameter,
     (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
-    numbers__passes_an_hour(arc.belt_speed, arc.diameter),
+    pitch__turns_an_hour(arc.belt_speed, pitch),
   );
   return new Judged(
     solved,
@@ -4760,10 +4768,29 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
       criteria.safety,
       others,
     ),
-    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+    load_case__resultant(
+      entry,
+      leaving,
+      arc.wrap_angle,
+      criteria.strength * arc.width,
+      criteria.pulley_mass,
+    ),
     sliding.cause,
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
   );
+}
+
+/** Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
+export function in_page__covered_creep(law, given, cover) {
+  let arc = in_page__description_of(
+    Object.assign(Object.create(Object.getPrototypeOf(given)), given, {
+      cover_compliance: given.cover_compliance + cover,
+    }),
+  );
+  let load = in_page__load_of(given, arc, null);
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
+  return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
 
 /** The keys given that fix the effective tension. */
