@@ -39,7 +39,7 @@ from wraparc.train import (
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import display
+from wraparc.units import display, percent, quantity
 from wraparc.web import in_page, in_page_conveyor, in_page_train
 
 ROOT = Path(__file__).parents[1]
@@ -163,7 +163,7 @@ def train_module() -> str:
     """Return the module of the train page as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
+    instead: dict[Any, Any] = {of: of.__name__ for of in (display, percent, quantity, term)}
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'

@@ -11,6 +11,7 @@ from wraparc.errors import InputError
 from wraparc.files import load_lagging
 from wraparc.files.write import lagging_text
 from wraparc.friction import ab_from_peak
+from wraparc.present.sheet import shown
 from wraparc.provenance import Kind
 from wraparc.report.shear_test_budget import budget_table
 from wraparc.report.shear_test_tables import plan_sheet, verdict
@@ -87,6 +88,87 @@ def fitted(folder: Path, text: str, file: str = "figure.json", head: str = HEAD)
     return fit_plan(load_plan(folder / "plan.toml"))
 
 
+NAMES = names()[:3]
+#: Points of three curves of different length, as text.
+TEXTS = [[[f"{x:.5f}", f"{y:.5f}"] for x, y in curve(k, 14 + 3 * k)] for k in range(3)]
+
+
+def beside(first: str, second: str, between: str = "", sep: str = ",") -> str:
+    """Pairs of columns under two lines of names, perhaps with an empty column between."""
+    rows = [[t[k] if k < len(t) else ["", ""] for t in TEXTS] for k in range(20)]
+    cells = [first, *([second] if second else [])]
+    return "\n".join([*cells, *((sep + between).join(sep.join(p) for p in row) for row in rows)])
+
+
+def under(*head: str, sep: str = ",", end: str = "\n") -> str:
+    """A table for each curve, one under the other."""
+    parts = []
+    for name, text in zip(NAMES, TEXTS, strict=True):
+        parts += [line.format(name) for line in head] + [sep.join(p) for p in text]
+        parts += [end.strip("\n")] if end else []
+    return "\n".join(parts)
+
+
+def long(head: str, place: int, own: list[str]) -> str:
+    """A row for each point with the name of its curve."""
+    rows = [
+        ",".join([*p[:place], name, *p[place:]])
+        for name, t in zip(own, TEXTS, strict=True)
+        for p in t
+    ]
+    return "\n".join([head, *rows])
+
+
+FIRST, LETTERED = "34 kPa,,69 kPa,,138 kPa,", ",".join(f"{n} x,{n} y" for n in NAMES)
+FORMATS = {
+    "pairs": (beside(FIRST, "X,Y,X,Y,X,Y"), NAMES),
+    "pairs without letters": (beside(FIRST, ""), NAMES),
+    "pairs, letters in the names": (beside(LETTERED, ""), NAMES),
+    "pairs by number": (beside("x1,y1,x2,y2,x3,y3", ""), ["1", "2", "3"]),
+    "pairs with a column between": (
+        beside("34 kPa,,,69 kPa,,,138 kPa,", "x,y,,x,y,,x,y", ","), NAMES
+    ),
+    "under each other": (under("x,{}"), NAMES),
+    "under each other, tab": (under("x\t{}", sep="\t"), NAMES),
+    "under titles": (under("{}", "x,y"), NAMES),
+    "under titles, no line between": (under("{}", "x,y", end=""), NAMES),
+    "comma decimals": (under("x;{}", sep=";").replace(".", ","), NAMES),
+    "a name a row": (long("Dataset,x,y", 0, NAMES), NAMES),
+    "a name a row, at the end": (long("x,y,Series", 2, NAMES), NAMES),
+    "a number a row": (long("Curve,x,y", 0, ["1", "2", "3"]), ["1", "2", "3"]),
+    "mask beside the points": (
+        json.dumps([
+            {"name": n, "data": [{"x": 1.0, "y": 2.0, "value": v} for v in t],
+             "autoDetectionData": {"mask": [[1, 2], [5, 6]]}}
+            for n, t in zip(NAMES, TEXTS, strict=True)
+        ]),
+        NAMES,
+    ),
+    "lists of x and y": (
+        json.dumps([{"name": n, "x": [p[0] for p in t], "y": [p[1] for p in t]}
+                    for n, t in zip(NAMES, TEXTS, strict=True)]),
+        NAMES,
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("shape", FORMATS)
+def test_files_of_digitisers(shape: str) -> None:
+    """Of tables under each other the longest alone was read; of others x was taken for friction."""
+    text, called = FORMATS[shape]
+    found = read_points(text.encode(), "x")
+    assert [c.name for c in found] == called
+    for one, points in zip(found, TEXTS, strict=True):
+        np.testing.assert_allclose(np.stack([one.x, one.y]).T, np.array(points, dtype=float))
+
+
+def test_x_is_found_by_its_name() -> None:
+    """Friction may stand first, and a column may count the points."""
+    rows = [f"{k},{y},{x}" for k, (x, y) in enumerate(TEXTS[0], start=1)]
+    (found,) = read_points("\n".join(["No,Friction,Slip [mm]", *rows]).encode(), "x")
+    np.testing.assert_allclose(np.stack([found.x, found.y]).T, np.array(TEXTS[0], dtype=float))
+
+
 @pytest.mark.parametrize("text", [project, series, in_pairs, one_x])
 def test_friction_comes_back_within_two_percent(tmp_path: Path, text: Any) -> None:
     result = fitted(tmp_path, text())
@@ -97,7 +179,7 @@ def test_friction_comes_back_within_two_percent(tmp_path: Path, text: Any) -> No
         true = FRICTION[k] * (ratio := slip * 1e3 / SLIP[k]) * (1.0 - np.log(ratio))
         found = [float(law.friction(x, p * 1e3)) for x in slip]
         np.testing.assert_allclose(found, true, rtol=0.02)
-    assert verdict(result).level.name == "OK"
+    assert shown(verdict(result), "si").level.name == "OK"
 
 
 def test_the_figure_is_the_source_wherever_the_law_shows(tmp_path: Path) -> None:
@@ -107,7 +189,7 @@ def test_the_figure_is_the_source_wherever_the_law_shows(tmp_path: Path) -> None
     assert result.laggings[0].provenance.kind is Kind.PUBLISHED
     (tmp_path / "figured.toml").write_text(lagging_text(result.laggings))
     assert load_lagging(tmp_path / "figured.toml").provenance.source == said
-    sheet = plan_sheet(result)
+    sheet = shown(plan_sheet(result), "si")
     assert any(said in source for source in sheet.sources)
     rows = {row.title: row.values for table in sheet.tables for row in table.rows}
     assert rows["Curves"] == (said,)
@@ -125,7 +207,7 @@ def test_the_error_of_a_point_is_in_the_budget(tmp_path: Path, said: str, share:
     np.testing.assert_allclose(
         budget.parts["friction off the figure"][:, 1], share * largest / peaks / np.sqrt(3.0)
     )
-    table = budget_table(condition, "si", "")
+    table = shown(budget_table(condition, ""), "si")
     assert table is not None
     assert "friction off the figure" in {row.title for row in table.rows}
 

@@ -27,8 +27,9 @@ from wraparc.files import load_drive
 from wraparc.present.arc_tables import capacity_table
 from wraparc.present.checks_table import check_table
 from wraparc.present.least_tension import least_sentence
+from wraparc.present.sheet import shown as shown_in
 from wraparc.schema.source import parse
-from wraparc.units import RESULT_DIGITS, System, display
+from wraparc.units import RESULT_DIGITS, System, display, in_units
 from wraparc.web.answers.compare import CompareAnswer, compare
 from wraparc.web.answers.documents import json_like
 from wraparc.web.asked import CompareRequest
@@ -165,11 +166,11 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
         said = re.split(r"\s+Raise T2 to ", shown_text)[0]  # a button stands behind it
         assert said.partition(" ")[2] == f"{verdict['word']} {found.headline(system)}"
         sentences = page.locator("#verdict .verdict li").all_inner_texts()
-        assert sentences == [least_sentence(result, system), *found.sentences(system)]
+        assert sentences == [in_units(least_sentence(result), system), *found.sentences(system)]
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
         shown = [row.split("\t")[:4] for row in rows]
-        assert shown == [[r.title, *r.values] for r in check_table(found, system).rows]
-        carried = capacity_table(next(iter(result)), system)
+        assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
+        carried = shown_in(capacity_table(next(iter(result))), system)
         assert carried is not None
         cells: list[list[str]] = page.locator("#drive .t-capacity tbody tr").evaluate_all(
             "rows => rows.map((r) => [...r.cells].map((c) => c.textContent.trim()))"
@@ -249,11 +250,11 @@ def assert_is_what_solve_says(browser: Firefox, file: Path, system: System) -> N
     verdict, shown = judge(result), found[-1]
     headline = f"{verdict.word} {verdict.headline(system)}"
     assert shown["headline"].partition(" ")[2].strip() == headline
-    sentences = [least_sentence(result, system), *verdict.sentences(system)]
+    sentences = [in_units(least_sentence(result), system), *verdict.sentences(system)]
     assert shown["sentences"] == sentences
     # the balance is what the search leaves, and each browser has an exponential of its own
     rest = [row for row in shown["rows"] if "balance" not in row[0]]
-    rows = check_table(verdict, system).rows
+    rows = shown_in(check_table(verdict), system).rows
     assert rest == [[r.title, *r.values] for r in rows if "balance" not in r.title]
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from wraparc.checks.check import Check, Level, Place
-from wraparc.checks.of_drive import escaped, origin
+from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.of_drive import origin
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.changes import WORN

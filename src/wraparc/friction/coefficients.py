@@ -8,7 +8,7 @@ from math import exp, inf, isfinite, log, nan
 import numpy as np
 
 from wraparc.errors import InputError, Problem
-from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, Array, check
+from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, MOST_SLIP, Array, check
 from wraparc.friction.trend import Trend
 
 #: Powers of e that are floats other than 0.
@@ -137,10 +137,10 @@ class PressureKnots:
                 f"friction must be at least {LEAST_FRICTION:g}",
             ),
             (
-                all(v >= LEAST_SLIP for v in self.peak_slip),
+                all(LEAST_SLIP <= v <= MOST_SLIP for v in self.peak_slip),
                 "peak_slip",
                 _list(self.peak_slip, "m"),
-                "slip at the peak must be at least 1 nm",
+                "slip at the peak must be 1 nm to 1 km",
             ),
             (
                 all(v <= 0 for v in self.post_peak_slope),
@@ -261,15 +261,14 @@ class CoefficientPieces:
             )
         elif not all(
             _LEAST_POWER <= v / u - 1.0 < _LARGEST_POWER
-            and exp(v / u - 1.0) * self.slip_unit >= LEAST_SLIP
+            and LEAST_SLIP <= exp(v / u - 1.0) * self.slip_unit <= MOST_SLIP
             for u, v in zip(a, b, strict=True)
         ):
             bad.append(
                 Problem(
                     key=f"{key}.b",
                     value=f"{b[0]:g} 1/m",
-                    message="the slip at the peak exp(b/A - 1) must be finite and at least 1 nm "
-                    f"{where}",
+                    message=f"the slip at the peak exp(b/A - 1) must be 1 nm to 1 km {where}",
                 )
             )
         if not all(v <= 0.0 for v in slope):

@@ -9,7 +9,7 @@ from wraparc.machine_tables.columns import (
     read_unit,
 )
 from wraparc.machine_tables.lines import DELIMITER_NAMES
-from wraparc.machine_tables.numerals import Array, NumeralStyle
+from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric
 from wraparc.machine_tables.read import TableFile, find_tables, read_bytes
 from wraparc.machine_tables.tables import Cells, RawTable
 
@@ -25,6 +25,7 @@ __all__ = [
     "find_column",
     "find_tables",
     "listed",
+    "looks_numeric",
     "plain_name",
     "read_bytes",
     "read_unit",

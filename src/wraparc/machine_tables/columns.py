@@ -13,12 +13,18 @@ from wraparc.units import Dimension, dimension_of, unit_factor
 
 # Spellings of machines that the unit table does not have: the unit meant, and how many.
 _SPELLINGS: dict[str, tuple[str, float]] = {
-    **dict.fromkeys(("newton", "newtons", "牛"), ("N", 1.0)),
-    **dict.fromkeys(("kilonewton", "kilonewtons", "千牛"), ("kN", 1.0)),
+    **dict.fromkeys(("newton", "newtons", "牛", "н"), ("N", 1.0)),
+    **dict.fromkeys(("kilonewton", "kilonewtons", "千牛", "кн"), ("kN", 1.0)),
     "cN": ("N", 0.01),
-    **dict.fromkeys(("sec", "secs", "sec.", "second", "seconds", "sek", "sek."), ("s", 1.0)),
+    **dict.fromkeys(
+        ("sec", "secs", "sec.", "second", "seconds", "sek", "sek.", "сек", "秒"), ("s", 1.0)
+    ),
     **dict.fromkeys(("in", "in.", "inch", "inches", '"', "''", "zoll", "pouce"), ("in", 1.0)),
-    **dict.fromkeys(("millimeter", "millimeters", "millimetre", "millimetres"), ("mm", 1.0)),
+    **dict.fromkeys(
+        ("millimeter", "millimeters", "millimetre", "millimetres", "мм", "毫米"), ("mm", 1.0)
+    ),
+    "\u0441": ("s", 1.0),  # Cyrillic
+    "кгс": ("kgf", 1.0),
     **dict.fromkeys(("mil", "mils"), ("thou", 1.0)),
     **dict.fromkeys(("MM", "Mm"), ("mm", 1.0)),
     **dict.fromkeys(("CM",), ("cm", 1.0)),
@@ -41,6 +47,7 @@ _BRACKETED = re.compile(r"^(?P<name>.*?)\s*[\[(<]\s*(?P<unit>[^\[\]()<>]*?)\s*[\
 _SLASHED = re.compile(
     r"^(?P<name>.+?)(?:\s*/\s*|\s+in\s+|\s*,\s*|(?P<blank>\s+)|_)(?P<unit>[^\s/_,]+)$"
 )
+_FACTOR = re.compile(r"(?:[x×*·/÷]\s*10+(?:(?:\^|\*\*|e)-?\d+)?|\b10\^-?\d+)\)?$")
 # Names of columns that rows often leave empty, the delimiter before them too.
 _COMMENT = re.compile(
     r"(comment|komment|koment|coment|comment|note|remark|bemerk|poznam|uwag|osserv|event|marker)"
@@ -184,9 +191,23 @@ def name_columns(
         return [NamedColumn(k, "", units[k]) for k in range(width)], misfit
     split = [split_name(cell) for cell in names]
     return [
-        NamedColumn(k, name or cell, units[k] or unit)
+        NamedColumn(k, name or cell, _one_unit(name, unit, units[k]))
         for k, ((name, unit), cell) in enumerate(zip(split, names, strict=True))
     ], ""
+
+
+def _one_unit(name: str, own: str, below: str) -> str:
+    """The unit behind a name or in the line below; with what makes it none that is known.
+
+    The two contradict each other, or a factor stands at the end of the name: Force/1000.
+    """
+    first, second = read_unit(own), read_unit(below)
+    factor = _FACTOR.search(name)
+    if factor and (own or below):
+        return f"{factor[0]} {below or own}".replace(")", "")
+    if first and second and (first.dimension, first.factor) != (second.dimension, second.factor):
+        return f"{own} or {below}"
+    return below or own
 
 
 def _may_be_names(cells: Sequence[str]) -> bool:

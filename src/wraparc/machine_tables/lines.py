@@ -9,7 +9,7 @@ from wraparc.machine_tables.numerals import looks_numeric
 
 _DELIMITERS = ("\t", ";", "|", ",", " ")
 DELIMITER_NAMES = {"\t": "tab", ";": "semicolon", "|": "bar", ",": "comma", " ": "blanks"}
-_SAMPLE, _LONG = 200, 5000
+_SAMPLE, _LONG, _TABS = 200, 5000, 0.6
 _WHOLE_LINE_QUOTED = re.compile(r'"(?:[^"]|"")*"')
 
 
@@ -72,9 +72,11 @@ def delimiter_of(lines: Sequence[str]) -> str | None:
     later = lines[len(lines) // 4 :] if len(lines) > 40 else lines
     thinned = later[:: max(1, len(later) // _SAMPLE)]
     sample = [line[:_LONG] for line in thinned if any(c.isdigit() for c in line[:_LONG])]
-    scored = [(_fit_of(sample, sign), -k, sign) for k, sign in enumerate(_DELIMITERS)]
-    best = max(scored, default=(0.0, 0, ""))
-    return best[2] if best[0] > 0 else None
+    fits = {sign: _fit_of(sample, sign) for sign in _DELIMITERS}
+    if fits["\t"] > _TABS * fits[" "]:
+        fits[" "] = 0.0  # a tab is a blank too; blanks in the cells group digits there
+    best = max(fits, key=lambda sign: fits[sign])
+    return best if fits[best] > 0.0 else None
 
 
 def _fit_of(sample: Sequence[str], delimiter: str) -> float:

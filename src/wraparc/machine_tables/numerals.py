@@ -18,7 +18,7 @@ from wraparc.errors import InputError, Problem
 Array = NDArray[np.float64]
 
 # Blanks (also the no-break and the narrow ones) and apostrophes group digits in threes.
-_GROUP = r"'’ \u00a0\u2009\u202f"
+_GROUP = "'’ \u00a0\u2009\u202f"
 _SIGN = r"[+\-\u2212]?"
 _EXPONENT = r"(?:[eE][+\-]?\d{1,3})?"
 _NUMBER_LIKE = re.compile(

@@ -88,12 +88,12 @@ def decode(data: bytes, file: str, encoding: str | None = None) -> Decoded:
     name = encoding or _encoding_of(data)
     if name is None:
         raise InputError(Problem(message="the file is binary, no text", remedy=_REMEDY, file=file))
-    text, notes = _decode(data, name, file)
+    text, notes = _decode(data, name, file, found=encoding is None)
     text = text.rstrip("\x1a\x00").replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
     return Decoded(text=text, encoding=name, ended=text.endswith("\n"), notes=notes)
 
 
-def _decode(data: bytes, name: str, file: str) -> tuple[str, tuple[str, ...]]:
+def _decode(data: bytes, name: str, file: str, *, found: bool) -> tuple[str, tuple[str, ...]]:
     try:
         return data.decode(name), ()
     except UnicodeDecodeError as error:
@@ -103,8 +103,12 @@ def _decode(data: bytes, name: str, file: str) -> tuple[str, tuple[str, ...]]:
             return text, ("the file ends inside a character, which was left out",)
         raise InputError(
             Problem(
-                message=f"byte {error.start} does not fit the encoding {name}",
-                remedy="Leave the encoding to be found, or name the one the machine writes.",
+                message=f"byte {error.start} does not fit the encoding {name}"
+                + (", the likeliest" if found else ""),
+                remedy="Name the one that the machine writes, such as gbk, shift_jis or cp1251: "
+                "--encoding on the command line, encoding in a plan."
+                if found
+                else "Leave the encoding to be found, or name the one the machine writes.",
                 file=file,
             )
         ) from None

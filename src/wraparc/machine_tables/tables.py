@@ -25,10 +25,28 @@ from wraparc.machine_tables.lines import split_all, splitter
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
-_LARGEST_GAP, _LONGEST_REPEAT, _RISING = 2, 5, 5
-_NO_WORDS = {"nan", "inf", "na", "n/a", "null", "none", "error", "err", "over", "ovl", "overload"}
+_LARGEST_GAP, _LONGEST_REPEAT, _RISING, _FEW, _LOOKED_BACK = 2, 5, 5, 3, 20
+_NO_WORDS = {
+    *(
+        "nan",
+        "qnan",
+        "ind",
+        "inf",
+        "na",
+        "div",
+        "value",
+        "wert",
+        "nv",
+        "null",
+        "none",
+        "error",
+        "err",
+    ),
+    *("over", "ovl", "overload", "overflow", "under"),
+}
 _HEADER_KEPT, _MOST_SETTINGS = 40, 100
 _ALL_NUMERIC = re.compile(r'(?=.*[0-9])[-+\u22120-9eE.,;|\t "]*')
+_BETWEEN = re.compile(r"(?<=\d)[.'’\s](?=\d{3})")
 EMPTY = ' ;,|\t"'
 _LONG_NAMES, _LOOKED_AT = 5000, 200
 _RAGGED = (
@@ -302,7 +320,7 @@ def _runs(
             run.skipped.extend((k, "the header again") for k in gap)
             run.rows.extend(range(start, stop))
             run.last = stop - 1
-        elif run and width == run.width and not _ends_table(gap, cells, width):
+        elif run and width == run.width and not _ends_table(gap, cells, run, start):
             run.skipped.extend((k, f"not a row of numbers: {_shown(cells[k])}") for k in gap)
             run.rows.extend(range(start, stop))
             run.last = stop - 1
@@ -323,12 +341,13 @@ def _runs(
     return found
 
 
-def _ends_table(gap: Sequence[int], cells: Sequence[Sequence[str]], width: int) -> bool:
+def _ends_table(gap: Sequence[int], cells: Sequence[Sequence[str]], run: _Run, after: int) -> bool:
+    """Whether lines between rows end a table: many, names, or a title of what does not go on."""
     if len(gap) > _LARGEST_GAP:
         return True
-    return any(
-        len(cells[k]) == width and sum(bool(cell.strip()) for cell in cells[k]) >= 2 for k in gap
-    )
+    goes_on = _rises_on(cells, run, after)
+    widths = [abs(len(cells[k]) - run.width) for k in gap if sum(map(_is_text, cells[k])) >= 2]
+    return goes_on is False or 0 in widths or (1 in widths and goes_on is None)
 
 
 def _joined(row: Sequence[str]) -> str:
@@ -343,24 +362,30 @@ def _repeats_header(
     header: Sequence[Sequence[str]],
 ) -> bool:
     """Whether the lines between are those above the table, and its first rising column rises on."""
-    if not 0 < len(gap) <= _LONGEST_REPEAT or len(run.rows) < _RISING:
+    if not 0 < len(gap) <= _LONGEST_REPEAT:
         return False
     above = {_joined(row) for row in header}
     above |= {_joined(cells[k]) for k in range(max(0, run.first - _LONGEST_REPEAT), run.first)}
-    if not all(_joined(cells[k]) in above for k in gap):
-        return False
-    rows = [cells[k] for k in run.rows[-_RISING:]]
-    for column in range(run.width):
-        values = [_roughly(row[column]) for row in (*rows, cells[after])]
-        if all(a < b for a, b in itertools.pairwise(values[:-1])):
-            return values[-1] > values[-2]
-    return False
+    return all(_joined(cells[k]) in above for k in gap) and _rises_on(cells, run, after) is True
+
+
+def _rises_on(cells: Sequence[Sequence[str]], run: _Run, after: int) -> bool | None:
+    """Whether most columns that rise over the last rows go on in the row after; None of none."""
+    rows = [cells[k] for k in run.rows[-_LOOKED_BACK:]]
+    columns = [
+        [_roughly(row[column]) for row in (*rows, cells[after])] for column in range(run.width)
+    ]
+    rising = [c for c in columns if all(a < b for a, b in itertools.pairwise(c[:-1]))]
+    if not rising or len(rows) < _FEW:
+        return None
+    return sum(c[-1] > c[-2] for c in rising) > len(rising) / 2
 
 
 def _roughly(cell: str) -> float:
-    """Return the number of a cell by either decimal sign, to compare it with its neighbours."""
+    """Return the number of a cell, its last sign a decimal one, to compare it with others."""
+    whole, point, part = cell.replace(",", ".").rpartition(".")
     try:
-        return float(cell.replace(",", "."))
+        return float(_BETWEEN.sub("", whole) + point + part)
     except ValueError:
         return np.nan
 
@@ -384,8 +409,18 @@ def _with_starts(
         if len(run.rows) > _RISING and _is_header(first, [cells[k] for k in run.rows[1:6]]):
             run.rows.pop(0)
             run.first += 1
+        while len(run.rows) > _RISING and _is_setting(cells, run):
+            line = run.rows.pop(0)
+            run.skipped.append((line, f"not a row of numbers: {_shown(cells[line])}"))
         yield run, start
         start = run.last + 1
+
+
+def _is_setting(cells: Sequence[Sequence[str]], run: _Run) -> bool:
+    """Whether the first row has a word where the rows below it have numbers, as one of factors."""
+    below = [cells[k] for k in run.rows[1 : 1 + _RISING]]
+    words = [k for k, cell in enumerate(cells[run.rows[0]]) if _is_word(cell)]
+    return any(2 * sum(looks_numeric(row[k]) for row in below) > len(below) for k in words)
 
 
 def _is_header(first: Sequence[str], following: Sequence[Sequence[str]]) -> bool:
@@ -399,8 +434,13 @@ def _is_header(first: Sequence[str], following: Sequence[Sequence[str]]) -> bool
 
 
 def _is_word(cell: str) -> bool:
-    text = cell.strip()
-    return sum(map(str.isalpha, text)) >= 2 and text.casefold().strip("()") not in _NO_WORDS
+    return sum(map(str.isalpha, cell)) >= 2 and _is_text(cell)
+
+
+def _is_text(cell: str) -> bool:
+    """Whether a cell is neither a number nor what machines write for one that is missing."""
+    letters = "".join(filter(str.isalpha, cell)).casefold()
+    return bool(letters) and letters not in _NO_WORDS and not looks_numeric(cell)
 
 
 def _shown(row: Sequence[str]) -> str:

@@ -28,15 +28,17 @@ def _limit() -> None:
 
 
 def read_sheets(data: bytes, most: int, sheet: str | None) -> dict[str, Any]:
-    """Return names and rows of the sheets, or of the one named."""
-    from python_calamine import CalamineWorkbook
+    """Return names and rows of the sheets, or of the one named; hidden ones only if named."""
+    from python_calamine import CalamineWorkbook, SheetVisibleEnum
 
     book = CalamineWorkbook.from_filelike(io.BytesIO(data))
     names = list(book.sheet_names)
+    hidden = {s.name for s in book.sheets_metadata if s.visible != SheetVisibleEnum.Visible}
     if sheet is not None and sheet not in names:
         return {"names": names}
     sheets = []
-    for name in names if sheet is None else [sheet]:
+    seen = [name for name in names if name not in hidden] or names
+    for name in seen if sheet is None else [sheet]:
         content = book.get_sheet_by_name(name)
         if content.total_height * content.total_width > most:
             return {"large": name}

@@ -87,6 +87,26 @@ def order_sentences(
     return _trend(order[~flagged], law, points.only(~flagged), law.weights[~flagged])
 
 
+def lot_sentences(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> list[str]:
+    """Say of samples of several lots, each tested at pressures of its own, what cannot be told.
+
+    Parameters
+    ----------
+    tests
+        Of one condition.
+    levels
+        Number of the pressure of each.
+    """
+    lots = [test.test.lot for test in tests]
+    at = {lot: {int(k) for k, own in zip(levels, lots, strict=True) if own == lot} for lot in lots}
+    if len(at) < 2 or not all(lots) or sum(map(len, at.values())) > len(np.unique(levels)):
+        return []
+    return [
+        f"lots {', '.join(map(repr, at))} were tested at pressures of their own: what they differ "
+        "by cannot be told from what pressure does; test one pressure on all of them"
+    ]
+
+
 def _from_repeat_to_repeat(listed: NDArray[np.int64], points: CurvePoints) -> list[str]:
     """Whether tests of one pressure go up or down as the plan lists them, which may be their order.
 

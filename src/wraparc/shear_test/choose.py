@@ -12,8 +12,10 @@ from wraparc.shear_test.roles import (
     ROLE_DIMENSION,
     Role,
     is_across,
+    is_coefficient,
     is_demand,
     is_known,
+    is_other,
     is_stress,
     suitability,
 )
@@ -21,6 +23,8 @@ from wraparc.units import DIMENSION_TEXT
 
 _NEEDED = (Role.TRAVEL, Role.FORCE)
 _EXAMPLE = {"length": "mm", "force": "N", "time": "s"}
+# Names as good as each other; a name that leaves no doubt; courses that are one, of their range.
+_NEAR, _SURE, _COURSE = 1.5, 4.5, 0.05
 
 
 @dataclass(frozen=True)
@@ -61,26 +65,57 @@ def choose_columns(
             column = find_column(named, wanted)
             if column is None:
                 problems.append(_unknown_column(named, role.value, wanted, file))
-                continue
         else:
             candidates = _candidates(named, data, role, given, columns, guess=not demanded)
-            candidates = candidates or _given_stress(named, role, choices, given)
-            if not candidates:
-                if role in _NEEDED:
-                    problems.append(_no_column(named, role, file))
-                continue
-            column = candidates[0]
-            if len(candidates) > 1:
-                notes.append(_choice_note(role, candidates))
-        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
-        if unit is None and role is Role.TIME and wanted is None:
+            if not candidates and role is Role.FORCE and choices.stress_area is not None:
+                candidates = [(column, 0.0) for column in stresses(named, given)]
+            column = _best(named, data, role, given, candidates, problems, notes, file)
+        if column is None:
             continue
+        unit = _unit_of(column, role, given, file, problems, choices.stress_area)
         if unit is not None:
             columns[role] = (column, unit)
             notes.extend(filter(None, [unit.note]))
+    if choices.normal_force is None and _is_the_pull(columns, data):
+        del columns[Role.NORMAL_FORCE]
     if problems:
         raise InputError(problems)
     return Chosen(columns, tuple(notes))
+
+
+def _best(
+    named: Sequence[NamedColumn],
+    data: Mapping[int, Array],
+    role: Role,
+    given: Mapping[int, str],
+    candidates: Sequence[tuple[NamedColumn, float]],
+    problems: list[Problem],
+    notes: list[str],
+    file: str,
+) -> NamedColumn | None:
+    """The best candidate, if there is one and no other may as well be meant."""
+    if not candidates:
+        if role in _NEEDED:
+            problems.append(_no_column(named, role, file))
+        return None
+    best = candidates[0][0]
+    rivals = _rivals(named, data, role, given, candidates)
+    if rivals:
+        problems.append(_no_column(named, role, file, [best, *rivals]))
+        return None
+    if len(candidates) > 1:
+        notes.append(_choice_note(role, [column for column, _ in candidates]))
+    return best
+
+
+def _is_the_pull(
+    columns: Mapping[Role, tuple[NamedColumn, ColumnUnit]], data: Mapping[int, Array]
+) -> bool:
+    """Whether the normal force holds the readings of the pull, as compression and tension do."""
+    pull, press = (columns.get(role) for role in (Role.FORCE, Role.NORMAL_FORCE))
+    if pull is None or press is None:
+        return False
+    return _same(*(data[c.index] * unit.factor for c, unit in (pull, press)))
 
 
 def _given_units(
@@ -121,8 +156,8 @@ def _candidates(
     taken: Mapping[Role, tuple[NamedColumn, ColumnUnit]],
     *,
     guess: bool,
-) -> list[NamedColumn]:
-    """Columns that may be meant, the best first."""
+) -> list[tuple[NamedColumn, float]]:
+    """Columns that may be meant with how well each does, the best first."""
     kinds = [read_unit(given.get(c.index, c.unit), ROLE_DIMENSION[role]) for c in named]
     alone = sum(k is not None and k.dimension == ROLE_DIMENSION[role] for k in kinds) == 1
     guess = guess and alone and role in _NEEDED
@@ -139,12 +174,65 @@ def _candidates(
         if unit is None and stated:
             continue
         score = suitability(column.name, role)
-        unknown = guess and unit is not None and not is_known(column.name)
+        unknown = guess and unit is not None and not _says_something(column.name)
         if score == 0.0 and unknown and not is_across(column.name):
             score = 0.5
         if score > 0.0:
             scored.append((-(score + (unit is not None)), column.index, column))
-    return [column for _, _, column in sorted(scored, key=lambda item: item[:2])]
+    return [(column, -bad) for bad, _, column in sorted(scored, key=lambda item: item[:2])]
+
+
+def _rivals(
+    named: Sequence[NamedColumn],
+    data: Mapping[int, Array],
+    role: Role,
+    given: Mapping[int, str],
+    candidates: Sequence[tuple[NamedColumn, float]],
+) -> list[NamedColumn]:
+    """Columns that may as well be meant as the best one, and hold other numbers.
+
+    Names as good as its own; for a force that is not named as one along the sliding, also
+    columns of a force whose names say nothing, and coefficients of friction where no normal force
+    is named: that load may be one.
+    """
+    if role is Role.TIME:
+        return []
+    (best, score), *others = candidates
+    rivals = [column for column, own in others if own > score - _NEAR]
+    if role is Role.FORCE and score < _SURE:
+        rivals += [
+            c
+            for c in named
+            if (unit := read_unit(given.get(c.index, c.unit), "force")) is not None
+            and unit.dimension == "force"
+            and not _says_something(c.name)
+            and _holds_data(data[c.index], constant=False)
+        ]
+        if not any(suitability(c.name, Role.NORMAL_FORCE) for c in named):
+            rivals += [c for c in named if is_coefficient(c.name)]
+
+    def numbers(column: NamedColumn) -> Array:
+        unit = read_unit(given.get(column.index, column.unit), ROLE_DIMENSION[role])
+        return data[column.index] * (unit.factor if unit else 1.0)
+
+    zero = role is Role.TRAVEL
+    return [c for c in rivals if not _same(numbers(best), numbers(c), any_zero=zero)]
+
+
+def _same(first: Array, second: Array, *, any_zero: bool = False) -> bool:
+    """Whether two columns hold the same readings, of whatever sign and perhaps zero."""
+    known = np.isfinite(first) & np.isfinite(second)
+    first, second = first[known], second[known]
+    if not len(first):
+        return False
+    size = np.ptp if any_zero else lambda off: np.abs(off).max()
+    apart = [float(size(off)) for off in (first - second, first + second)]
+    return min(apart) < _COURSE * float(np.ptp(first))
+
+
+def _says_something(name: str) -> bool:
+    """Whether a name says what its column is, or that it is none of those looked for."""
+    return is_known(name) or is_other(name)
 
 
 def _holds_data(values: Array, *, constant: bool) -> bool:
@@ -207,13 +295,6 @@ def stresses(named: Sequence[NamedColumn], given: Mapping[int, str]) -> list[Nam
     ]
 
 
-def _given_stress(
-    named: Sequence[NamedColumn], role: Role, choices: Choices, given: Mapping[int, str]
-) -> list[NamedColumn]:
-    """The column of a stress, where its area is given and there is no force."""
-    return stresses(named, given) if role is Role.FORCE and choices.stress_area is not None else []
-
-
 def _no_area(column: NamedColumn, text: str, file: str) -> Problem:
     return Problem(
         message=f"the force column {column.label!r} holds a stress [{text}], not a force",
@@ -245,7 +326,9 @@ def _unknown_column(
     )
 
 
-def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
+def _no_column(
+    named: Sequence[NamedColumn], role: Role, file: str, rivals: Sequence[NamedColumn] = ()
+) -> Problem:
     stress = [c for c in named if role is Role.FORCE and is_stress(c.name)]
     hint = (
         f" If {stress[0].label!r} is the force over an area, say over which: --stress-area, "
@@ -253,10 +336,13 @@ def _no_column(named: Sequence[NamedColumn], role: Role, file: str) -> Problem:
         if stress
         else ""
     )
+    said = f"the table has {listed(named)}"
+    if rivals:
+        said = " and ".join(repr(c.label) for c in rivals[:4]) + " may be, with other numbers"
+    option = role.value.replace("_", "-")
     return Problem(
-        message=f"it cannot be told which column is the {role.value}; "
-        f"the table has {listed(named)}",
-        remedy=f'Name it: --{role.value} NAME on the command line, {role.value} = "NAME" '
+        message=f"it cannot be told which column is the {role.value.replace('_', ' ')}; {said}",
+        remedy=f'Name it: --{option} NAME on the command line, {role.value} = "NAME" '
         f"in a plan (or its number).{hint}",
         file=file,
     )

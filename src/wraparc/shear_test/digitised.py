@@ -13,10 +13,11 @@ from hashlib import sha256
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import peak_from_ab
-from wraparc.machine_tables import find_tables
+from wraparc.machine_tables import RawTable, find_tables
 from wraparc.shear_test.budget import ReadOff, Uncertainty
 from wraparc.shear_test.plan import Digitised, PlannedTest, TestPlan
 from wraparc.shear_test.record import Array, MachineRecord
@@ -39,6 +40,16 @@ _PRESSURE = re.compile(
 # "34 to 69 kPa" is no pressure.
 _RANGE = re.compile(r"\d\s*(?:\s-\s|[\u2013\u2026]|\.\.+|\bto\b|\bbis\b)\s*$|^\s*[\d.]+-$")
 _CONDITIONS = re.compile(r"\b(dry|wet|dirty|muddy)\b", re.IGNORECASE)
+# Heads of slip and of friction, of a column that counts points, and of one that names curves.
+_KIND = re.compile(
+    r"(?i)(?<![^\W_])(?:(?P<x>x|slip|travel|displacement)"
+    r"|y|mu|\u00b5|\u03bc|friction|cof)"
+    r"(?![^\W\d_])"
+)
+_NUMBER = re.compile(r"(?:n|nr|no|index|point|#)?\.?", re.IGNORECASE)
+_GROUP = re.compile(r"(?:data ?set|curve|series|group|name)s?", re.IGNORECASE)
+# What else a project of WebPlotDigitizer keeps: places in the image.
+_NO_DATA = {"axesColl", "autoDetectionData", "measurementColl", "calibration"}
 _UNITS = {"kpa": "kPa", "mpa": "MPa", "psi": "psi", "bar": "bar"}
 
 
@@ -63,8 +74,8 @@ def read_points(data: bytes, file: str) -> list[Points]:
     """Read the curves of a digitiser's file.
 
     JSON: every list of points, ``{"value": [x, y]}``, ``[x, y]`` or ``{"x": .., "y": ..}``, with
-    the name that stands beside it. CSV: two columns; pairs of columns under names; or one x and
-    several y.
+    the name that stands beside it. CSV: two columns; pairs of columns under names; one x and
+    several y; a column that names the curve of each row; several such tables under each other.
 
     Raises
     ------
@@ -111,8 +122,11 @@ def _in_json(node: Any, name: str, depth: int) -> Iterator[tuple[str, list[tuple
             yield from _in_json(item, name, depth + 1)
     elif isinstance(node, dict):
         own = node.get("name")
-        for value in node.values():
-            if isinstance(value, list | dict):
+        x, y = node.get("x"), node.get("y")
+        if isinstance(x, list) and isinstance(y, list) and len(x) == len(y):
+            node = {"data": [list(point) for point in zip(x, y, strict=True)]}
+        for key, value in node.items():
+            if isinstance(value, list | dict) and key not in _NO_DATA:
                 yield from _in_json(value, own if isinstance(own, str) else name, depth + 1)
 
 
@@ -122,35 +136,91 @@ def _point(item: Any) -> tuple[float, float] | None:
         item = item.get("value") or [item.get("x"), item.get("y")]
     if not isinstance(item, list) or len(item) < 2:
         return None
-    numbers = [v for v in item[:2] if isinstance(v, int | float) and not isinstance(v, bool)]
-    if len(numbers) < 2 or not all(np.isfinite(numbers)):
+    try:
+        x, y = (float(v) for v in item[:2] if isinstance(v, str | int | float))
+    except ValueError:  # also where one of them is neither
         return None
-    return float(numbers[0]), float(numbers[1])
+    return (x, y) if np.isfinite(x) and np.isfinite(y) else None
 
 
-def _in_table(data: bytes, file: str) -> list[tuple[str, list[tuple[float, float]]]]:
+_Curve = tuple[str, list[tuple[float, float]]]
+
+
+def _in_table(data: bytes, file: str) -> list[_Curve]:
+    """Curves of all tables of a file, which may stand under each other."""
     tables = [table for table in find_tables(data, file).tables if table.rows > 1]
-    if not tables:
-        return []
-    table = max(tables, key=lambda t: t.rows)
+    return [curve for table in tables for curve in _of_table(table, file)]
+
+
+def _of_table(table: RawTable, file: str) -> list[_Curve]:
     style = table.found_style(file)
     values = [table.numbers(k, style) for k in range(len(table.columns))]
     rows = [[cell.strip() for cell in row] for row in table.header if len(row) == len(values)]
     heads = [next((row[k] for row in reversed(rows) if row[k]), "") for k in range(len(values))]
-    titles = next((row for row in rows if sum(map(bool, row)) > 0), [""] * len(values))
-    pairs = (
-        len(values) > 2 and len(values) % 2 == 0 and heads[0::2] == [heads[0]] * (len(values) // 2)
-    )
-    if pairs:
-        of = [(titles[k] or titles[k + 1], k, k + 1) for k in range(0, len(values), 2)]
-    else:
-        of = [(heads[k], 0, k) for k in range(1, len(values))]
-    found = []
+    titles = next((row for row in rows if any(row)), [""] * len(values))
+    above = " ".join(" ".join(row) for row in table.header if len(row) != len(values))
+    filled = [k for k, column in enumerate(values) if np.isfinite(column).any()]
+    filled = [k for k in filled if not _counts(heads[k], values[k])]
+    groups = _groups(table, heads, values, filled)
+    if groups is not None:
+        filled = [k for k in filled if not _GROUP.fullmatch(heads[k])]
+    of = _pairs(filled, heads, titles)
+    if not of and filled:
+        slips = [k for k in filled if _kind(heads[k]) == "x"]
+        x = slips[0] if len(slips) == 1 else filled[0]
+        others = [k for k in filled if k != x]
+        lone = [above.strip("# ;,")] if len(others) == 1 and _kind(heads[others[0]]) else []
+        of = [(lone[0] if lone else heads[k], x, k) for k in others]
+    found: list[_Curve] = []
     for name, x, y in of:
         both = np.isfinite(values[x]) & np.isfinite(values[y])
-        points = zip(values[x][both].tolist(), values[y][both].tolist(), strict=True)
-        found.append((name, list(points)))
+        whole = {name: np.ones(table.rows, dtype=bool)}
+        for group, rows_of in (groups or whole).items():
+            keep = both & rows_of
+            points = zip(values[x][keep].tolist(), values[y][keep].tolist(), strict=True)
+            found.append((group, list(points)))
     return found
+
+
+def _counts(head: str, values: Array) -> bool:
+    """Whether a column only counts the points."""
+    return _NUMBER.fullmatch(head) is not None and bool(np.all(np.diff(values) == 1.0))
+
+
+def _groups(
+    table: RawTable, heads: list[str], values: list[Array], filled: list[int]
+) -> dict[str, NDArray[np.bool_]] | None:
+    """Rows of each curve, where a column names them: words, or a number under such a head."""
+    for k, cells in enumerate(table.columns):
+        words = [str(cell).strip() for cell in cells]
+        named = k in filled and _GROUP.fullmatch(heads[k])
+        if named or (all(words) and not np.isfinite(values[k]).any()):
+            return {
+                name: np.array([word == name for word in words]) for name in dict.fromkeys(words)
+            }
+    return None
+
+
+def _pairs(filled: list[int], heads: list[str], titles: list[str]) -> list[tuple[str, int, int]]:
+    """Name, x and y of columns that stand in pairs; none where they do not."""
+    xs, ys = filled[0::2], filled[1::2]
+    if len(filled) < 4 or len(xs) != len(ys):
+        return []
+    kinds = all(_kind(heads[k]) == "x" for k in xs) and all(_kind(heads[k]) == "y" for k in ys)
+    same = len({heads[k] for k in xs}) == 1
+    over = all(titles[k] for k in xs) and not any(titles[k] for k in ys)
+    if not (kinds or same or over):
+        return []
+    return [
+        (_KIND.sub(" ", titles[x] or titles[y]).strip() or heads[x], x, y)
+        for x, y in zip(xs, ys, strict=True)
+    ]
+
+
+def _kind(head: str) -> str:
+    """``x`` or ``y`` for the head of a column of slip or of friction, else empty."""
+    found = _KIND.search(head)
+    return "" if found is None else "x" if found["x"] else "y"
 
 
 def with_curves(

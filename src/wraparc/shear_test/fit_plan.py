@@ -21,6 +21,7 @@ from wraparc.shear_test.misfit import (
     stick_slip,
     with_misfit,
 )
+from wraparc.shear_test.noise import noise_level
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
@@ -37,6 +38,8 @@ _LASH_OF_TEST = 0.8
 _MEASURED_OFF = 0.05
 # Measured pressures that are one, whatever was set.
 _ONE_PRESSURE = 0.01
+# Travels and forces nearer than these, of the travel and of the noise, are one test. Ours.
+_SAME_TRAVEL, _SAME_NOISE = 1e-3, 0.3
 # What computing with readings of any kind can end with.
 _FAILURES = (np.linalg.LinAlgError, ArithmeticError, ValueError, IndexError)
 
@@ -70,7 +73,7 @@ def fit_plan(
     reader = read or (lambda test: _from_disk(plan, test))
     results: list[TestResult] = []
     problems: list[Problem] = []
-    seen: dict[str, str] = {}
+    seen: list[tuple[PlannedTest, MachineRecord]] = []
     for number, test in enumerate(plan.used_tests, start=1):
         try:
             record = reader(test)
@@ -103,17 +106,33 @@ def _bytes(plan: TestPlan, test: PlannedTest) -> bytes:
     return read_bytes(Path(plan.folder) / test.file)
 
 
-def _refuse_duplicate(record: MachineRecord, test: PlannedTest, seen: dict[str, str]) -> None:
-    own = f"{record.digest} {record.place} {record.block}"
-    first = seen.setdefault(own, test.place)
-    if first != test.place:
-        raise InputError(
-            Problem(
-                message=f"the file holds the same data as {first}: it was counted once",
-                remedy="Name the right file, or take this test out of the plan.",
-                file=record.file,
+def _refuse_duplicate(
+    record: MachineRecord, test: PlannedTest, seen: list[tuple[PlannedTest, MachineRecord]]
+) -> None:
+    """Refuse the readings of a test before, also under another name: they are no repeat."""
+    for first, other in seen:
+        if _are_same_readings(record, other):
+            raise InputError(
+                Problem(
+                    message=f"the file holds the same data as {first.place}: it was counted once",
+                    remedy="Name the right file, or take this test out of the plan.",
+                    file=record.file,
+                )
             )
-        )
+    seen.append((test, record))
+
+
+def _are_same_readings(record: MachineRecord, other: MachineRecord) -> bool:
+    """Whether two records are the same to the digit, or nearer than the noise of their forces."""
+    if (record.digest, record.place, record.block) == (other.digest, other.place, other.block):
+        return True
+    if len(record.force) != len(other.force):
+        return False
+    apart = float(np.std(record.force - other.force))
+    span = float(np.ptp(record.travel))
+    if not np.all(np.abs(record.travel - other.travel) < _SAME_TRAVEL * span):
+        return False
+    return apart < _SAME_NOISE * noise_level(record.force) or not np.any(record.force - other.force)
 
 
 def _not_fitted(error: Exception) -> Problem:

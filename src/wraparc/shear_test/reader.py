@@ -1,6 +1,7 @@
 """Machine files to records: find the table, its columns and units; ask for what is missing."""
 
 import hashlib
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,16 +16,19 @@ from wraparc.machine_tables import (
     NumeralStyle,
     RawTable,
     find_tables,
+    looks_numeric,
     read_bytes,
 )
 from wraparc.shear_test.buffers import further_tests, joined, one_run
 from wraparc.shear_test.choose import Chosen, choose_columns
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
-from wraparc.shear_test.sentinels import last_row, off_trend, sentinel_rows
+from wraparc.shear_test.sentinels import last_row, off_trend, results_at_ends, sentinel_rows
 from wraparc.shear_test.side_by_side import side_by_side
 
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
+_FACTORS = re.compile(r"(?i)fa[ck]t|gain|scal|skal|multipl|verst|sensit|empf|offset|calib|kalib")
+_NO_FACTOR = {"0", "1", "0.0", "1.0", "0,0", "1,0"}
 _NAME_DECIMAL = 'Name it: --decimal , (or .) on the command line, decimal = "," in a plan.'
 
 
@@ -329,6 +333,7 @@ def _record(
     notes: tuple[str, ...],
 ) -> MachineRecord:
     data, style, texts = read.values, read.style, read.notes
+    _refuse_factors(table, source.file)
     above = [cell for row in table.header for cell in row]
     chosen = choose_columns(named, data, choices, source.file, above)
     keep, dropped = _kept_rows(table, data, chosen)
@@ -359,6 +364,24 @@ def _record(
         header=tuple(" ".join(filter(None, row)) for row in table.header),
         digest=source.digest,
     )
+
+
+def _refuse_factors(table: RawTable, file: str) -> None:
+    """Refuse a table with a row of factors above its readings: whether they are in is not said."""
+    for line, reason in table.skipped:
+        said = reason.partition(": ")[2].split()
+        if any(map(_FACTORS.match, said)) and any(
+            looks_numeric(x) and x not in _NO_FACTOR for x in said
+        ):
+            raise InputError(
+                Problem(
+                    message=f"a row of factors stands above the readings ({' '.join(said)}); it is "
+                    "not said whether they are taken into account",
+                    remedy="Multiply the readings by them if they are not, and delete that line.",
+                    file=file,
+                    line=line,
+                )
+            )
 
 
 def _style(table: RawTable, choices: Choices, file: str) -> tuple[NumeralStyle, tuple[str, ...]]:
@@ -410,6 +433,8 @@ def _kept_rows(
         if role is not Role.TIME:
             drop(np.isnan(data[column.index]), f"no number in {column.label!r}")
     travel, force = (data[chosen.columns[r][0].index] for r in (Role.TRAVEL, Role.FORCE))
+    ends = results_at_ends(data.values(), keep)
+    drop(ends, "at an end of the table, and does not go on as the readings do: a result or setting")
     drop(sentinel_rows(travel, force, keep), "a mark of the machine, not a reading")
     if table.cut:
         cut = last_row(keep) if table.shorter else off_trend(travel, force, keep)

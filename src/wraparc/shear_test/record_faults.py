@@ -26,7 +26,12 @@ _NOISE = 2e-4
 # A step of travel that is a gap: share of the travel, and multiple of the steps around it.
 _GAP, _LONGER = 0.03, 8.0
 _BLOCK, _DIFFERENT = 8, 5
+# Stretches of travel in which a rise is looked at, and what it may go on by after a stall, of the
+# largest friction. Ours.
+_STRETCHES, _STALL, _CLEAR = 60, 0.06, 5.0
 _PERIODS, _LEAST_MEMORY = 5, 0.15
+# Standard deviations of such a memory by chance; less where the plan says that it is stick-slip.
+_NO_CHANCE, _NO_CHANCE_IF_SAID = 3.5, 2.5
 
 
 class Fault(NamedTuple):
@@ -181,7 +186,7 @@ def _gap(travel: Array, lines: NDArray[np.int64]) -> list[Fault]:
     return [Fault("missing readings", text)]
 
 
-def swing(travel: Array, friction: Array, top: float) -> Swing | None:
+def swing(travel: Array, friction: Array, top: float, *, said: bool = False) -> Swing | None:
     """Find stick-slip in the sliding part: swings that come again, five times or more.
 
     Parameters
@@ -190,6 +195,8 @@ def swing(travel: Array, friction: Array, top: float) -> Swing | None:
         Of the pull, travel ascending, shape (n,).
     top
         Largest friction [-].
+    said
+        Whether the plan says that there is stick-slip.
     """
     start = int(np.argmax(friction > 0.6 * top))
     x, y = travel[start:], friction[start:]
@@ -210,12 +217,57 @@ def swing(travel: Array, friction: Array, top: float) -> Swing | None:
         return None
     tops = np.flatnonzero((memory[1:-1] >= memory[:-2]) & (memory[1:-1] > memory[2:])) + 1
     tops = tops[tops > falls]
-    least = max(_LEAST_MEMORY, 2.5 / np.sqrt(count))
+    # Noise of some memory has a memory by chance (Bartlett, 1946).
+    by_chance = np.sqrt((1.0 + 2.0 * float(np.sum(memory[1:falls] ** 2))) / count)
+    least = max(_LEAST_MEMORY, (_NO_CHANCE_IF_SAID if said else _NO_CHANCE) * by_chance)
     if not len(tops) or memory[tops].max() < least:
         return None
     # Of swings that are not all alike the second return may be the better one.
     period = int(tops[memory[tops] > 0.6 * memory[tops].max()][0])
     return Swing(size, period * float(x[-1] - x[0]) / (count - 1), period)
+
+
+def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Fault]:
+    """What the rise of friction shows: it stands still and goes on, as slack taken up again does.
+
+    Friction of a rubber rises ever less steeply; between a fifth of the largest and its top, a rise
+    over a stretch that is followed by a larger one over as long a stretch is another thing.
+
+    Parameters
+    ----------
+    travel, friction
+        Of the pull, travel ascending, shape (n,).
+    top
+        Largest friction [-].
+    onset
+        Travel where friction starts to rise [m].
+    """
+    edges = np.linspace(onset, float(travel[-1]), _STRETCHES + 1)
+    place = np.searchsorted(edges, travel, side="right") - 1
+    inside = (place >= 0) & (place < _STRETCHES)
+    counts = np.bincount(place[inside], minlength=_STRETCHES)
+    if not np.all(counts):
+        return []
+    mean = np.bincount(place[inside], friction[inside], minlength=_STRETCHES) / counts
+    begin, end = int(np.argmax(mean > 0.2 * top)), int(np.argmax(mean > 0.92 * top))
+    most, found = _STALL * top, None
+    for width in range(2, (end - begin) // 2 + 1):
+        rise = mean[begin + width :] - mean[begin:-width]
+        bend = rise[width:] - rise[:-width]
+        # Noise of whatever memory bends all of the curve by as much.
+        usual = 1.4826 * float(np.median(np.abs(bend - np.median(bend))))
+        k = int(np.argmax(bend[: end - begin + 1 - 2 * width]))
+        if bend[k] > max(most, _CLEAR * usual):
+            most, found = float(bend[k]), (begin + k, begin + k + width)
+    if found is None:
+        return []
+    a, b = (1e3 * float(0.5 * (edges[k] + edges[k + 1])) for k in found)
+    text = (
+        f"friction rises less from {a:.2g} to {b:.2g} mm of travel than over as much after it, by "
+        f"{100 * most / top:.0f} % of its largest value: slack was taken up again, or the pull "
+        "stopped"
+    )
+    return [Fault("stall", text)]
 
 
 def envelope(friction: Array, readings: int, which: str) -> NDArray[np.int64]:

@@ -17,6 +17,7 @@ from wraparc.shear_test.record_faults import (
     Swing,
     envelope,
     saturated,
+    stall,
     swing,
     travel_faults,
     without_repeats,
@@ -182,7 +183,9 @@ def reduce_record(record: MachineRecord, sample: Sample) -> FrictionCurve:
     travel, friction, normal = (a[keep] for a in (travel, friction, normal))
     top = float(np.quantile(np.abs(friction), 0.98))
     _refuse_odd_friction(record, friction, sample.friction)
-    swings = swing(travel, friction, top)
+    swings = swing(travel, friction, top, said=bool(sample.stick_slip))
+    if swings is None:
+        faults += stall(travel, friction, top, onset)
     if swings is not None and sample.stick_slip in {"upper", "lower"}:
         ends = envelope(friction, swings.readings, sample.stick_slip)
         travel, friction = travel[ends], friction[ends]

@@ -35,45 +35,44 @@ ROLE_DIMENSION: dict[Role, Dimension] = {
 _STEMS: dict[Role, str] = {
     Role.TRAVEL: (
         "extension displacement stroke travel crosshead crshd xhead elongation actuator lvdt"
-        " weg standardweg traversenweg verfahrweg kolbenweg maschinenweg maschine traverse"
-        " wegaufnehmer verschiebung verlangerung course deplacement allongement"
-        " desplazamiento carrera recorrido alargamiento deslocamento curso alongamento"
-        " spostamento corsa allungamento przemieszczenie droga wydluzenie draha posun posuv"
+        " weg -weg maschine traverse slip slide sliding schlupf displ pos"
+        " wegaufnehmer verschiebung verlangerung course deplacement glissement allongement"
+        " desplazamiento deslizamiento carrera recorrido alargamiento deslocamento deslizamento"
+        " curso alongamento extensao spostamento scorrimento"
+        " corsa allungamento przemieszczenie poslizg skok droga wydluzenie draha posun posuv"
         " prodlouzeni verplaatsing slag forlangning forskjutning traversposition"
-        " yer degistirme uzama перемещение ход удлинение 変位 ストローク 位移 行程 伸び"
+        " yer degistirme uzama перемещение смещение путь ход удлинение"
+        " 変位 ストローク 移動量 すべり 位移 行程 滑移 伸び"
         " position machine disp ext"
     ),
     Role.FORCE: (
-        "force load kraft standardkraft prufkraft zugkraft last charge effort fuerza carga"
-        " forca forza carico sila obciazenie zatizeni kracht belasting belastning kuvvet yuk"
-        " сила усилие нагрузка 荷重 試験力 力 载荷 负荷 fx f_x f"
+        "force load kraft last -last charge effort fuerza carga"
+        " forca esforco forza carico sila obciazenie zatizeni kracht belasting belastning kuvvet"
+        " yuk сила усилие нагрузка 荷重 試験力 力 载荷 负荷 fx f_x ff f_f fr f_r ft f_t f"
     ),
-    Role.NORMAL_FORCE: (
-        "normal force|normal load|normalkraft|clamp force|clamping force|klemmkraft|anpresskraft"
-        "|force normale|force de serrage|fuerza normal|forca normal|forza normale|sila normalna"
-        "|normalova sila|normaalkracht|clamp load|нормальная сила|法向力|垂直荷重|fn|f_n|f n|fz|f_z"
-    ),
+    Role.NORMAL_FORCE: ("fn f_n fz f_z"),
     Role.TIME: (
         "time zeit prufzeit temps tiempo tempo czas cas tijd tid zaman elapsed время 時間 时间 t"
     ),
 }
 # What was asked for, not what was measured: a set-point is never taken for a reading.
 _DEMANDED = (
-    r"\bsoll|set ?point|setpunkt|set value|\btarget|\bdemand|\bcommand|\bcmd\b|\bnominal|\bdesired"
-    r"|\brequested|\bprescribed|\bprogrammed|\breference\b|\bref\b|\bsp\b"
-    r"|\bvorgabe|\bvorgegeben|fuhrungsgrosse|stellgrosse|\bnenn"  # German
-    r"|consigne|\bcible|\bcommande|\bvisee?\b"  # French
-    r"|consigna|\bobjetivo|\bdesead|\bmando\b|\breferencia"  # Spanish
-    r"|\bdesejad|\balvo\b|ponto de ajuste"  # Portuguese
-    r"|riferimento|impostat|\bobiettivo|\brichiest|\bcomando"  # Italian
-    r"|zadan|nastaw|docelow|pozadan"  # Polish
+    r"\bsoll|soll\b|sollwert|set ?point|setpunkt|\bset\b|\bsetting|\bsetforce|\btarget|\bdemand"
+    r"|\bcommand|\bcmd\b|\bnominal|\bdesired|\brequested|\bprescribed|\breference\b|\bref\b|\bsp\b"
+    r"|\bprogram|theor|\bexpected|\bideal\b|\binput\b"
+    r"|vorgabe|\bvorgegeben|fuhrungsgrosse|stellgrosse|\bnenn|\bziel|\bwunsch|\bsteuer"  # German
+    r"|consigne|\bcible|\bcommande|\bvisee?\b|\bimpose|souhait"  # French
+    r"|consigna|\bobjetivo|\bdesead|\bmando\b|\breferencia|\bteoric|prescrit|\bajust"  # Spanish
+    r"|\bdesejad|\balvo\b|ponto de ajuste|\bcomandad"  # Portuguese
+    r"|riferimento|impostat|\bobiettivo|\brichiest|\bcomando|\bteoric|\bdesiderat"  # Italian
+    r"|zadan|nastaw|docelow|pozadan|wymagan"  # Polish
     r"|nastaven|pozadovan|\bcilov"  # Czech
     r"|gewenst|ingesteld|streefwaarde|instelwaarde|stuurwaarde"  # Dutch
     r"|borvarde|borlast|borkraft|referensvarde|installd"  # Swedish
     r"|ayar degeri|ayarlanan|\bhedef|istenen|referans"  # Turkish
-    r"|заданн|задание|уставк|целев|требуем"  # Russian
-    r"|設定|目標|指令|指示値"  # Japanese
-    r"|设定|目标|给定|期望"  # Chinese
+    r"|заданн|задани|уставк|целев|требуем|программн|командн|опорн"  # Russian
+    r"|設定|目標|指令|指示値|理論"  # Japanese
+    r"|设定|目标|给定|期望|命令|理论|控制力"  # Chinese
 )
 # A name with one of these measures something else, whatever stems it has.
 _MEASURES_OTHER = (
@@ -81,6 +80,23 @@ _MEASURES_OTHER = (
     r"|tensao|sforzo|naprezenie|odksztalcenie|napeti|spanning|rate|speed|geschwindigkeit"
     r"|vitesse|velocidad|velocita|predkosc|modulus|modul|energy|energie|work|power|cycle"
     r"|count|index|nummer|number|temp(erature|eratur)?\b|ひずみ|応力|应变|应力"
+    r"|velocity|скорость|速度|\bper\b|\bje\b"
+    # one value of a whole test, or a difference from what was asked for
+    r"|\bpeak\b|\blimit|\berror\b|grenz|abweichung|fehler|erreur|\bmax|maxim|massim|maksym|максим|最大"
+)
+# A force that presses sample and belt together, a travel in its direction.
+_NORMAL = (
+    r"normal|normaal|verti[ck]|\bclamp|compres|\bkontakt|\bcontact|dead ?weight|\bdown ?force"
+    r"|pre ?load|\bweight|anpress|andruck|auflage|zuspann|\bspannkraft|druckkraft|klem|gewicht"
+    r"|auflast|serrage|presseur|\bappui|apriete|\bpeso\b|\baperto|serraggio|docisk|nacisk|pionow|svisl"
+    r"|pritlac|прижа|прижим|давлен|вертик|нормал|法向|法線|正压力?|垂直|竖向|鉛直|压紧|夹紧|押付|締付"
+)
+# A force or a travel along the sliding, by name: it is meant where there are others.
+_ALONG = (
+    r"friction|tangen|\bshear|horizont|orizzont|\bpull|traction|\bdrag|\breib|\bscher|\bschub|zug"
+    r"|frott|cisaill|tranchant|rozam|fricc|corte\b|traccion|atrito|cisalh|tracao|attrito|taglio"
+    r"|trazione|tarci|scinaj|styczn|poziom|rozciag|трени|сдвиг|касател|горизонт|тягов"
+    r"|摩擦|せん断|水平|引張|剪切|切向|拉|\bslip|\bslid|gleit|schlupf|gliss|desliz|scorrim|posliz|滑|すべり"
 )
 _STRESSES = (
     r"stress|spannung|contrainte|tensao|sforzo|\btension\b|naprezenie|napeti|spanning|応力|应力"
@@ -95,14 +111,22 @@ def _for_plain_names(pattern: str) -> re.Pattern[str]:
 
 _DEMAND, _STRESS = _for_plain_names(_DEMANDED), _for_plain_names(_STRESSES)
 _OTHER = _for_plain_names(f"{_MEASURES_OTHER}|{_DEMANDED}")
-_ACROSS = re.compile(
+_COEFFICIENT = _for_plain_names(
+    r"\bco?f\b|\bco?ef|\bmu\b|μ|reib(ungs)?(zahl|wert|koeff)|wspolczynnik|коэфф|摩擦係数|摩擦系数"
+)
+_PRESSES, _SLIDES = _for_plain_names(_NORMAL), _for_plain_names(_ALONG)
+_ACROSS = _for_plain_names(
     r"^[yz]\b|\b[yz]$|depth|height|wear|thick|\bgap\b|tiefe|hohe|dicke|spalt|verschleiss"
     r"|epaisseur|profond|hauteur|usure|espesor|altura|grosor|desgaste|grubosc|zuzycie"
+    r"|^z\b|dilat|sink|settle|setzung|einfeder|tassement|enfonc|asentam|recalque|cediment"
+    rf"|износ|осадк|磨损|摩耗|沈下|{_NORMAL}"
 )
 # Words of a travel column that also stand in names of others: Machine_Load.
 _WEAK = {"machine", "maschine", "position"}
 # Of several travel columns the one that starts near 0 is meant, not the absolute place.
-_ABSOLUTE = re.compile(r"absol|position|corrected|extensomet|clip|lvdt|\bext\b")
+_ABSOLUTE = _for_plain_names(
+    r"absol|position|corrected|extensom|estensim|ekstensom|экстензом|clip|lvdt|\bext\b|aufnehmer|伸び計|変位計|引伸"
+)
 
 
 @lru_cache(maxsize=4096)
@@ -112,8 +136,10 @@ def suitability(name: str, role: Role) -> float:
     if not plain or _OTHER.search(plain):
         return 0.0
     if role is Role.NORMAL_FORCE:
-        return 3.0 if _has_stem(plain, _STEMS[role].split("|")) else 0.0
-    if role is Role.FORCE and _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split("|")):
+        return 3.0 if _is_normal_force(plain) else 0.0
+    if role is Role.FORCE and _is_normal_force(plain):
+        return 0.0
+    if role is Role.TRAVEL and _ACROSS.search(plain):
         return 0.0
     stem = _longest_stem(plain, _STEMS[role].split())
     if not stem:
@@ -123,12 +149,28 @@ def suitability(name: str, role: Role) -> float:
     score = 2.0 + (plain.startswith(stem) and role is not Role.TIME)
     if role is Role.TRAVEL and _ABSOLUTE.search(plain):
         score -= 1.5
-    return score
+    return score + 3.0 * (role is not Role.TIME and _SLIDES.search(plain) is not None)
+
+
+def _is_normal_force(plain: str) -> bool:
+    if _PRESSES.fullmatch(plain) or _has_stem(plain, _STEMS[Role.NORMAL_FORCE].split()):
+        return True
+    return bool(_PRESSES.search(plain)) and _has_stem(plain, _STEMS[Role.FORCE].split())
+
+
+def is_other(name: str) -> bool:
+    """Whether `name` names something else than a reading of travel, force or time."""
+    return bool(_OTHER.search(plain_name(name)))
 
 
 def is_demand(text: str) -> bool:
     """Whether a text names what was asked for: a set-point."""
     return bool(_DEMAND.search(plain_name(text)))
+
+
+def is_coefficient(name: str) -> bool:
+    """Whether `name` names a coefficient of friction."""
+    return bool(_COEFFICIENT.search(plain_name(name)))
 
 
 def is_across(name: str) -> bool:
@@ -137,9 +179,9 @@ def is_across(name: str) -> bool:
 
 
 def is_stress(name: str) -> bool:
-    """Whether `name` names a measured stress."""
+    """Whether `name` names a measured stress along the sliding."""
     plain = plain_name(name)
-    return bool(_STRESS.search(plain)) and not _DEMAND.search(plain)
+    return bool(_STRESS.search(plain)) and not (_DEMAND.search(plain) or _PRESSES.search(plain))
 
 
 def _has_stem(plain: str, stems: Iterable[str]) -> bool:
@@ -147,12 +189,13 @@ def _has_stem(plain: str, stems: Iterable[str]) -> bool:
 
 
 def _longest_stem(plain: str, stems: Iterable[str]) -> str:
-    """The longest stem that a word of `plain` starts with; short ones must be the whole word."""
+    """The longest stem in `plain`; a short one must be a word, or with a hyphen the end of one."""
     found = ""
     for stem in stems:
         key = plain_name(stem)
-        ascii_short = key.isascii() and len(key) <= 4
-        pattern = rf"\b{re.escape(key)}\b" if ascii_short else re.escape(key)
+        short = key.isascii() and len(key) <= 4
+        begin = "" if stem.startswith("-") else r"\b"
+        pattern = rf"{begin}{re.escape(key)}\b" if short else re.escape(key)
         if len(key) > len(found) and re.search(pattern, plain):
             found = key
     return found

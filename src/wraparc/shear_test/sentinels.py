@@ -1,5 +1,7 @@
 """Rows that are marks of the machine or remains of a broken transfer, not readings."""
 
+from collections.abc import Iterable
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,6 +10,10 @@ from wraparc.machine_tables import Array
 Mask = NDArray[np.bool_]
 _MARKS = (9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 1e30)
 _ENDS = 3
+# Rows of results that may stand under a table. Ours.
+_MOST_RESULTS = 10
+# Usual steps that a jump back is larger than. Ours.
+_JUMP = 3.0
 
 
 def sentinel_rows(travel: Array, force: Array, keep: Mask) -> Mask:
@@ -44,6 +50,43 @@ def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
     if 0 < np.count_nonzero(suspect) < len(rows) / 2:
         largest = float(size[~suspect].max())
         found[rows[suspect]] = size[suspect] > 5.0 * largest
+    return found
+
+
+def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
+    """Return the first and last rows that are results or settings, not readings.
+
+    In the last a column has no number that has one before, for a word stands in its place; or one
+    that rises evenly everywhere else, as time does, jumps back.
+
+    Parameters
+    ----------
+    columns
+        All columns of the table, shape (n,) each.
+    keep
+        Rows still in use, shape (n,).
+    """
+    rows = np.flatnonzero(keep)
+    most = min(_MOST_RESULTS, len(rows) // 3)
+    middle = slice(most, len(rows) - most)
+    found = np.zeros(len(keep), dtype=bool)
+    if not most:
+        return found
+    for column in columns:
+        values = column[rows]
+        off = ~np.isfinite(values)
+        if off[middle].any():
+            continue
+        off[:most] = False
+        steps = np.diff(values)
+        usual = float(np.median(steps[middle]))
+        # rows before the last jump at the start, and from the first jump at the end
+        if usual > 0.0 and np.all((steps[middle] > 0.0) & (steps[middle] < _JUMP * usual)):
+            jumps = np.flatnonzero(steps < -_JUMP * usual)
+            begin, end = jumps[jumps < most], jumps[jumps >= most]
+            off[: 1 + begin[-1] if len(begin) else 0] = True
+            off[1 + end[0] if len(end) else len(off) :] = True
+        found[rows[off]] = True
     return found
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.checks.numbers import idles
-from wraparc.checks.of_drive import usual_sizes
+from wraparc.checks.usual import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse

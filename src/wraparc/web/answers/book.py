@@ -19,6 +19,7 @@ from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
+from wraparc.checks.usual import USUAL
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
@@ -117,6 +118,7 @@ def _whole() -> Book:
             "share": Sag.share,
             **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
         },
+        sizes={name: dict(ends) for name, ends in USUAL.items()},
         design=DESIGN,
         own={},
     )
@@ -299,13 +301,13 @@ def _standards(lagging: Lagging) -> Standards:
 
 
 def _heads() -> Heads:
-    checks = tables(lambda system: [check_table(judge(probe()), system)], ["checks"])[0]
+    checks = tables([check_table(judge(probe()))], ["checks"])[0]
     notes = {text: text.split(" Not checked: ")[0] for text in (checks.note.si, checks.note.us)}
     bare = checks.note.model_copy(update={"si": notes[checks.note.si], "us": notes[checks.note.us]})
     least = {}
     for held, take_up in HELD.items():
         of = with_criteria(probe(), take_up=take_up)
-        found = tables(lambda system, of=of: [least_table(of, system)], ["least"])[0]  # type: ignore[misc]
+        found = tables([least_table(of)], ["least"])[0]
         least[held] = found.model_copy(update={"rows": []})
     return Heads(checks=checks.model_copy(update={"rows": [], "note": bare}), least=least)
 

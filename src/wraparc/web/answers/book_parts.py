@@ -99,5 +99,6 @@ class Book(Plain):
     held: dict[str, str]
     heads: Heads
     usual: dict[str, float]
+    sizes: dict[str, dict[str, tuple[float, float]]]
     design: str
     own: dict[str, Any]

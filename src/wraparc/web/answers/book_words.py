@@ -22,6 +22,7 @@ from wraparc.checks.judge import (
     unrated,
 )
 from wraparc.checks.of_arc import held_words
+from wraparc.checks.usual import usual_sizes
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -91,7 +92,7 @@ def words_by_key() -> Found:
     yield "balance", _some(of_arc.balance(arc), "solved")
     yield "sense", _some(of_drive.sense(case, drive.pulleys[0]), BRAKES)
     yield "data", _some(of_data.data(drive, drive.pulleys[0]))
-    yield "usual_sizes", map(words_of, of_drive.usual_sizes(drive))
+    yield "usual_sizes", map(words_of, usual_sizes(drive))
 
 
 def _some(check: Check | None, when: str = "", **open_: str) -> list[Words]:

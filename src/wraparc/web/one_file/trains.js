@@ -7,6 +7,7 @@ import {
   lawOf,
   left,
   NOT_HERE,
+  oddOf,
   readIn,
   saidOf,
   unjudgedOf,
@@ -124,6 +125,8 @@ export function trainOf(design, book, words) {
   if (problems.length) return { problems };
   const not = beyond(found);
   if (not) return { problems: [left(not)] };
+  const odd = oddOf(found, book);
+  if (odd) return { problems: [odd] };
   /** @type {string[]} */
   const names = found.pulleys.map((/** @type {any} */ p) => p.name);
   const saids = names.map((_, i) => saidOf(found, i, design, book));

@@ -366,6 +366,7 @@ export interface Book {
   held: Record<string, string>;
   heads: { checks: Table; least: Record<string, Table> };
   usual: Record<string, number>;
+  sizes: Record<string, Record<string, [number, number]>>;
   design: string;
   own: Record<string, any>;
 }

@@ -62,6 +62,7 @@ export function saidOf(drive, i, doc, book) {
       wrap_angle: pulley.wrap_angle,
       overrun: orNone(pulley.overrun),
       creep_limit: orNone(pulley.creep_limit),
+      mass: orNone(pulley.mass),
     },
     belt: {
       width: belt.width,
@@ -160,6 +161,8 @@ export function assembled(drive, doc, book) {
   const refused = (/** @type {Problem} */ problem) => ({ judging: null, problems: [problem] });
   const not = drive.cases ? "A train is not solved here." : beyond(drive);
   if (not) return refused(left(not));
+  const odd = oddOf(drive, book);
+  if (odd) return refused(odd);
   const said = saidOf(drive, 0, doc, book);
   const cases = drive.load_cases.map((/** @type {any} */ c) => caseAs(c, said.name));
   const usual = lawOf(said);
@@ -178,6 +181,23 @@ export function assembled(drive, doc, book) {
   // what a take-up holds follows from the conveyor in every load case
   if (drive.conveyor) Object.assign(judging, { take_up: false, held_at: drive.conveyor.take_up });
   return { judging, problems: [] };
+}
+/** A size beside those of the arcs that conveyors do not have; nothing where all are usual.
+ * @param {any} drive as read @param {Book} book */
+export function oddOf({ belt, criteria, conveyor, pulleys }, book) {
+  const { take_up, standard, safety, sag } = criteria;
+  const parts = { Belt: belt, TakeUp: take_up, DesignStandard: standard, SafetyFactors: safety };
+  const laggings = pulleys.flatMap((/** @type {any} */ { lagging }) => [
+    ["Lagging", lagging],
+    ["Block", lagging.block],
+  ]);
+  const all = [...Object.entries(parts), ["Sag", sag], ["Conveyor", conveyor], ...laggings];
+  for (const [name, of] of all)
+    for (const [key, [low, high]] of Object.entries(book.sizes[name])) {
+      const v = of?.[key];
+      if (v && (v < low || (v > high && v < Number.POSITIVE_INFINITY)))
+        return left(NOT_HERE[3], key);
+    }
 }
 /** @param {any} c as read @param {string} pulley @returns {Case} */
 const caseAs = (c, pulley) => ({ ...c, ...pairOf(c.tensions.get(pulley)) });
@@ -244,6 +264,7 @@ export function caseOf(said, c, bookLaw, book) {
     ),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
+    pulley_mass: pulley.mass,
     wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
   const cover = thick.get("cover_left_out");
