@@ -4,6 +4,7 @@ Expected values: the columns that were written.
 """
 
 import io
+from typing import Any
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ NORMAL = 1400.0 + 5.0 * np.sin(TIME)
 OTHER = 700.0 + 20.0 * TIME
 
 
-def table(head: str, *columns: np.ndarray, sep: str = ";") -> str:  # type: ignore[type-arg]
+def table(head: str, *columns: Any, sep: str = ";") -> str:
     rows = [sep.join(f"{v:.4f}" for v in cells) for cells in zip(*columns, strict=True)]
     return "\n".join([head, *rows, ""])
 

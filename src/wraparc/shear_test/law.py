@@ -24,6 +24,8 @@ from wraparc.shear_test.tails import Tails
 
 _MOST_KNOTS = 24
 _CLOSE = 1e-3
+# A pressure nearer to an end than this, by rounding, is that end.
+_APART = 1.001
 _ONE_PRESSURE_SCATTER = 0.02
 _METHOD = (
     "integral-log law to each curve (soft-L1), then over pressure by generalised least "
@@ -41,10 +43,10 @@ def knot_pressures(fit: PressureFit, tails: Tails) -> Array:
     if fit.form.nodes:
         return np.array(fit.form.nodes)
     at = fit.transition_pressure
-    places = {low, high, *tails.pressure[_changing(tails)].tolist()}
+    changing = tails.pressure[_changing(tails)].tolist()
+    places = {low, high, *(p for p in changing if low * _APART < p < high / _APART)}
     if at is not None and low * 1.01 < at < high / 1.01:
         places = {p for p in places if p in (low, high) or abs(p / at - 1.0) > 0.02} | {at}
-    places = {min(max(p, low), high) for p in places}
     fine = np.geomspace(low, high, 601)
     wanted = np.exp(fit.peaks(fine))
     while len(places) < _MOST_KNOTS:
