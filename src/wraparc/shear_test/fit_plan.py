@@ -111,7 +111,7 @@ def _refuse_duplicate(
 ) -> None:
     """Refuse the readings of a test before, also under another name: they are no repeat."""
     for first, other in seen:
-        if _are_same_readings(record, other):
+        if first.place != test.place and _are_same_readings(record, other):
             raise InputError(
                 Problem(
                     message=f"the file holds the same data as {first.place}: it was counted once",
