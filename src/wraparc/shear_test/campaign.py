@@ -46,10 +46,7 @@ def order_of(tests: Sequence[PlannedTest]) -> Array | None:
 
 
 def order_sentences(
-    tests: Sequence[TestResult],
-    law: PressureFit,
-    points: CurvePoints,
-    flagged: NDArray[np.bool_],
+    tests: Sequence[TestResult], law: PressureFit, points: CurvePoints, flagged: NDArray[np.bool_]
 ) -> tuple[list[str], list[str]]:
     """Sentences on the order of the tests against the law, and remarks on it.
 

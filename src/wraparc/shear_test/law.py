@@ -13,12 +13,7 @@ from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Findings
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.plan import TestPlan
-from wraparc.shear_test.pressure_fit import (
-    CurvePoints,
-    PressureFit,
-    at_least,
-    scatter_within,
-)
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 
@@ -80,11 +75,7 @@ def _to_digits(values: Array, digits: int) -> Array:
 
 
 def law_through(
-    pressure: Array,
-    peaks: Array,
-    tails: Tails,
-    slip_max: float,
-    slip_speed: float | None = None,
+    pressure: Array, peaks: Array, tails: Tails, slip_max: float, slip_speed: float | None = None
 ) -> IntegralLog:
     """Return the law with knots at pressures.
 
