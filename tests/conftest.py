@@ -1,5 +1,6 @@
 """Settings that every test shares."""
 
+import gc
 import os
 import signal
 import subprocess
@@ -21,6 +22,10 @@ providers._get_local_constants = lambda: providers._local_constants
 
 # What a shell starts in the background ignores Ctrl-C, and so would every process of a test.
 signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# What is imported and collected stays to the end: it is looked through for rubbish no time at all
+# (`pytest_collection_finish`), where each time takes a second, a tenth of all that tests take.
+gc.disable()
 
 BEGIN = time.monotonic()
 LEFT = "left to make test"
@@ -75,7 +80,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("time", range(times))
 
 
-#: What takes longest, so that workers who begin with it end together.
+#: What takes longest, so that workers who begin with it end together; then what needs a browser.
 FIRST = (
     "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_page_file",
     "web/test_pages", "web/test_pages_editing", "web/test_states_looks",
@@ -88,6 +93,10 @@ FIRST = (
 )  # fmt: skip
 
 
+def _place(item: pytest.Item) -> str:
+    return f"{item.path.parent.name}/{item.path.stem}"
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     places = {name: place for place, name in enumerate(FIRST)}
     if seed := config.getoption("--shuffle"):
@@ -97,11 +106,17 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
         items.sort(key=lambda i: (mixed(i.nodeid.partition("::")[0]), mixed(i.nodeid)))
     elif not config.getoption("--budget"):
-        items.sort(key=lambda i: places.get(f"{i.path.parent.name}/{i.path.stem}", len(FIRST)))
+        items.sort(key=lambda i: places.get(_place(i), len(FIRST) + (i.path.parent.name != "web")))
     if config.getoption("--under-load"):
         others = [item for item in items if not item.get_closest_marker("processes")]
         config.hook.pytest_deselected(items=others)
         items[:] = [item for item in items if item.get_closest_marker("processes")]
+
+
+def pytest_collection_finish() -> None:
+    gc.freeze()
+    gc.set_threshold(20_000)
+    gc.enable()
 
 
 @pytest.hookimpl(wrapper=True)

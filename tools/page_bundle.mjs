@@ -56,7 +56,7 @@ async function built(file, how) {
 }
 /** The reader and writer of TOML as one module, for the pages. */
 async function vendored() {
-  const contents = 'export { parse, stringify, TomlDate } from "smol-toml";';
+  const contents = 'export { parse, stringify, TomlDate, TomlError } from "smol-toml";';
   const how = { stdin: { contents, resolveDir: root }, format: "esm" };
   const { outputFiles } = await build({ ...common, ...how });
   return outputFiles[0].text;
@@ -136,6 +136,7 @@ const made = new Map([
   [TOML, vendor],
   [join(folder, "solver.js"), await built("solver.js", { globalName: "solver" })],
   [join(folder, "page.js"), await built("main.js", { plugins: [instead] })],
+  [join(folder, "start.js"), await built("start.js", { format: "esm" })],
   [join(folder, "page.css"), await built("../static/style.css", {})],
   ...(await served()),
 ]);

@@ -7,20 +7,28 @@ is bundled into; with ``--check`` it only says whether the file is what the sour
 from __future__ import annotations
 
 import argparse
+import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from javascript import whole
 from javascript.translate import Module, translated
-from wraparc.arc import answer, capacity, profile
-from wraparc.checks import numbers
+from wraparc import catalogue, errors
+from wraparc.arc import answer, capacity, profile, wrap_arc
+from wraparc.catalogue import loader
+from wraparc.checks import numbers, of_data
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
+from wraparc.files import drive_file
 from wraparc.present import arc_tables, train_sheet, train_words
 from wraparc.present.sheet import term
+from wraparc.provenance import Provenance
 from wraparc.saving import save_file
+from wraparc.schema import limits, source
 from wraparc.train import (
     CaseResult,
     FluidCoupling,
@@ -29,8 +37,9 @@ from wraparc.train import (
     VariableSpeed,
     turning,
 )
+from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import display
+from wraparc.units import display, percent, quantity
 from wraparc.web import in_page, in_page_conveyor, in_page_train
 
 ROOT = Path(__file__).parents[1]
@@ -41,6 +50,7 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.quick,
     in_page.judged,
+    in_page.covered_creep,
     tension_rules.overridden,
     tension_rules.fault_of,
     tension_rules.overdetermined,
@@ -107,6 +117,33 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     Induction,
     FluidCoupling,
 )
+#: What reads documents in the page.
+PYTHON = FILE.with_name("python.js")
+READER_FILE = FILE.with_name("reader.js")
+READER: dict[str, Any] = {
+    "readDrive": drive_file.drive_from_document,
+    "readTrain": train_file.train_from_document,
+    "InputError": errors.InputError,
+    "CatalogueBelt": loader.CatalogueBelt,
+    "Provenance": Provenance,
+    "syntaxProblem": source.syntax_problem,
+    "ofBelt": wrap_arc.of_belt,
+    "weakSources": of_data.weak_sources,
+}
+#: What `static/documents.js` has in the place of functions that look into files.
+OF_FILES: dict[Any, str] = {
+    catalogue.belts: "belts",
+    catalogue.lagging_names: "laggingNames",
+    catalogue.lagging_text: "laggingText",
+    source.parse: "parsed",
+    source.read_text: "readText",
+    os.path.join: "readText",
+    drive_file.overridden: "overridden",
+    limits.is_number: "isNumber",
+    errors.shown: "$shown",
+}
+#: Methods of what is read that nothing asks for there.
+UNREAD = ("written", "schema", "rows")
 HEAD = """\
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
@@ -126,12 +163,27 @@ def train_module() -> str:
     """Return the module of the train page as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
-    instead: dict[Any, Any] = {of: of.__name__ for of in (display, term)}
+    instead: dict[Any, Any] = {of: of.__name__ for of in (display, percent, quantity, term)}
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'
     native = f'import {{ {", ".join(sorted(found.natives))} }} from "./told.js";\n'
     return formatted(HEAD + taken + native + text)
+
+
+def reader_module() -> str:
+    """Return the module that reads documents as it must stand in its file."""
+    frozen = [catalogue.design_friction]
+    module = whole.Module("wraparc", OF_FILES, frozen=frozen, without=UNREAD)
+    for name, value in READER.items():
+        module.export(name, value)
+    text = module.text()
+    known = set(re.findall(r"^export (?:const|class|function) (\$\w+)", PYTHON.read_text(), re.M))
+    used = sorted(known & set(re.findall(r"\$\w+", text)))
+    native = sorted(name for name in module.natives if name not in known)
+    head = f'import {{ {", ".join(native)} }} from "./documents.js";\n'
+    head += f'import {{ {", ".join(used)} }} from "./{PYTHON.name}";\n'
+    return HEAD + head + text
 
 
 def formatted(text: str) -> str:
@@ -149,7 +201,7 @@ def main() -> int:
     """Write the file, or compare it."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
-    texts = {FILE: module(), TRAIN_FILE: train_module()}
+    texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)

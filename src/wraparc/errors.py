@@ -12,6 +12,7 @@ from importlib import import_module
 from typing import Any
 
 _SHOWN_LENGTH = 60
+_LEAST_LIKENESS = 0.55
 
 
 class WraparcError(Exception):
@@ -35,14 +36,37 @@ def shown(value: object) -> str:
 
 def near(given: object, known: Iterable[str], most: int = 3) -> list[str]:
     """Return the known words nearest to a given one, the nearest first; none if none is near."""
-    import difflib  # only a mistake needs it, and start-up is short
-
     if not isinstance(given, str):
         return []
     words = list(known)
     within = [word for word in words if len(given) > 2 and given in word]
-    alike = difflib.get_close_matches(given[:100], words, n=most, cutoff=0.55)
-    return list(dict.fromkeys(within + alike))[:most]
+    alike = [(_likeness(word, given[:100]), word) for word in words]
+    by_likeness = sorted([pair for pair in alike if pair[0] >= _LEAST_LIKENESS], reverse=True)
+    return list(dict.fromkeys(within + [word for _, word in by_likeness[:most]]))[:most]
+
+
+def _likeness(word: str, given: str) -> float:
+    """Part of the letters of two words that stand in blocks alike, as Ratcliff and Obershelp."""
+    size = len(word) + len(given)
+    return 2.0 * _alike(word, given) / size if size else 1.0
+
+
+def _alike(one: str, other: str) -> int:
+    """Count the letters of the longest block in both, and of those before it and behind it."""
+    size, at, there = 0, 0, 0
+    runs = [0] * (len(other) + 1)
+    for i, letter in enumerate(one):
+        before = 0
+        for j, found in enumerate(other):
+            run = before + 1 if letter == found else 0
+            before = runs[j + 1]
+            runs[j + 1] = run
+            if run > size:
+                size, at, there = run, i + 1 - run, j + 1 - run
+    if size == 0:
+        return 0
+    first = _alike(one[:at], other[:there])
+    return first + size + _alike(one[at + size :], other[there + size :])
 
 
 def nearest(given: object, known: Iterable[str]) -> str:

@@ -140,6 +140,19 @@ QUANTITIES: tuple[Quantity, ...] = (
         "Force of the belt on shaft and bearings of the pulley, its own weight left out.",
     ),
     Quantity(
+        "pulley_mass", "m_p", "mass", "Mass of the pulley",
+        "With lagging and shaft; its weight bears on the bearings beside the belt tensions.",
+    ),
+    Quantity(
+        "most_shaft_load", "R_max", "force", "Largest load of shaft and bearings",
+        "Resultant of the belt tensions and weight of the pulley, the belt pulling straight down.",
+    ),
+    Quantity(
+        "least_shaft_load", "R_min", "force", "Least load of shaft and bearings",
+        "Resultant of the belt tensions less the weight of the pulley, the belt pulling straight "
+        "up.",
+    ),
+    Quantity(
         "resultant_angle", "", "angle", "Direction of the resultant",
         "From the line of the entry tension towards that of the exit tension.",
     ),

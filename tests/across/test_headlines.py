@@ -22,6 +22,7 @@ from wraparc.across import (
 from wraparc.checks import Level, judge
 from wraparc.present.across_answers import wear_verdict
 from wraparc.present.across_tables import across_tables, worst_first
+from wraparc.present.sheet import shown
 from wraparc.web.answers.across import read_profile, solve_width, thickness_width, wear_width
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 from wraparc.web.examples import examples
@@ -160,7 +161,7 @@ def test_thicker_lagging_cushions_a_little() -> None:
 
 def test_a_lagging_that_is_down_already_is_not_said_to_heal() -> None:
     now = solve_across(load_drive(EXAMPLES / f"{FABRIC}.toml"), strips=4)
-    told = wear_verdict(now, march_wear(now.wide, 1e-4, per_depth=1), 20e-3)
+    told = shown(wear_verdict(now, march_wear(now.wide, 1e-4, per_depth=1), 20e-3), "si")
     assert told.level is Level.ATTENTION
     assert told.headline == "Re-lag now: the thinnest strip is down to 20 mm already."
     assert not told.sentences
@@ -176,7 +177,7 @@ def test_the_load_case_that_governs_stands_first() -> None:
     result = solve(replace(of, load_cases=(case, start)), raise_on_failure=False)
     first, *_ = worst_first(result)
     assert first.wide.arc.load_case == "start"
-    table = across_tables(result, "si")[0]
+    table = shown(across_tables(result)[0], "si")
     assert table.title == "Across the width: pulley head, load case start"
     assert "load case start: The strip that comes off worst creeps 12.7 mm" in (
         judge(result).headline()

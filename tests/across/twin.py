@@ -2,9 +2,9 @@
 
 Unknown are the lag of the label line at the nodes of one mesh along the belt, and the drum number.
 Tension comes from the lag, M (strain) in the spans and M' (Gamma + a/R - lag_s) on the pulley; its
-balance over every cell, t_s = -tau + S lag_yy with the three-point lag_yy, is solved by Newton's
-method with sparse matrices from the even belt. No modes, no stages, no stresses of the room:
-slip is bisected from the public friction of the law.
+balance over every cell, t_s = -tau R/(R + e) + S lag_yy with the three-point lag_yy, is solved by
+Newton's method with sparse matrices from the even belt; what presses is t - m v^2/B. No modes, no
+stages, no stresses of the room: slip is bisected from the public friction of the law.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 sparse: Any = scipy.sparse  # its types know no mixed blocks
 
 
-def stress(law: FrictionLaw, compliance: float, creep: Array, pressure: Array) -> Array:
+def stress(law: FrictionLaw, compliance: Array | float, creep: Array, pressure: Array) -> Array:
     """Shear stress by bisection of slip [Pa]."""
     low, high = np.zeros_like(creep), np.abs(creep)
     for _ in range(60):
@@ -32,7 +32,8 @@ def stress(law: FrictionLaw, compliance: float, creep: Array, pressure: Array) -
         low, high = np.where(over, low, slip), np.where(over, slip, high)
     slip = 0.5 * (low + high)
     stuck = np.abs(creep) - slip
-    shear = stuck / compliance if compliance > 0.0 else law.friction(slip, pressure) * pressure
+    held = np.all(compliance > 0.0)
+    shear = stuck / compliance if held else law.friction(slip, pressure) * pressure
     return np.sign(creep) * shear
 
 
@@ -59,14 +60,16 @@ class Twin:
         wide, arc, n, m = self.wide, self.wide.arc, self.n, self.m
         h = np.diff(self.s)
         on = (np.arange(m - 1) >= self.first) & (np.arange(m - 1) < self.last)
-        eye, radius = sparse.identity(n), arc.radius
+        eye, pitch = sparse.identity(n), arc.radius + (arc.pitch_offset or 0.0)
+        self.lift = arc.centrifugal / arc.width
         modulus = np.where(on[:, None], 1.0 / wide.compliance, wide.belt_modulus)
         slope = sparse.diags_array([-1.0 / h, 1.0 / h], offsets=[0, 1], shape=(m - 1, m))
         self.by_lag = sparse.diags_array(-modulus.ravel()) @ sparse.kron(slope, eye)
         self.by_drum = (modulus * on[:, None]).ravel()
         base = np.zeros((m - 1, n))
         base[: self.first] = arc.entry_tension / arc.width + wide.entry_profile
-        base[on] = (wide.radius_deviation / radius) / wide.compliance
+        given = self.lift * (wide.compliance - 1.0 / wide.belt_modulus)  # squeezes no lagging
+        base[on] = (wide.radius_deviation / pitch + given) / wide.compliance
         base[self.last :] = arc.exit_tension / arc.width
         # the path is longer at the tangents: the lag jumps there
         base[self.first - 1] += wide.belt_modulus * wide.entry_misfit / h[self.first - 1]
@@ -83,7 +86,7 @@ class Twin:
         touched = np.zeros(m)
         touched[self.first : self.last] += 0.5 * h[self.first : self.last]
         touched[self.first + 1 : self.last + 1] += 0.5 * h[self.first : self.last]
-        self.touched = np.repeat(touched, n)
+        self.touched = np.repeat(touched * arc.radius / pitch, n)
         second = sparse.diags_array([1.0, -2.0, 1.0], offsets=[-1, 0, 1], shape=(n, n)).tolil()
         second[0, 0] = second[-1, -1] = -1.0
         second = second.tocsr() * (wide.shear_stiffness / (arc.width / n) ** 2)
@@ -97,7 +100,7 @@ class Twin:
     def solve(self, drum: float) -> Twin:
         """Newton's method from a straight label line."""
         law, arc = self.wide.arc.law, self.wide.arc
-        compliance, n, m = arc.shear_compliance, self.n, self.m
+        compliance, n, m = np.tile(self.wide.shear, self.m), self.n, self.m
         lag, on = np.zeros(m * n), self.touched > 0.0
         lag += np.repeat(np.clip(self.s, 0.0, arc.length), n) * 0.4 * drum
         gauge = np.zeros(m * n)
@@ -105,7 +108,7 @@ class Twin:
         for _ in range(40):
             middle = self.base + self.by_lag @ lag + self.by_drum * drum
             u = self.creep @ lag + (arc.overrun or 0.0)
-            p = np.maximum(self.average @ middle, 1.0) / arc.radius
+            p = np.maximum(self.average @ middle - self.lift, 1.0) / arc.radius
             du, dp = 1e-9, 1e-4 * p
             tau = np.where(on, stress(law, compliance, u, p), 0.0)
             by_u = np.where(

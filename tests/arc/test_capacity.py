@@ -78,7 +78,7 @@ def meets(arc: WrapArc, ratio: float, quantity: str, limit: float) -> bool:
 
 @pytest.mark.parametrize(("name", "braking"), SIDES)
 def test_creep_limit_capacity_is_at_the_creep_limit(name: str, braking: bool) -> None:
-    for arc in drives(name, 6, braking):
+    for arc in drives(name, 3, braking):
         c = capacities(arc)
         assert meets(arc, c.creep_limit_capacity, "exit_creep", arc.creep_limit)
 
@@ -87,7 +87,7 @@ def test_creep_limit_capacity_is_at_the_creep_limit(name: str, braking: bool) ->
     ("name", "braking"), [side for side in SIDES if LAWS[side[0]].tested is not None]
 )
 def test_tested_slip_capacity_is_at_the_tested_slip(name: str, braking: bool) -> None:
-    for arc in drives(name, 4, braking):
+    for arc in drives(name, 2, braking):
         c = capacities(arc)
         tested = arc.law.tested
         assert tested is not None
@@ -96,7 +96,7 @@ def test_tested_slip_capacity_is_at_the_tested_slip(name: str, braking: bool) ->
 
 @every_law
 def test_margins_and_equivalent_friction(name: str) -> None:
-    for arc in drives(name, 3, False) + drives(name, 3, True):
+    for arc in drives(name, 2, False) + drives(name, 2, True):
         result = Distributed(points=18).solve(arc)
         c = result.capacities
         ratio = max(arc.entry_tension / arc.exit_tension, arc.exit_tension / arc.entry_tension)

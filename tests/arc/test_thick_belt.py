@@ -16,6 +16,8 @@ import pytest
 from arc.drives import LAWS, random_arc
 from arc.thick_twin import ThickTwin
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
+from wraparc.checks.of_arc import slip_speed
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.friction import Constant
 
 QUICK = Distributed(capacities=False)
@@ -157,3 +159,20 @@ def test_the_torque_pulls_at_the_tension_member() -> None:
     )  # fmt: skip
     delta = 0.012 / 9e6 * 90e3 / (1.2 * 0.4)
     assert arc.pitch_radius == pytest.approx(0.4 - delta + 7e-3, rel=1e-15)
+
+
+def test_what_wears_a_turn_is_the_sliding_power() -> None:
+    """Energy a pass, on 2 pi R B, in the turns of an hour: the sliding power but for the creep that
+    turns leave out, 1 - g; the largest slip speed is that of the shell under it, by its angle."""
+    for result in solved("rubber", 3, 39):
+        arc, energy = result.arc, result.energy
+        turns = turns_an_hour(3.0, arc.radius + arc.offset)
+        area = 2.0 * math.pi * arc.radius * arc.width
+        worked = turns * area * energy.frictional_energy / 3600.0
+        exact = energy.sliding_power * (1.0 - result.entry_creep_ratio)
+        assert worked == pytest.approx(exact, rel=1e-12)
+        at, slip = result.profile.position, result.profile.slip
+        step = np.diff(at) > 1e-9
+        steepest = np.max(np.abs(np.diff(slip)[step] / np.diff(at)[step]))
+        omega = 3.0 / (arc.radius + arc.offset)
+        assert slip_speed(result) == pytest.approx(omega * steepest, rel=1e-12)

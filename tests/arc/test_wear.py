@@ -7,9 +7,11 @@ import pytest
 
 from present.drives import drive, solved
 from wraparc import load_lagging, solve
-from wraparc.arc.wear import coefficient_of_life, frictional_power, passes_per_hour, wear_life
+from wraparc.arc.wear import coefficient_of_life, frictional_power, wear_life
 from wraparc.choose.cost import lagging_cost
 from wraparc.drive import Cost
+from wraparc.drive.pitch import turns_an_hour
+from wraparc.present.sheet import shown
 from wraparc.present.wear_table import life_data, life_table, wear_table
 
 #: 3 m/s on a drum of 0.8 m, by hand: 3 * 3600 / (pi 0.8).
@@ -49,12 +51,12 @@ def test_without_a_belt_speed_there_is_no_power() -> None:
     still = drive()
     result = solve(replace(still, belt=replace(still.belt, speed=None))).arcs[0]
     assert math.isnan(frictional_power(result)[1][0])
-    assert wear_table(result, load_lagging("diamond-rubber")) is None
-    assert life_table(result, load_lagging("diamond-rubber")) is None
+    assert shown(wear_table(result, load_lagging("diamond-rubber")), "si") is None
+    assert shown(life_table(result, load_lagging("diamond-rubber")), "si") is None
 
 
 def test_life_is_depth_over_wear() -> None:
-    assert passes_per_hour(3.0, 0.8) == pytest.approx(PASSES)
+    assert turns_an_hour(3.0, 0.4) == pytest.approx(PASSES)
     hours = wear_life(6e-3, 2e-13, 280.0, PASSES)
     assert hours == pytest.approx(6e-3 / (2e-13 * 280.0 * PASSES))
     assert coefficient_of_life(6e-3, hours, 280.0, PASSES) == pytest.approx(2e-13)
@@ -78,14 +80,16 @@ def test_more_creep_wears_sooner_where_a_vendor_states_one_life() -> None:
 
 def test_energy_is_split_where_a_ratio_is_given() -> None:
     lagging = replace(load_lagging("diamond-rubber"), belt_energy_share=0.25)
-    table = wear_table(solved().arcs[0], lagging)
+    table = shown(wear_table(solved().arcs[0], lagging), "si")
     assert table is not None
     assert table.heads == ("frictional power", "belt", "lagging")
     whole, belt, rest = (float(v.split()[0].replace(",", "")) for v in table.rows[-1].values)
     # each is told in three digits
     assert belt == pytest.approx(0.25 * whole, rel=5e-3)
     assert belt + rest == pytest.approx(whole, rel=5e-3)
-    assert "is not said" in wear_table(solved().arcs[0], load_lagging("diamond-rubber")).note  # type: ignore[union-attr]
+    told = wear_table(solved().arcs[0], load_lagging("diamond-rubber"))
+    assert told is not None
+    assert "is not said" in told.note
 
 
 def test_a_lagging_whose_wear_is_known_is_bought_by_it() -> None:

@@ -40,13 +40,10 @@ FAILED = [
     ("softening", [1, 280]),
     ("any table", [1, 728]),  # the largest shear stress in a steep cell
     ("elastic-plastic", [1, 583]),  # idling, to the last digits
-    pytest.param(
-        "any table",
-        [1, 1619],
-        marks=pytest.mark.xfail(
-            reason="0.3 m of creep along 9,500 shear-lag lengths: its continuation ends before"
-        ),
-    ),
+    ("any table", [1, 1619]),  # 0.3 m of creep along 9,500 shear-lag lengths
+    ("constant", [1, 86]),  # sliding from 1 % of the wrap on, too near the entry for a rest arc
+    ("any table", [1, 278]),  # 7 s: the least slack side by halving
+    ("any table", [1, 602]),  # an overrun on an idle pulley: 1e5 times the pull
     ("power", [1, 4362]),  # the overrun drives, and the belt sticks again behind it
 ]
 

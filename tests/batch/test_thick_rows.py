@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -47,3 +49,26 @@ def test_rows_are_those_of_the_solver_of_one(name: str) -> None:
                 value = scalars[key]
                 size = max(abs(value), 1e-5) if np.isfinite(value) else 1.0
                 assert found[key][i] == pytest.approx(value, abs=within * size, nan_ok=True), key
+
+
+def test_the_lagging_slips_under_the_belt_as_fast_as_the_shell_turns() -> None:
+    """The same arc without thickness, on R + e: its lagging passes by R/(R + e) faster."""
+    rng = np.random.default_rng(40)
+    arcs = [thick(random_arc(LAWS["rubber"], rng), rng) for _ in range(6)]
+    thin = [
+        replace(
+            a,
+            diameter=a.diameter + 2.0 * a.offset,
+            wrap_angle=a.wrap_angle * a.radius / (a.radius + a.offset),
+            width=a.width * a.radius / (a.radius + a.offset),
+            compression_modulus=np.inf,
+            overrun=1e-5,
+            pitch_offset=0.0,
+        )
+        for a in arcs
+    ]
+    same = [replace(a, compression_modulus=np.inf, overrun=1e-5) for a in arcs]
+    of: Lagging = lagging("rubber", LAWS["rubber"])
+    own, other = (solve_batch(rows(part), of).slip_speed for part in (same, thin))
+    for a, found, told in zip(arcs, own, other, strict=True):
+        assert found == pytest.approx(told * a.radius / (a.radius + a.offset), rel=1e-6)

@@ -13,12 +13,13 @@ from wraparc.calibrate.field_numbers import (
     FieldNumbers,
     at_creep_limit,
     field_numbers,
-    passes,
     wear_coefficient,
 )
 from wraparc.checks import Level
 from wraparc.checks.check import Verdict
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.field_sheet import field_sheet
+from wraparc.present.sheet import shown as told_in
 
 
 @pytest.fixture(scope="module")
@@ -54,7 +55,7 @@ def test_the_alarm_is_at_the_creep_limit(results: dict[str, ArcResult]) -> None:
 
 def test_wear_is_energy_times_its_coefficient(results: dict[str, ArcResult]) -> None:
     """3 m/s on 0.8 m is 3 x 3600/(0.8 pi) = 4297 turns an hour; wear = k e n."""
-    assert passes(3.0, 0.8, 1.0) == pytest.approx(4297.18, rel=1e-5)
+    assert turns_an_hour(3.0, 0.4) == pytest.approx(4297.18, rel=1e-5)
     k = 0.5e-9 / 1e3
     found = field_numbers(results, {}, {"design": 6000.0}, coefficient=k, depth=6e-3)
     energy = results["design"].energy.frictional_energy * 4297.18 * 6000
@@ -67,7 +68,7 @@ def test_wear_is_energy_times_its_coefficient(results: dict[str, ArcResult]) -> 
 def test_the_energy_of_wear_is_the_heat_of_sliding(results: dict[str, ArcResult]) -> None:
     """Independent: sliding power v_s B e over the lagged area that passes in a second, v_s B."""
     r = results["design"]
-    turns = passes(3.0, 0.8, 1.0)
+    turns = turns_an_hour(3.0, 0.4)
     area = math.pi * 0.8 * 1.2
     joules = r.energy.frictional_energy * turns * area
     surface_over_belt = 1.0 / (1.0 - r.entry_creep_ratio)
@@ -134,7 +135,9 @@ def test_wear_shows_as_a_difference_of_speed() -> None:
     assert found.seen(0.0, 8e-3) == pytest.approx(0.02)
     assert found.seen(0.01, 8e-3) == pytest.approx(1.0 - 0.99 * 0.98)
     assert found.seen(0.01, found.wear_to_alarm) == pytest.approx(found.alarm)
-    text = " ".join(field_sheet(found, Verdict(()), "Drive", "head").verdict.sentences)  # type: ignore[union-attr]
+    told = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
+    assert told is not None
+    text = " ".join(told.sentences)
     assert "need the drum speed from a measured circumference" in text
     assert "1 mm moves every difference by 0.25 %, and 8 mm by 2 %" in text
 
@@ -178,9 +181,9 @@ def test_without_the_thickness_no_level_is_a_bare_ok(tmp_path: Path) -> None:
         trip=0.025, wear_per_year=math.nan, life_years=math.nan, energy_per_year=0.0,
         passes_per_year=0.0, diameter=0.8, depth=8e-3,
     )  # fmt: skip
-    bare = field_sheet(found, Verdict(()), "Drive", "head").verdict
+    bare = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict
     known = replace(found, pitch=1.02, shown={"design": (-0.016, -0.010)})
-    told = field_sheet(known, Verdict(()), "Drive", "head").verdict
+    told = told_in(field_sheet(known, Verdict(()), "Drive", "head"), "si").verdict
     assert bare is not None
     assert told is not None
     assert (bare.level, told.level) == (Level.ATTENTION, Level.OK)
@@ -197,5 +200,5 @@ def test_levels_of_a_braking_pulley_are_below() -> None:
     )  # fmt: skip
     assert found.worst_seen == pytest.approx(1 - 1.02 * 1.010)
     assert found.seen(found.alarm, 0.0) == pytest.approx(1 - 1.02 * 1.0125)
-    headline = field_sheet(found, Verdict(()), "Drive", "head").verdict.headline  # type: ignore[union-attr]
+    headline = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.headline  # type: ignore[union-attr]
     assert "at least -3.02 % between shaft and belt; alarm at -3.275 %" in headline

@@ -20,6 +20,7 @@ from wraparc.checks import Level, judge
 from wraparc.files.write import drive_document, drive_text
 from wraparc.present.document import result_document
 from wraparc.present.drive_sheet import drive_sheet
+from wraparc.present.sheet import shown
 from wraparc.report import markdown, workbook
 from wraparc.web.answers.drives import solve_all
 from wraparc.web.asked import SolveRequest
@@ -56,7 +57,7 @@ def test_every_door_tells_the_same(number: int, tmp_path: Path) -> None:
     assert (data["level"], data["word"]) == (verdict.level.value, verdict.word)
     assert {c["title"]: c["level"] for c in data["checks"]} == listed
 
-    table = drive_sheet([result]).tables[0]
+    table = shown(drive_sheet([result]), "si").tables[0]
     assert {row.title: str(row.level) for row in table.rows} == judged
 
     request = SolveRequest(document=drive_document(result.drive))

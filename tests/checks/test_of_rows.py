@@ -21,11 +21,12 @@ from wraparc.batch.precise import solve_precisely
 from wraparc.batch.result import BatchResult
 from wraparc.batch.row import EVERYTHING, TENSIONS
 from wraparc.catalogue import design_friction
-from wraparc.checks import Check, judge
+from wraparc.checks import Check, Level, judge
 from wraparc.checks.design_standard import asked, wrap_factors
 from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
 from wraparc.drive import Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
+from wraparc.drive.belt import Side
 from wraparc.files import drive_from_document
 from wraparc.files.write import drive_document
 from wraparc.study.source import DriveSource
@@ -144,6 +145,7 @@ CASES: list[tuple[str, Drive]] = [
     ("face_pressure", quiet(belt={"largest_wrap_pressure": 1e5})),
     ("pulley_diameter", quiet(belt={"least_pulley_diameter": 1.0})),
     ("usual_sizes", quiet(belt={"speed": 30.0})),
+    ("usual_sizes", quiet(belt={"mass": 500.0})),
     ("usual_sizes", quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None))),
     ("bond_stress", quiet(lagging=lagging(bond_strength=1e3))),
     ("fatigue_stress", quiet(lagging=lagging(fatigue_limit=1e3))),
@@ -155,6 +157,26 @@ CASES: list[tuple[str, Drive]] = [
 ]  # fmt: skip
 
 
+COVERS = {"pulley_cover": 20e-3, "carry_cover": 25e-3, "carcass": 6e-3}
+
+
+@pytest.mark.parametrize("side", ["pulley", "carry"])
+def test_a_cover_that_the_law_may_include_is_asked_about_in_rows_too(side: Side) -> None:
+    """A limit between the creep without the cover and with it; not of a law that says so."""
+    of = quiet(belt=COVERS, pulley={"side": side})
+    (arc,) = solve(of).arcs
+    limit = 0.5 * (abs(arc.exit_creep) + abs(arc.covered_creep))
+    assert limit > 1.05 * abs(arc.exit_creep)
+    asked = replace(of, creep_limit=limit)
+    assert one_by_one(asked)[1] == "cover_creep"
+    assert of_rows(asked) == one_by_one(asked)
+    head = asked.pulleys[0]
+    law = replace(head.lagging.law, slip_includes=("cover shear",))  # type: ignore[call-arg]
+    stated = replace(asked, pulleys=(replace(head, lagging=replace(head.lagging, law=law)),))
+    assert of_rows(stated) == one_by_one(stated)
+    assert of_rows(stated)[0] == Level.OK.value
+
+
 @pytest.mark.parametrize(("name", "of"), CASES)
 def test_each_check_governs_a_row_where_it_governs_the_drive(name: str, of: Drive) -> None:
     assert one_by_one(of)[1] == name
@@ -164,7 +186,7 @@ def test_each_check_governs_a_row_where_it_governs_the_drive(name: str, of: Driv
 def test_where_friction_falls_past_its_peak_the_margin_is_the_same() -> None:
     assert SOFTENING.steepest_fall() < 0.0
     of = quiet(lagging=replace(SOFT, law=SOFTENING), entry=150e3, leaving=50e3,
-               criteria=replace(NONE, safety=SafetyFactors(running=9.0)))  # fmt: skip
+               criteria=replace(NONE, safety=SafetyFactors(running=6.0)))  # fmt: skip
     assert one_by_one(of) == ("ATTENTION", "gross_slip")
     assert of_rows(of) == one_by_one(of)
 

@@ -24,6 +24,7 @@ from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Criteria, DesignStandard, Pulley, Sag, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.present.document import result_document
+from wraparc.present.sheet import shown
 from wraparc.present.train_document import train_document
 from wraparc.present.train_sheet import train_sheet
 from wraparc.report import markdown, workbook
@@ -119,7 +120,7 @@ def test_every_door_tells_the_verdict_of_a_train(number: int) -> None:
     assert verdict.level is max(worst, Level.OK, key=lambda level: level.rank)
     told = train_document(result)["verdict"]
     assert (told["level"], told["word"]) == (verdict.level.value, verdict.word)
-    sheet = train_sheet(result)
+    sheet = shown(train_sheet(result), "si")
     assert sheet.verdict is not None
     assert (sheet.verdict.level, sheet.verdict.told) == (verdict.level, verdict.word)
     assert f"**{verdict.word}.**" in markdown([result.drive_result()], train=result)

@@ -21,7 +21,7 @@ from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.provenance import Kind, Provenance
 
 NONE = Criteria(standard=DesignStandard(name="none"))
-WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=1.0)
+WIDE = TestedRange(pressure_min=1e3, pressure_max=1e7, slip_max=0.2)
 
 
 def lagging(friction: float = 0.8, **of: Any) -> Lagging:
@@ -134,6 +134,10 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
     (
         "usual_sizes", lambda: quiet(belt={"speed": 100.0}), Level.ATTENTION, 100.0, 15.0,
         "Check the unit",
+    ),
+    (  # 130 kg/m2 on 1.2 m
+        "usual_sizes", lambda: quiet(belt={"mass": 500.0}), Level.ATTENTION, 500.0, 156.0,
+        "Is it that of the whole belt?",
     ),
     (  # kN typed as N: 60 N on 1.2 m, and 0.5 kN/m is the least
         "usual_sizes",

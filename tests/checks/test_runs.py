@@ -12,6 +12,7 @@ from wraparc.motion import Event, LoadStep, Start, simulate, stability
 from wraparc.motion.control import Droop, ExactSpeed, Follower
 from wraparc.motion.result import RunResult
 from wraparc.present.motion_sheet import run_sheet
+from wraparc.present.sheet import shown
 
 
 def named(run: RunResult, name: str) -> list[Check]:
@@ -54,7 +55,7 @@ def test_what_a_length_by_default_is_worth_is_told() -> None:
     longer = simulate(replace(of, carry_run=200.0), start, points=20)
     assert (told.key, told.taken, told.other) == ("carry_run", 50.0, 200.0)
     assert told.tension == pytest.approx(longer.peak_tension.value, rel=1e-9)
-    said = run_sheet(run).verdict
+    said = shown(run_sheet(run), "si").verdict
     assert said is not None
     assert any(s.startswith("carry_run is not given: 50 m") for s in said.sentences)
 

@@ -21,6 +21,7 @@ from wraparc.checks.gross_slip import given_up, rises, rises_of
 from wraparc.checks.numbers import rise_alone
 from wraparc.drive import Pulley, TakeUp
 from wraparc.files.write import drive_document
+from wraparc.present.sheet import shown
 from wraparc.present.train_sheet import train_sheet
 from wraparc.study.file import study_from_document
 from wraparc.study.run import run_study
@@ -120,7 +121,7 @@ def test_every_door_names_the_tension_that_is_held(tmp_path: Path) -> None:
     assert "Least tension at the take-up behind pulley first" in ran.words
     assert "Tension behind pulley first held (gravity take-up, winch)" in ran.words
     assert "slack-side tension with which" not in ran.words
-    titles = [t.title for t in train_sheet(solve_train(load_train(path))).tables]
+    titles = [t.title for t in shown(train_sheet(solve_train(load_train(path))), "si").tables]
     assert "Least tension at the take-up behind pulley first" in titles
 
 

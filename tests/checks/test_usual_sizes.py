@@ -24,7 +24,7 @@ def said(**of: Any) -> list[str]:
         ({"pulley": {"wrap_angle": 9.42}}, "Is it the sum of two pulleys?"),  # 540 deg
         ({"pulley": {"wrap_angle": 0.0575958653158129}}, "Check the unit: 3.3 rad?"),  # 3.3 deg
         ({"creep_limit": 0.25}, "Check the unit: 25 mm or 0.25 mm?"),  # 250 mm
-        ({"creep_limit": 0.16129}, "Check the unit: 6.35 mm or 6.35 cm?"),  # 6.35 in
+        ({"creep_limit": 0.16129}, "Check the unit: 6.35 mm?"),  # 6.35 in
         ({"pulley": {"diameter": 630.0}}, "Check the unit: 630 mm?"),
         ({"lagging": lagging(thickness=0.12)}, "The thickness of lagging plain, 120 mm"),  # 12 cm
         ({"lagging": lagging(shear_modulus=2.3e3)}, "2.3 MPa"),  # 2.3 kPa
@@ -35,10 +35,12 @@ def said(**of: Any) -> list[str]:
         ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
         ({"belt": {"strength": 100e3}}, "The strength over the rating of the belt, 0.571,"),
         ({"pulley": {"diameter": 0.2}}, "at its rating on pulley head, 1750 kPa"),
+        ({"belt": {"mass": 500.0}}, "Is it that of the whole belt? Give the mass of a metre."),
+        ({"belt": {"mass": 0.3}}, "The mass of the belt, 0.3 kg/m"),
         ({"entry": 60.064e3}, "The power of pulley head, 0.192 kW"),  # 0.19 kW at 3 m/s
         (
             {"criteria": Criteria(sag=Sag(spacing=1.2, line_mass=0.06, share=0.02))},
-            "The tension that keeps the belt from sagging",
+            "The line mass for the sag of the belt, 0.06 kg/m, is outside the usual 1 kg/m",
         ),
     ],
 )

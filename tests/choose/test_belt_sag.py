@@ -15,6 +15,7 @@ from wraparc.choose.selection import choose, own_slack
 from wraparc.drive import GRAVITY, Sag
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.choose_words import reason, saving_words
+from wraparc.present.sheet import shown
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 HEAVY = Sag(spacing=3.0, line_mass=300.0)
@@ -62,7 +63,7 @@ def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
     short = found.grid.slack == 45e3
     assert np.array_equal(found.held["belt_sag"].broken, short)
     design = int(np.flatnonzero(short)[0])
-    told = reason(found, design, "belt_sag")
+    told = shown(reason(found, design, "belt_sag"), "si")
     assert told.startswith(
         "slack-side tension 45 kN, at least 55.2 kN (18 % under) for the sag of the belt ["
     )
@@ -71,10 +72,12 @@ def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
 def test_the_choose_file_gives_it_and_the_remarks_say_whether() -> None:
     given = load_search(EXAMPLES / "choose.toml")
     assert given.limits.sag == Sag(spacing=3.0, line_mass=22.0)
-    told = choose_sheet(choose(given))
+    told = shown(choose_sheet(choose(given)), "si")
     assert any("belt sag of 2 % of the idler spacing (4.05 kN)" in r for r in told.remarks)
     assert any("CEMA" in s and "DIN 22101" in s for s in told.sources)
-    silent = choose_sheet(choose(replace(given, limits=replace(given.limits, sag=None))))
+    silent = shown(
+        choose_sheet(choose(replace(given, limits=replace(given.limits, sag=None)))), "si"
+    )
     assert any("it is not checked" in remark for remark in silent.remarks)
 
 
@@ -101,10 +104,10 @@ def test_the_saving_is_that_of_the_cheapest_design() -> None:
     assert own_slack(found.search) == 55e3
     best = int(found.ranking[0])
     then = float(found.slack_tension[best])
-    take_up, rating = saving_words(found)
+    take_up, rating = shown(tuple(saving_words(found)), "si")
     assert f"{abs(55e3 - then) / 1e3:.4g}"[:3] in take_up
     assert "less" in take_up if then < 55e3 else "more" in take_up
     assert f"from {mass(55e3)} kg to {mass(then)} kg" in take_up
     tight = float(found.tight_tension[best]) / 1.2e3
     assert f"from {130 / 1.2:.0f} kN/m to {tight:.2f}"[:19] in rating
-    assert list(saving_words(choose(search()))) == []
+    assert list(shown(tuple(saving_words(choose(search()))), "si")) == []

@@ -20,6 +20,7 @@ from wraparc.choose.selection import choose
 from wraparc.drive import Across, Transition, WidthProfile
 from wraparc.drive.conditions import Condition
 from wraparc.present.choose_sheet import choose_csv, choose_document, choose_sheet
+from wraparc.present.sheet import shown
 
 DRIVE = Path(__file__).parents[2] / "examples" / "worn-head-drive-steel-cord.toml"
 CHOOSE = """
@@ -139,7 +140,7 @@ def test_designs_beyond_the_first_say_that_nobody_looked_at_their_edges(
     assert all(solved[i] for i in named if i is not None)
     others = len(found.ranking) - int(solved[found.ranking].sum())
     assert others == len(found.unjudged) > 0
-    sheet = choose_sheet(found)
+    sheet = shown(choose_sheet(found), "si")
     assert f"{others} of them not solved across the width" in sheet.subtitle
     assert any(f"{others} further designs are not" in remark for remark in sheet.remarks)
     rows = list(csv.DictReader(io.StringIO(choose_csv(found))))
@@ -159,7 +160,7 @@ def test_designs_beyond_the_first_say_that_nobody_looked_at_their_edges(
 def test_every_design_solved_leaves_nothing_to_say() -> None:
     found = choose(uneven({"full": (130e3, 55e3)}, diameters=(0.9,)))
     assert not len(found.unjudged)
-    sheet = choose_sheet(found)
+    sheet = shown(choose_sheet(found), "si")
     assert "not solved" not in " ".join((sheet.subtitle, *sheet.remarks))
 
 

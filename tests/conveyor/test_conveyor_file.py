@@ -14,6 +14,7 @@ from wraparc.drive import Drive, Tensions
 from wraparc.files import drive_document, drive_from_text, drive_text, load_drive
 from wraparc.present.document import json_text, result_document
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
+from wraparc.present.sheet import shown as told_in
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "uphill-conveyor.toml"
 DRIVE = EXAMPLE.read_text("utf-8")
@@ -148,12 +149,14 @@ def test_tensions_that_no_longer_follow_from_it_are_written_and_it_is_not(drive:
     document = drive_document(changed)
     assert "conveyor" not in document
     assert drive_from_text(drive_text(changed)) == changed
-    (table,) = (t for t in input_sheet(changed).tables if t.title.startswith("Conveyor"))
+    (table,) = (
+        t for t in told_in(input_sheet(changed), "si").tables if t.title.startswith("Conveyor")
+    )
     assert [head.partition(" ")[0] for head in table.heads] == ["empty", "start", "stop"]
 
 
 def test_the_sheet_shows_each_resistance_with_its_source(result: DriveResult) -> None:
-    sheet = drive_sheet([result])
+    sheet = told_in(drive_sheet([result]), "si")
     (table,) = (t for t in sheet.tables if t.title.startswith("Conveyor"))
     rows = {row.title: row for row in table.rows}
     # 1.17 f L g (...) of test_the_table_makes_the_load_cases, in kN, to three digits

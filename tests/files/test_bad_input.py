@@ -385,22 +385,41 @@ def test_a_flood_of_faults_is_cut() -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "line", "reason"),
+    ("text", "sentence"),
     [
-        (DRIVE.replace('"1200 mm"', "1200 mm"), 5, "expected newline or end of document"),
-        (DRIVE + "x = [1, 2\n", 15, "unclosed array"),
-        (DRIVE + 'title = "again"\ntitle = "and again"', 15, "cannot overwrite a value"),
-        (DRIVE + "x = 2024-13-45\n", 14, "expected newline"),
+        (
+            DRIVE.replace('"1200 mm"', "1200 mm"),
+            'line 5: "width = 1200 mm": not valid TOML. '
+            'Text needs quotes, and so does a quantity: width = "1200 mm".',
+        ),
+        (
+            DRIVE + "x = [1, 2\n",
+            "line 15: ends too early. Close the bracket or the quotes that are left open.",
+        ),
+        (
+            DRIVE + 'title = "again"\ntitle = "and again"',
+            'line 15: "title = \\"and again\\"": is there twice. Leave one of them out.',
+        ),
+        (
+            DRIVE + "[belt]\n",
+            'line 14: "[belt]": is there twice. Leave one of them out.',
+        ),
+        (
+            DRIVE + 'x = "C:\\users"',
+            'line 14: "x = \\"C:\\\\users\\"": not valid TOML. '
+            "Write paths with / , or in single quotes: 'C:\\drives\\lagging.toml'.",
+        ),
+        (
+            DRIVE + "x = 2024-13-45\n",
+            'line 14: "x = 2024-13-45": not valid TOML. '
+            'Text needs quotes, and so does a quantity: width = "1200 mm".',
+        ),
     ],
 )
-def test_broken_text(text: str, line: int, reason: str) -> None:
-    """The middle of the sentence is the TOML reader's own."""
+def test_broken_text(text: str, sentence: str) -> None:
     with pytest.raises(InputError) as caught:
         drive_from_text(text, file="in.toml")
-    sentence = str(caught.value)
-    assert sentence.startswith(f"in.toml, line {line}: not valid TOML: ")
-    assert reason in sentence
-    assert sentence.endswith('Text needs quotes, and so does a quantity: width = "1200 mm".')
+    assert str(caught.value) == f"in.toml, {sentence}"
 
 
 @pytest.mark.parametrize(

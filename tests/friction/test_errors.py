@@ -73,7 +73,7 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
             "pressure = 200000, 100000 Pa: the pressures of the knots must be positive and in "
             "ascending order.",
             "peak_friction = 0.8, -0.7: friction must be at least 1e-06.",
-            "peak_slip = 0.01, 0 m: slip at the peak must be at least 1 nm.",
+            "peak_slip = 0.01, 0 m: slip at the peak must be 1 nm to 1 km.",
         ],
     ),
     "tails": (
@@ -165,9 +165,22 @@ CASES: dict[str, tuple[Callable[[], object], list[str]]] = {
     "peak at no finite slip": (
         lambda: CoefficientPieces(pressure=(1e5, 2e5), pieces=(Piece(a=flat(-1e-3), b=flat(-3)),)),
         [
-            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be finite and at least "
-            "1 nm between 100000 and 200000 Pa.",
+            "pieces[1].b = -3 1/m: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km between "
+            "100000 and 200000 Pa.",
         ],
+    ),
+    "peak beyond all that can slip": (  # 5e84 m, of a misplaced decimal point
+        lambda: CoefficientPieces(
+            pressure=(1e5, 2e5), pieces=(Piece(a=flat(-0.05), b=flat(-9.8)),), slip_unit=1e-3
+        ),
+        [
+            "pieces[1].b = -9.8 1/m: the slip at the peak exp(b/A - 1) must be 1 nm to 1 km "
+            "between 100000 and 200000 Pa.",
+        ],
+    ),
+    "slips of a table beyond that": (
+        lambda: MeasuredTable(slip=(0.0, 1e-3, 2e3), pressure=(1e5,), values=((0.0, 0.4, 0.5),)),
+        ["slip = 2000 m: the slips must be at most 1 km."],
     ),
     "pieces that do not meet": (
         lambda: CoefficientPieces(

@@ -34,9 +34,16 @@ def _file(name: str) -> str:
 
 
 def _json(*arguments: object) -> Any:
-    """Return the JSON that a command writes."""
+    """Return the JSON that a command writes, without its answer: see `cli_answers`."""
     wraparc(*arguments, "--json", "out.json")
-    return json.loads(Path("out.json").read_text("utf-8"))
+    return _written()
+
+
+def _written(*, answer: bool = False) -> Any:
+    """Return what was written, or the answer in it."""
+    document = json.loads(Path("out.json").read_text("utf-8"))
+    told = document.pop("answer")
+    return told if answer else document
 
 
 def _csv(text: str) -> dict[str, list[float | str]]:
@@ -104,7 +111,7 @@ def cli_fit() -> Answers:
     more = ["-o", "lagging.toml", "--json", "out.json", "--full"]
     told = wraparc("fit", "shear_tests/plan.toml", *more)
     return {
-        "shear_tests": json.loads(Path("out.json").read_text("utf-8")),
+        "shear_tests": _written(),
         "shear_tests lagging": tomllib.loads(Path("lagging.toml").read_text("utf-8")),
         "shear_tests text": told,
     }
@@ -136,7 +143,7 @@ def cli_choose() -> Answers:
     more = ["--lightest-belt", "--json", "out.json", "--csv", "out.csv", "--full"]
     told = wraparc("choose", file, *more)
     return {
-        "wet-season": json.loads(Path("out.json").read_text("utf-8")),
+        "wet-season": _written(),
         "wet-season csv": _csv(Path("out.csv").read_text("utf-8")),
         "wet-season text": told,
     }
@@ -147,7 +154,7 @@ def cli_calibrate() -> Answers:
     found: Answers = {}
     for name in MEASURED:
         told = wraparc("calibrate", _file(name), "-o", "out.toml", "--json", "out.json", "--full")
-        found[name] = json.loads(Path("out.json").read_text("utf-8"))
+        found[name] = _written()
         found[f"{name} text"] = told
         found[f"{name} lagging"] = tomllib.loads(Path("out.toml").read_text("utf-8"))
         found[f"{name} overlay"] = wraparc("overlay", _file(name), "--full")
@@ -168,7 +175,7 @@ def cli_what_if() -> Answers:
             "6 mm", "--bare", "CEMA", "--wet", "DIN 22101",
         ]  # fmt: skip
         told = wraparc("what-if", _file(name), *changes, "--json", "out.json", "--full")
-        found[name] = json.loads(Path("out.json").read_text("utf-8"))
+        found[name] = _written()
         found[f"{name} text"] = told
     return found
 
@@ -180,7 +187,7 @@ def cli_field() -> Answers:
         wear = ["--wear-coefficient", "0.001 mm3/J", "--hours", "design=6000"]
         speed = ["--set", 'belt.speed="3 m/s"'] if name == "test-pulley-calibrated" else []
         told = wraparc("field", _file(name), *wear, *speed, "--json", "out.json", "--full")
-        found[name] = json.loads(Path("out.json").read_text("utf-8"))
+        found[name] = _written()
         found[f"{name} text"] = told
     return found
 
@@ -221,7 +228,7 @@ def cli_short() -> Answers:
         *(("solve", _file(name)) for name in (*DRIVES, *TRAINS)),
         *(("solve", _file(name), "--units", "us") for name in TEXTS),
         ("trim", _file(TRAINS[0]), "--points", "9"),
-        ("run", _file(TRAINS[0])),
+        ("run", _file(TRAINS[0]), "--event", "run-out"),
         ("stability", _file(TRAINS[0])),
         ("choose", "wet-season/choose.toml"),
         ("what-if", _file(DRIVES[-1]), "--other-carcass", "--wet", "DIN 22101"),
@@ -232,6 +239,27 @@ def cli_short() -> Answers:
     ]
     for arguments in asked:
         found[" ".join(arguments)] = wraparc(*arguments)
+    Path("out.parquet").unlink()
+    return found
+
+
+def cli_answers() -> Answers:
+    """The answer in the JSON of every question: texts, and the numbers in them."""
+    found: Answers = {}
+    asked: list[tuple[str, ...]] = [
+        ("solve", _file("head-drive-fabric"), "--method", "both"),
+        ("solve", _file(TRAINS[0])),
+        ("trim", _file(TRAINS[0]), "--points", "9"),
+        ("fit", "shear_tests/plan.toml", "-o", "lagging.toml"),
+        ("study", "studies/load-cases.toml", "-o", "out.parquet"),
+        ("choose", "wet-season/choose.toml"),
+        ("calibrate", _file(MEASURED[0])),
+        ("what-if", _file(DRIVES[0]), "--other-carcass"),
+        ("field", _file(DRIVES[0])),
+    ]
+    for arguments in asked:
+        wraparc(*arguments, "--json", "out.json")
+        found[" ".join(arguments)] = _written(answer=True)
     Path("out.parquet").unlink()
     return found
 
@@ -315,7 +343,7 @@ DOORS: dict[str, Callable[[], Answers]] = {
     found.__name__.replace("_", "-"): found
     for found in (
         library, batch, cli_solve, cli_trim, cli_fit, cli_study, cli_choose, cli_calibrate,
-        cli_what_if, cli_field, cli_report, cli_text, cli_short, web_drives, web_compare,
-        web_trains, web_catalogue, web_study, web_shear_tests,
+        cli_what_if, cli_field, cli_report, cli_text, cli_short, cli_answers,
+        web_drives, web_compare, web_trains, web_catalogue, web_study, web_shear_tests,
     )
 }  # fmt: skip

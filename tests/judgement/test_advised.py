@@ -4,25 +4,35 @@ Expected: what the sentence says. A tension that is recommended keeps every chec
 advice of one answer works against another, a trim divides the load as told.
 """
 
+import math
 import re
-from dataclasses import replace
+from dataclasses import astuple, replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 import tomli_w
 
 from checks.test_least_tension import FROM_ABOVE, random_drives, with_slack
+from judgement.rows import MOTION, event
+from judgement.rows import Row as BenchRow
 from wraparc import Drive, load_train, solve, solve_train
-from wraparc.checks import Verdict, judge
+from wraparc.checks import Check, Verdict, judge, judge_run
+from wraparc.checks.judge import EVEN
 from wraparc.checks.least_tension import least_tension
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.choose.file import search_from_document
 from wraparc.choose.named_changes import Named, changes_of
 from wraparc.choose.selection import choose
 from wraparc.choose.what_if import what_if
+from wraparc.drive import Across, WidthProfile
+from wraparc.errors import InputError
 from wraparc.files.write import drive_document
+from wraparc.motion import RunResult, simulate
+from wraparc.motion.file import motion_from_text
 from wraparc.present.choose_sheet import choose_sheet
 from wraparc.present.least_tension import at_least, least_table
-from wraparc.present.sheet import Row
+from wraparc.present.sheet import Row, shown
 from wraparc.present.train_words import matching_verdict
 from wraparc.present.what_if_sheet import what_if_sheet
 from wraparc.present.words import verdict
@@ -51,7 +61,7 @@ def printed(text: str) -> float:
 def followed(of: Drive) -> None:
     """Follow what `solve` advises on a drive: its least and its largest tension, in its words."""
     result = solve(of, raise_on_failure=False)
-    told, found = verdict(result), least_tension(result)
+    told, found = shown(verdict(result), "si"), least_tension(result)
     assert found is not None
     words = " ".join((told.headline, *told.sentences))
     asks_more, asks_less = MORE.search(words), LESS.search(words)
@@ -63,7 +73,7 @@ def followed(of: Drive) -> None:
         return
     raised = with_slack(of, printed(least[1]))
     # what is advised is within what is allowed, or between the two there is nothing to print
-    table = least_table(result)
+    table = shown(least_table(result), "si")
     assert table is not None
     most = min(printed(r.values[0]) for r in table.rows if r.title.endswith("at most"))
     assert missed(raised) - FROM_ABOVE == set()
@@ -82,7 +92,7 @@ def followed_what_if(of: Drive) -> None:
     """Follow the least tension that what-if prints for a thicker lagging."""
     case = of.load_cases[0].name
     changes = list(changes_of(of, of, "head", Named(thicknesses=("18 mm",))))
-    sheet = what_if_sheet(what_if(of, "head", case, changes), "")
+    sheet = shown(what_if_sheet(what_if(of, "head", case, changes), ""), "si")
     rows: dict[str, Row] = {row.title: row for row in sheet.tables[0].rows}
     for place, whole in enumerate((of, *(change.drive for change in changes))):
         text = rows["Least slack-side tension"].values[place]
@@ -120,7 +130,7 @@ def followed_choice(of: Drive, folder: Path) -> None:
         }
     )
     selection = choose(search)
-    sheet = choose_sheet(selection)
+    sheet = shown(choose_sheet(selection), "si")
     assert sheet.verdict is not None
     found = re.search(r"Choose (\S+).* tension of (\S+ \S+?)[:,] ", sheet.verdict.headline)
     if found is None:
@@ -147,7 +157,7 @@ def followed_trim(train: Train) -> None:
     if not result.cases[0].status.solved or len(train.pulleys) != 2:
         return
     matching = match_drives(result, points=5)
-    told = matching_verdict(result, matching).headline
+    told = shown(matching_verdict(result, matching), "si").headline
     found = re.match(r"(?:Set|Keep) (\S+) (?:to|at) a trim of (\S+) %", told)
     if found is None:
         assert not matching.equal.status.solved
@@ -167,13 +177,94 @@ def test_the_trim_that_is_told_shares_the_load() -> None:
         followed_trim(load_train(EXAMPLES / name))
 
 
+def unevened(of: Drive, number: int) -> Drive:
+    """A drive with a pulley that is uneven across the width, in one way or another."""
+    (head,) = of.pulleys
+    size = 1.0 + 0.37 * (number % 7)
+    ways = (
+        Across(misalignment=0.4e-3 * size),
+        Across(shell_profile=WidthProfile(crown=0.8e-3 * size)),
+        Across(deflection=0.4e-3 * size),
+    )
+    return replace(of, pulleys=(replace(head, across=ways[number % 3]),))
+
+
+def margin_of(told: Verdict, check: Check) -> float:
+    """The margin that a check has in another verdict, infinite where it is kept or not asked."""
+    found = [c for c in told.checks if (c.name, c.place) == (check.name, check.place) and c.missed]
+    return found[0].margin if found else math.inf
+
+
+def followed_across(of: Drive, number: int) -> None:
+    """Even out the pulley, or take another tension, as the checks across the width advise."""
+    uneven = unevened(of, number)
+    told = judge(solve(uneven, raise_on_failure=False))
+    words = " ".join((told.headline(), *told.sentences()))
+    assert not (MORE.search(words) and LESS.search(words)), words
+    even = judge(solve(of, raise_on_failure=False))
+    for check in told.missed:
+        if "ven out" in check.remedy:
+            same = EVEN.get(check.name, "")
+            assert same not in {c.name for c in even.missed}, check.sentence()
+        for asked, factor in ((MORE, 1.15), (LESS, 0.9)):
+            if check.name in ACROSS_CHECKS and asked.search(check.remedy):
+                slack = min(astuple(of.load_cases[0].tensions["head"])[:2])
+                after = judge(solve(with_slack(uneven, factor * slack), raise_on_failure=False))
+                assert margin_of(after, check) > check.margin, check.sentence()
+
+
+@pytest.mark.parametrize("number", [0, 1, 2, 7])
+def test_what_is_advised_across_the_width_helps(number: int) -> None:
+    followed_across(random_drives(40, seed=11)[number], number)
+
+
+def followed_run(number: int) -> None:
+    """Start more slowly, or with more slack-side tension, as a run advises."""
+    rng = np.random.default_rng(number)
+    numbers = {"time": rng.uniform(3.0, 14.0), "slack": rng.uniform(25.0, 110.0),
+               "pull": rng.uniform(30.0, 90.0)}  # fmt: skip
+    try:
+        run = started(**numbers)
+    except InputError as error:  # what it says to take instead starts
+        numbers["time"] = parse_quantity(
+            str(error).partition(". Take ")[2].split(" or ")[0], "time"
+        )
+        run = started(**numbers)
+    told = judge_run(run)
+    words = " ".join((told.headline(), *told.sentences()))
+    assert not (MORE.search(words) and LESS.search(words)), words
+    for check in told.missed:
+        for asked, change in (
+            (re.compile("more slowly|less hard"), {"time": 2.0 * numbers["time"]}),
+            (MORE, {"slack": 1.2 * numbers["slack"]}),
+            (LESS, {"slack": 0.9 * numbers["slack"]}),
+        ):
+            if asked.search(check.remedy):
+                after = judge_run(started(**numbers | change))
+                assert margin_of(after, check) > check.margin, check.sentence()
+
+
+def started(time: float, slack: float, pull: float) -> RunResult:
+    """A start of the tandem of the bench [s, kN, kN], followed until its speed is reached."""
+    changes = (("70 kN", f"{slack} kN"), ("60 kN", f"{pull} kN"))
+    text = BenchRow("", (*event(f'kind = "start", time = "{time} s"', f"{time + 3.0} s"), *changes),
+               (), base=MOTION).text  # fmt: skip
+    motion = motion_from_text(text)
+    return simulate(motion.station, motion.event("start"), points=15)
+
+
+def test_what_a_run_advises_helps() -> None:
+    for number in (2, 3):
+        followed_run(number)
+
+
 def test_where_a_binding_standard_cannot_be_applied_no_tension_is_advised(tmp_path: Path) -> None:
     """Drive 44: CEMA binds, its table of manual take-ups begins at 180 deg, the wrap is less."""
     of = random_drives(45, seed=11)[44]
     assert of.pulleys[0].wrap_angle < 3.14
     assert of.criteria.standard.binding
     assert of.criteria.take_up.fixed
-    told = verdict(solve(of, raise_on_failure=False))
+    told = shown(verdict(solve(of, raise_on_failure=False)), "si")
     assert "No slack-side tension keeps every binding check: CEMA cannot" in told.sentences[0]
     followed(of)
     followed_what_if(of)
@@ -187,7 +278,9 @@ def test_a_contradiction_is_seen() -> None:
     words = " ".join((told.headline(), *told.sentences()))
     assert not MORE.search(words)
     assert not LESS.search(words)
-    assert "No slack-side tension" in " ".join(verdict(solve(of, raise_on_failure=False)).sentences)
+    assert "No slack-side tension" in " ".join(
+        shown(verdict(solve(of, raise_on_failure=False)), "si").sentences
+    )
 
 
 def _none(of: Drive) -> bool:
@@ -202,5 +295,5 @@ def _none(of: Drive) -> bool:
      (9.996e3, "9.996 kN"), (9.9951e3, "10 kN"), (9.9949e3, "10 kN"), (1234.56e3, "1240 kN")],
 )  # fmt: skip
 def test_a_least_tension_is_rounded_upwards(tension: float, text: str) -> None:
-    assert at_least(tension) == text
+    assert shown(at_least(tension), "si") == text
     assert printed(text) >= tension * (1.0 - 1e-9)

@@ -32,6 +32,7 @@ from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
 from wraparc.present.motion_sheet import run_sheet, stability_sheet
+from wraparc.present.sheet import shown
 from wraparc.train import Motor
 
 TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]
@@ -245,9 +246,9 @@ def test_pictures_and_words_of_a_run_and_of_a_follower() -> None:
     run = simulate(motion.station, motion.event("start"), points=20)
     assert plot_run(run).to_bytes("png")[:4] == b"\x89PNG"
     assert judge_run(run).level in (Level.OK, Level.ATTENTION, Level.FAILS)
-    assert run_sheet(run, "us").tables
+    assert shown(run_sheet(run), "si").tables
     found = stability(motion.station)
-    verdict = stability_sheet(found).verdict
+    verdict = shown(stability_sheet(found), "si").verdict
     assert verdict is not None
     assert verdict.headline.startswith("Yes, it pulsates by itself")
     assert "2.79 Hz" in verdict.headline

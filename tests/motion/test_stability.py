@@ -123,6 +123,7 @@ def test_a_rigid_arc_answers_in_closed_form() -> None:
         width=b,
         give=0.0,
         speed=v,
+        share=1.0,
         overrun_slope=0.0,
         places=xi,
         by_creep=np.full(n, k),

@@ -36,9 +36,9 @@ def chebyshev(count: int, length: float) -> tuple[Array, Array]:
     return 0.5 * length * (1.0 - x), -2.0 / length * d
 
 
-def friction(u: Array, tension: Array) -> tuple[Array, Array, Array]:
+def friction(u: Array, tension: Array, c: float = 12e-3 / 2.3e6) -> tuple[Array, Array, Array]:
     """Shear stress of mu = 0.8 r (1 - ln r), r = x/20 mm, under u = x + c tau; slopes by u, T."""
-    per, c, x_pk = 2.0 / (1.2 * 0.8), 12e-3 / 2.3e6, 20e-3
+    per, x_pk = 2.0 / (1.2 * 0.8), 20e-3
     top = 0.8 * tension * per
     r = np.maximum(u, 1e-12) / x_pk / (1.0 + 6.0 * c * top / x_pk)
     for _ in range(14):

@@ -12,6 +12,7 @@ import pytest
 from wraparc import load_drive, solve
 from wraparc.drive.load_case import resultant
 from wraparc.present.drive_sheet import loads_table
+from wraparc.present.sheet import shown
 
 
 @pytest.mark.parametrize("wrap", [10.0, 90.0, 180.0, 210.0, 240.0])
@@ -26,13 +27,13 @@ def test_resultant_is_the_sum_of_both_strands(entry: float, leaving: float, wrap
 
 def test_every_pulley_and_load_case_has_its_loads() -> None:
     result = solve(load_drive("examples/head-drive-fabric.toml"))  # 180 degrees: T1 + T2
-    table = loads_table(result, "si")
+    table = shown(loads_table(result), "si")
     assert [row.title for row in table.rows] == ["design: head", "empty: head", "start: head"]
     assert table.rows[0].values == ("210 kN", "0 deg", "-")
     assert "its strength is not given" in table.note
     belt = replace(result.drive.belt, name="ST2000", rating=300e3, momentary_factor=1.5)
     strong = solve(replace(result.drive, belt=belt))
-    table = loads_table(strong, "si")
+    table = shown(loads_table(strong), "si")
     # 2000 kN/m x 1.2 m over 150 kN; 2000/300 and 2000/450 are what the rating asks
     assert table.rows[0].values[2] == "16"
     assert "at least 6.67 running and 4.44 starting and stopping" in table.note

@@ -12,6 +12,7 @@ from wraparc.friction import Constant
 from wraparc.present.checks_table import margin_text
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.sheet import Row, percent
+from wraparc.present.sheet import shown as told_in
 
 
 def constant(entry: float, leaving: float, friction: float) -> DriveResult:
@@ -22,7 +23,9 @@ def constant(entry: float, leaving: float, friction: float) -> DriveResult:
 
 
 def rows(result: DriveResult, table: str) -> dict[str, Row]:
-    found = next(t for t in drive_sheet([result]).tables if t.title.startswith(table))
+    found = next(
+        t for t in told_in(drive_sheet([result]), "si").tables if t.title.startswith(table)
+    )
     return {row.title: row for row in found.rows}
 
 
@@ -32,7 +35,7 @@ def test_constant_friction_reaches_gross_slip_with_the_whole_wrap_slipping() -> 
     assert gross.values == ("3.51",)
     assert gross.note.endswith("the whole wrap slips")
     assert "extrapolation" not in gross.note
-    sheet = drive_sheet([constant(150e3, 30e3, 0.4)])
+    sheet = told_in(drive_sheet([constant(150e3, 30e3, 0.4)]), "si")
     assert sheet.verdict is not None
     told = " ".join((sheet.verdict.headline, *sheet.verdict.sentences))
     assert "no creep carries the pull" in told
@@ -43,7 +46,9 @@ def test_ratios_of_a_braking_pulley_are_headed_by_the_ratio_that_they_are() -> N
     for entry, leaving, head in ((150e3, 60e3, "T1/T2 up to"), (60e3, 150e3, "T2/T1 up to")):
         result = solved(entry, leaving)
         table = next(
-            t for t in drive_sheet([result]).tables if t.title == "Compared with constant friction"
+            t
+            for t in told_in(drive_sheet([result]), "si").tables
+            if t.title == "Compared with constant friction"
         )
         assert table.heads[1] == head
         assert next(r for r in table.rows if r.title == "CEMA, rubber").values[1] == "3.00"
@@ -61,7 +66,7 @@ def test_parts_that_cancel_are_no_shares() -> None:
     ("share", "text"), [(-3.64e-17, "0 %"), (0.0, "0 %"), (1e-6, "0.0001 %"), (-0.5, "-50 %")]
 )
 def test_rounding_of_the_solution_is_no_share(share: float, text: str) -> None:
-    assert percent(share) == text
+    assert told_in(percent(share), "si") == text
 
 
 def test_the_k_factor_is_equation_7_of_the_paper() -> None:
@@ -91,4 +96,4 @@ def test_what_is_far_from_its_limit_is_told_in_times(
 ) -> None:
     """By hand: value over limit; a margin is one less that, in percent."""
     check = Check(name="x", title="x", level=Level.OK, value=value, limit=limit, at_most=at_most)
-    assert margin_text(check) == text
+    assert told_in(margin_text(check), "si") == text

@@ -24,9 +24,10 @@ from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
-from wraparc.present.sheet import Row, Sheet, Table, between, named, percent, quantity
+from wraparc.present.sheet import Row, Sheet, Table, between, named, percent, quantity, shown
+from wraparc.present.sheet import shown as told_in
 from wraparc.present.sources import Sources
-from wraparc.units import System, parse_quantity
+from wraparc.units import System, in_units, parse_quantity
 
 LBF = 4.4482216152605
 
@@ -62,7 +63,7 @@ def texts(sheet: Sheet) -> list[str]:
 def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
     """Read back: title, symbol and value to the three digits shown."""
     arc, checked = result.arc("head"), 0
-    for t in drive_sheet([result]).tables:
+    for t in told_in(drive_sheet([result]), "si").tables:
         for r in t.rows:
             if not r.name or t.title.startswith("Inputs") or r.values[0] in ("-", "without bound"):
                 continue
@@ -76,7 +77,7 @@ def test_rows_of_the_glossary_hold_the_result(result: DriveResult) -> None:
 
 def test_us_units_say_the_same(result: DriveResult) -> None:
     """Every quantity of the SI tables, read back, equals the one at the same place in US units."""
-    si, us = drive_sheet([result], "si"), drive_sheet([result], "us")
+    si, us = (shown(drive_sheet([result]), s) for s in ("si", "us"))
     pairs = 0
     for one, other in zip(si.tables, us.tables, strict=True):
         for r, s in zip(one.rows, other.rows, strict=True):
@@ -97,7 +98,7 @@ def test_us_units_say_the_same(result: DriveResult) -> None:
 
 
 def test_the_creep_budget_adds_up() -> None:
-    creep = table(drive_sheet([solved()]), "Creep by source")
+    creep = table(told_in(drive_sheet([solved()]), "si"), "Creep by source")
     shares = [float(re.findall(r"\(([-0-9.]+) %\)", r.values[0])[0]) for r in creep.rows[:3]]
     assert sum(shares) == pytest.approx(100.0, abs=1.0)
     parts = [float(r.values[0].split()[0]) for r in creep.rows]
@@ -106,7 +107,7 @@ def test_the_creep_budget_adds_up() -> None:
 
 def test_the_comparison_holds_closed_forms() -> None:
     """T_slack = Te/(exp(mu phi) - 1), ratio exp(mu phi), slipping arc ln(T1/T2)/mu, at 180 deg."""
-    rows = table(drive_sheet([solved()]), "Compared with constant friction")
+    rows = table(told_in(drive_sheet([solved()]), "si"), "Compared with constant friction")
     assert row(rows, "This load").values == (
         f"{math.log(2.5) / math.pi:.3f}", "2.5", "60 kN", "180 deg"
     )  # fmt: skip
@@ -121,14 +122,14 @@ def test_the_comparison_holds_closed_forms() -> None:
     assert row(rows, "At the creep limit").values == (
         f"{c.equivalent_friction:.3f}",
         f"{c.creep_limit_capacity:.2f}",
-        named("tension", c.least_exit_tension),
+        told_in(named("tension", c.least_exit_tension), "si"),
         "-",
     )
 
 
 def test_gross_slip_is_marked_as_an_extrapolation_and_never_headlined() -> None:
     for result in (solved(), solved(100e3, 70e3)):
-        sheet = drive_sheet([result])
+        sheet = told_in(drive_sheet([result]), "si")
         gross = row(table(sheet, "Capacity"), "Capacity at gross slip")
         assert gross.note.startswith("extrapolated, ")
         assert sheet.verdict is not None
@@ -137,7 +138,7 @@ def test_gross_slip_is_marked_as_an_extrapolation_and_never_headlined() -> None:
 
 
 def test_a_breakaway_shows_no_state_that_was_not_asked_for() -> None:
-    sheet = drive_sheet([solved(150e3, 2e3)])
+    sheet = told_in(drive_sheet([solved(150e3, 2e3)]), "si")
     titles = [t.title.partition(":")[0] for t in sheet.tables]
     assert titles == [
         "Checks", "Least slack-side tension", "All load cases and pulleys",
@@ -154,7 +155,7 @@ def test_one_line_for_each_arc(system: System, force: float, length: float) -> N
         for name, leaving in (("full", 60e3), ("start", 2e3))
     ]
     result = solve(replace(drive(), load_cases=tuple(cases)), raise_on_failure=False)
-    lines = table(drive_sheet([result], system), "All load cases and pulleys")
+    lines = table(shown(drive_sheet([result]), system), "All load cases and pulleys")
     full = result.arcs[0]
     assert [r.title for r in lines.rows] == ["full: head", "start: head"]
     numbers = [float(text) for text in lines.rows[0].values if re.fullmatch(r"[0-9.]+", text)]
@@ -172,10 +173,12 @@ def test_one_line_for_each_arc(system: System, force: float, length: float) -> N
 
 def test_both_methods_side_by_side() -> None:
     results = [solved(), marched()]
-    answer = table(drive_sheet(results), "Result")
+    answer = table(told_in(drive_sheet(results), "si"), "Result")
     assert answer.heads == ("distributed", "paper's march")
     creep = row(answer, "Creep at exit")
-    assert creep.values == tuple(named("exit_creep", r.arc("head").exit_creep) for r in results)
+    assert creep.values == tuple(
+        told_in(named("exit_creep", r.arc("head").exit_creep), "si") for r in results
+    )
     assert all(len(r.values) == 2 for r in answer.rows)
 
 
@@ -186,7 +189,7 @@ def test_a_method_that_breaks_away_is_said_and_its_column_left_out() -> None:
         return replace(arc, status=Status.BREAKAWAY)
 
     other = replace(marched(), arcs=tuple(map(broken, marched().arcs)))
-    sheet = drive_sheet([solved(), other])
+    sheet = told_in(drive_sheet([solved(), other]), "si")
     assert table(sheet, "Result").heads == ("",)
     assert any(
         r.startswith("pulley head, load case full, by the paper's march: Breakaway")
@@ -195,7 +198,7 @@ def test_a_method_that_breaks_away_is_said_and_its_column_left_out() -> None:
 
 
 def test_every_source_is_listed_once_and_referred_to() -> None:
-    sheet = drive_sheet([solved()])
+    sheet = told_in(drive_sheet([solved()]), "si")
     assert len(set(sheet.sources)) == len(sheet.sources) > 3
     referred = {int(n) for text in texts(sheet) for n in re.findall(r"\[(\d+)\]", text)}
     assert referred == set(range(1, len(sheet.sources) + 1))
@@ -206,7 +209,7 @@ def test_illustrative_and_calibrated_inputs_are_remarked() -> None:
     base = drive()
     pulley = replace(base.pulleys[0], sources={"entry_tension": source})
     marked = replace(base, pulleys=(pulley,))
-    sheet = drive_sheet([solve(marked)])
+    sheet = told_in(drive_sheet([solve(marked)]), "si")
     assert sheet.remarks == (
         "The friction of diamond-rubber is illustrative: it describes no real product. "
         "Illustrative: block of diamond-rubber, compression modulus of diamond-rubber. "
@@ -221,7 +224,7 @@ def test_illustrative_and_calibrated_inputs_are_remarked() -> None:
 def test_rigid_parts_and_unknown_speed() -> None:
     bare = Lagging(name="bare", law=load_lagging("diamond-rubber").law, surface="bare")
     slow = replace(BELT, speed=None)
-    sheet = drive_sheet([solve(drive(120e3, 80e3, bare, slow))])
+    sheet = told_in(drive_sheet([solve(drive(120e3, 80e3, bare, slow))]), "si")
     inputs = table(sheet, "Inputs")
     assert row(inputs, "Shear modulus").values == ("rigid",)
     energy = table(sheet, "Energy")
@@ -232,19 +235,19 @@ def test_rigid_parts_and_unknown_speed() -> None:
 def test_wear_is_shown_where_the_coefficient_is_known() -> None:
     worn = replace(load_lagging("diamond-rubber"), wear_coefficient=1e-12)
     result = solve(drive(lagging=worn))
-    wear = row(table(drive_sheet([result]), "Energy"), "Wear per million passes")
+    wear = row(table(told_in(drive_sheet([result]), "si"), "Energy"), "Wear per million passes")
     energy = result.arc("head").energy.frictional_energy
-    assert wear.values == (named("wear_rate", 1e6 * 1e-12 * energy),)
+    assert wear.values == (told_in(named("wear_rate", 1e6 * 1e-12 * energy), "si"),)
 
 
 def test_idling_pulleys_are_told_as_such() -> None:
-    sheet = drive_sheet([solve(drive(80e3, 80e3), raise_on_failure=False)])
+    sheet = told_in(drive_sheet([solve(drive(80e3, 80e3), raise_on_failure=False)]), "si")
     assert row(table(sheet, "Inputs"), "Effective tension").note == "idling"
     assert "nan" not in " ".join(texts(sheet)).casefold().replace("finance", "")
 
 
 def test_the_input_sheet_solves_nothing() -> None:
-    sheet = input_sheet(drive())
+    sheet = told_in(input_sheet(drive()), "si")
     assert [t.title for t in sheet.tables] == [
         "Checks before anything is solved", "Belt", "Pulley head", "Lagging diamond-rubber",
         "Tensions",
@@ -255,21 +258,21 @@ def test_the_input_sheet_solves_nothing() -> None:
 
 
 @pytest.mark.parametrize("system", ["si", "us"])
-def test_the_friction_table_is_the_law(system: str) -> None:
+def test_the_friction_table_is_the_law(system: System) -> None:
     lagging = load_lagging("medium-ceramic")
-    shown = table(lagging_sheet([lagging], system), "Friction mu")  # type: ignore[arg-type]
+    found = table(shown(lagging_sheet([lagging]), system), "Friction mu")
     unit = {"si": 1e-3, "us": 0.0254}[system]
-    for r in shown.rows:
+    for r in found.rows:
         pressure = parse_quantity(r.title, "pressure")
-        expected = lagging.law.friction(np.array([float(h) for h in shown.heads]) * unit, pressure)
+        expected = lagging.law.friction(np.array([float(h) for h in found.heads]) * unit, pressure)
         assert [float(v) for v in r.values] == pytest.approx(expected.tolist(), abs=3e-3)
 
 
 def test_coefficients_turn_back_into_the_law() -> None:
     """mu = A x ln x - b x with the printed A and b, x in mm, below the peak."""
     lagging = load_lagging("diamond-rubber")
-    shown = table(lagging_sheet([lagging]), "Coefficients")
-    for r in shown.rows:
+    found = table(shown(lagging_sheet([lagging]), "si"), "Coefficients")
+    for r in found.rows:
         a, b = (float(text) for text in r.values[:2])
         x, pressure = 6.35, parse_quantity(r.title, "pressure")
         mu = a * x * math.log(x) - b * x
@@ -277,22 +280,22 @@ def test_coefficients_turn_back_into_the_law() -> None:
 
 
 def test_lists_name_everything() -> None:
-    laggings = laggings_sheet([load_lagging("full-ceramic")])
+    laggings = told_in(laggings_sheet([load_lagging("full-ceramic")]), "si")
     assert laggings.tables[0].rows[0].title == "full-ceramic"
-    assert len(belts_sheet().tables) == 2
+    assert len(told_in(belts_sheet(), "si").tables) == 2
 
 
 # ---- parts ----
 
 
 def test_texts_of_numbers() -> None:
-    assert quantity(math.nan, "force") == "-"
-    assert quantity(math.inf, "length") == "without bound"
-    assert percent(0.12345) == "12.3 %"
-    assert percent(math.nan) == "-"
-    assert between("tension", 150e3, 60e3) == "150 to 60 kN"
-    assert between("tension", 60e3, 60e3) == "60 kN"
-    assert between("tension", 50e3, 30e3, "us") == "11200 to 6740 lbf"
+    assert told_in(quantity(math.nan, "force"), "si") == "-"
+    assert told_in(quantity(math.inf, "length"), "si") == "without bound"
+    assert in_units(percent(0.12345)) == "12.3 %"
+    assert told_in(percent(math.nan), "si") == "-"
+    assert in_units(between("tension", 150e3, 60e3)) == "150 to 60 kN"
+    assert in_units(between("tension", 60e3, 60e3)) == "60 kN"
+    assert in_units(between("tension", 50e3, 30e3), "us") == "11200 to 6740 lbf"
 
 
 def test_a_source_is_numbered_once() -> None:

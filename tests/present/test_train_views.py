@@ -11,6 +11,7 @@ from present.test_notebook import checked
 from wraparc import Distributed, TrainResult, load_train, solve_train
 from wraparc.plot import plot
 from wraparc.present.page import sheet_html
+from wraparc.present.sheet import shown
 from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.train import Motors, VariableSpeed, match_drives
 
@@ -78,9 +79,9 @@ def test_in_us_units_nothing_stays_in_si() -> None:
     train = tandem().train
     driven = replace(train, cases=(replace(train.cases[0], division=Motors((motor, motor))),))
     result = solve_train(driven, method=Distributed(capacities=False, points=20))
-    page = checked(sheet_html(train_sheet(result, "us", []))).text
+    page = checked(sheet_html(shown(train_sheet(result, []), "us"))).text
     page += checked(
-        sheet_html(matching_sheet(tandem(), match_drives(tandem(), points=3), "us"))
+        sheet_html(shown(matching_sheet(tandem(), match_drives(tandem(), points=3)), "us"))
     ).text
     assert not re.findall(r"\d (?:kN|N|mm|m|kW|W|kPa|kN m)\b", " ".join(page))
     assert re.search(r"Motor torque M_m [\d.]+ lbf ft", " ".join(" ".join(page).split()))

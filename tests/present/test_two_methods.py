@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from wraparc import PaperMarch, load_drive, solve
 from wraparc.present.drive_sheet import drive_sheet
+from wraparc.present.sheet import shown
 
 
 def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
@@ -14,11 +15,11 @@ def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
     assert abs(creeps[0] - creeps[1]) > 1e-4  # they differ by how the contraction is taken
     between = replace(drive, creep_limit=sum(creeps) / 2.0)
     results = [solve(between), solve(between, method=PaperMarch())]
-    said = drive_sheet(results).verdict
+    said = shown(drive_sheet(results), "si").verdict
     assert said is not None
     assert said.sentences[0].startswith("The methods stand on different sides of the creep limit")
     assert "(distributed) and " in said.sentences[0]
     assert "(paper's march)" in said.sentences[0]
-    agreed = drive_sheet([mine, paper]).verdict
+    agreed = shown(drive_sheet([mine, paper]), "si").verdict
     assert agreed is not None
     assert "different sides" not in " ".join(agreed.sentences)

@@ -8,11 +8,14 @@ import pytest
 from present.drives import BELT, STICKY, drive, marched, solved, sticking
 from wraparc import Lagging, LoadCase, PaperMarch, Tensions, load_lagging, solve
 from wraparc.checks import Level, least_tension
+from wraparc.present.sheet import shown
+from wraparc.present.sheet import shown as told_in
 from wraparc.present.words import level_of, short, verdict
+from wraparc.units import System
 
 
 def test_within_the_limit() -> None:
-    told = verdict(solved(100e3, 70e3))
+    told = told_in(verdict(solved(100e3, 70e3)), "si")
     result = solved(100e3, 70e3).arc("head")
     least = 34e3 * 1.2 * 0.8 / 2.0  # the least pressure tested, 34 kPa, asks for most
     assert result.capacities.least_exit_tension < least
@@ -29,7 +32,7 @@ def test_within_the_limit() -> None:
 
 
 def test_over_the_limit() -> None:
-    told, result = verdict(solved()), solved().arc("head")
+    told, result = told_in(verdict(solved()), "si"), solved().arc("head")
     least = result.capacities.least_exit_tension / 1e3
     assert told.level is Level.ATTENTION
     assert told.headline.startswith(
@@ -46,7 +49,7 @@ def test_over_the_limit() -> None:
 def test_below_the_standard_only_with_that_in_the_same_sentence() -> None:
     firm = load_lagging("full-ceramic")
     result = solve(drive(150e3, 60e3, firm))
-    sentence = verdict(result).sentences[0]
+    sentence = told_in(verdict(result), "si").sentences[0]
     asked = 90.0 / math.expm1(0.5 * math.pi)
     least = least_tension(result)
     assert least is not None
@@ -56,7 +59,7 @@ def test_below_the_standard_only_with_that_in_the_same_sentence() -> None:
 
 
 def test_no_slack_side_helps() -> None:
-    told = verdict(solved(186e3, 60e3))
+    told = told_in(verdict(solved(186e3, 60e3)), "si")
     assert told.sentences[0] == (
         "No slack-side tension with wrap pressures in the tested range keeps the creep limit "
         "(pulley head, load case full)."
@@ -65,7 +68,7 @@ def test_no_slack_side_helps() -> None:
 
 
 def test_breakaway_of_a_law_that_never_falls() -> None:
-    told, result = verdict(solved(150e3, 2e3)), solved(150e3, 2e3).arc("head")
+    told, result = told_in(verdict(solved(150e3, 2e3)), "si"), solved(150e3, 2e3).arc("head")
     c = result.capacities
     assert told.level is Level.FAILS
     assert told.headline.startswith("Pulley head, load case full: Gross slip: no creep carries")
@@ -77,16 +80,16 @@ def test_breakaway_of_a_law_that_never_falls() -> None:
 
 def test_breakaway_of_a_braking_pulley_speaks_of_its_own_side() -> None:
     result = solved(2e3, 150e3)
-    told, c = verdict(result), result.arc("head").capacities
+    told, c = told_in(verdict(result), "si"), result.arc("head").capacities
     assert (
         f"at the creep limit it carries T1/T2 = {1 / c.creep_limit_capacity:.3f}."
         in told.sentences[-1]
     )
-    assert "given 70 kN" in verdict(solved(70e3, 100e3)).sentences[0]
+    assert "given 70 kN" in told_in(verdict(solved(70e3, 100e3)), "si").sentences[0]
 
 
 def test_what_lies_outside_the_tests_is_told() -> None:
-    told = verdict(sticking())
+    told = told_in(verdict(sticking()), "si")
     text = " ".join((told.headline, *told.sentences))
     assert "above the 300 kPa that lagging sticky was tested to" in text
     assert "below the 140 kPa" in text
@@ -102,7 +105,7 @@ def test_several_arcs_and_the_one_that_governs() -> None:
         )
     ]  # fmt: skip
     several = solve(replace(base, load_cases=tuple(cases)), raise_on_failure=False)
-    told = verdict(several)
+    told = told_in(verdict(several), "si")
     assert told.level is Level.FAILS
     assert told.headline.startswith("Pulley head, load case start: Gross slip")
     assert any("ATTENTION: Pulley head, load case full: Creeps" in s for s in told.sentences)
@@ -114,21 +117,21 @@ def test_several_arcs_and_the_one_that_governs() -> None:
 
 
 def test_the_paper_march_has_no_least_tension() -> None:
-    told = verdict(marched())
+    told = told_in(verdict(marched()), "si")
     assert told.level is Level.ATTENTION
     assert not any("least slack-side" in s for s in told.sentences)
     broken = solve(drive(150e3, 2e3), method=PaperMarch(), raise_on_failure=False)
-    assert "Gross slip" in verdict(broken).headline
+    assert "Gross slip" in told_in(verdict(broken), "si").headline
 
 
 def test_a_surface_without_design_values_is_not_compared() -> None:
     plain = Lagging(name="plain", law=STICKY.law, thickness=0.012, shear_modulus=2.3e6)
     result = solve(drive(100e3, 70e3, plain, BELT, overrun=0.0))
-    assert not any("CEMA" in s for s in verdict(result).sentences)
+    assert not any("CEMA" in s for s in told_in(verdict(result), "si").sentences)
 
 
 def test_us_units_reach_every_sentence() -> None:
-    told = verdict(solved(), "us")
+    told = shown(verdict(solved()), "us")
     text = " ".join((told.headline, *told.sentences))
     assert "0.25 in" in text
     for unit in ("mm", "kN", "kPa"):
@@ -136,9 +139,9 @@ def test_us_units_reach_every_sentence() -> None:
 
 
 @pytest.mark.parametrize("system", ["si", "us"])
-def test_no_sentence_runs_into_the_next(system: str) -> None:
+def test_no_sentence_runs_into_the_next(system: System) -> None:
     for result in (solved(), solved(150e3, 2e3), solved(100e3, 70e3), sticking()):
-        told = verdict(result, system)  # type: ignore[arg-type]
+        told = shown(verdict(result), system)
         for sentence in (told.headline, *told.sentences):
             assert sentence[0].isalnum()
             assert sentence.endswith(".")

@@ -27,7 +27,9 @@ def texts(drawing: Drawing) -> list[str]:
 def test_words_of_pictures_can_be_read_and_searched(system: System) -> None:
     arcs = [solved().arcs[0], marched().arcs[0]]
     pulley, budget, profiles = (
-        pulley_drawing(arcs[0], system), budget_drawing(arcs, system), profile_drawing(arcs, system)
+        drawing.shown(system) for drawing in (
+            pulley_drawing(arcs[0]), budget_drawing(arcs), profile_drawing(arcs)
+        )
     )  # fmt: skip
     assert {"driving", "entry nip", "exit nip"} <= set(texts(pulley))
     assert ("T1 = 150 kN" if system == "si" else "T1 = 33700 lbf") in texts(pulley)
@@ -39,9 +41,9 @@ def test_words_of_pictures_can_be_read_and_searched(system: System) -> None:
 def test_what_is_told_holds_the_numbers_of_the_result() -> None:
     """Expected: the result itself, 150 and 60 kN, 7.38 mm of creep, as the sheets print them."""
     arc = solved().arcs[0]
-    assert "wrapped over 180 deg, tension 150 kN to 60 kN" in pulley_drawing(arc, "si").alt
-    assert f"to {arc.exit_creep * 1e3:.2f} mm at the exit" in profile_drawing([arc], "si").alt
-    assert f"{arc.creep_global * 1e3:.2f} mm (" in budget_drawing([arc], "si").alt
+    assert "wrapped over 180 deg, tension 150 kN to 60 kN" in pulley_drawing(arc).shown("si").alt
+    assert f"to {arc.exit_creep * 1e3:.2f} mm at the exit" in profile_drawing([arc]).shown("si").alt
+    assert f"{arc.creep_global * 1e3:.2f} mm (" in budget_drawing([arc]).shown("si").alt
 
 
 @pytest.mark.parametrize(
@@ -49,17 +51,17 @@ def test_what_is_told_holds_the_numbers_of_the_result() -> None:
 )
 def test_braking_and_idling_are_drawn(entry: float, leaving: float, duty: str) -> None:
     arc = solve(drive(entry, leaving), raise_on_failure=False).arcs[0]
-    assert duty in texts(pulley_drawing(arc, "si"))
-    assert f"Pulley head, {duty}:" in pulley_drawing(arc, "si").alt
-    for drawing in (budget_drawing([arc], "si"), profile_drawing([arc], "si")):
+    assert duty in texts(pulley_drawing(arc).shown("si"))
+    assert f"Pulley head, {duty}:" in pulley_drawing(arc).shown("si").alt
+    for drawing in (budget_drawing([arc]).shown("si"), profile_drawing([arc]).shown("si")):
         assert "nan" not in drawing.alt
         assert not {"nan", "inf"} & set(texts(drawing))
 
 
 def test_rest_and_range_left_show() -> None:
-    words = texts(profile_drawing(sticking().arcs, "si"))
+    words = texts(profile_drawing(sticking().arcs).shown("si"))
     assert {"outside the tested range", "belt at rest"} <= set(words)
-    assert "outside the tested range" not in texts(profile_drawing(solved().arcs, "si"))
+    assert "outside the tested range" not in texts(profile_drawing(solved().arcs).shown("si"))
 
 
 def test_each_pulley_has_its_own_picture(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -94,7 +96,7 @@ def test_each_pulley_has_its_own_picture(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_hostile_names_stay_text() -> None:
     named = '</text><script>"&'
     pulley = replace(solved().arcs[0].arc, pulley=named)
-    drawing = pulley_drawing(replace(solved().arcs[0], arc=pulley), "si")
+    drawing = pulley_drawing(replace(solved().arcs[0], arc=pulley)).shown("si")
     assert f"Pulley {named}, driving" in drawing.alt
     assert texts(drawing)
 

@@ -1,6 +1,7 @@
 """Workbook and Markdown: the numbers are those of the JSON document; nothing typed is a formula."""
 
 import io
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -165,3 +166,19 @@ def test_a_missing_library_is_named_with_its_extra(
     with pytest.raises(MissingExtraError) as caught:
         make([marched()])
     assert str(caught.value) == f"needs {library}: pip install 'wraparc[report]'"
+
+
+@pytest.mark.parametrize("system", ["si", "us"])
+def test_tables_of_the_note_are_numbers_in_the_workbook(system: System) -> None:
+    """Expected: the result, in the unit beside each number; 60 kN as given."""
+    heads, *rows = sheets(workbook(BOTH, system=system))["Tables"]
+    assert heads[4:6] == ["Value", "Unit"]
+    told = {(row[0], row[1], row[3]): row[4:6] for row in rows}
+    arc = BOTH[0].arcs[0]
+    creep, unit = told["Creep by source", "Creep at exit", "distributed"]
+    assert creep * unit_factor(unit, "length") == pytest.approx(arc.exit_creep, rel=1e-12)
+    slack, unit = told["Tensions", "full", "T2"]
+    assert slack * unit_factor(unit, "force") == pytest.approx(60e3, rel=1e-12)
+    assert sum(isinstance(value, float) for value, _ in told.values()) > 60
+    one = re.compile(r"-?[\d.]+ (mm|kN|kPa|in|lbf|psi|deg)")
+    assert [value for value, _ in told.values() if one.fullmatch(str(value))] == []

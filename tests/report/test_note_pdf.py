@@ -72,7 +72,7 @@ def test_it_has_two_to_five_pages(note: bytes) -> None:
 
 def test_the_same_note_gives_the_same_bytes(note: bytes) -> None:
     assert pdf(BOTH, HEAD) == note
-    assert pdf(BOTH, replace(HEAD, date="2026-11-22")) != note
+    assert pdf(BOTH, replace(HEAD, date="2026-11-21T10:00:00.5+02:00")) != note
 
 
 def test_the_paper_is_the_one_asked_for(note: bytes) -> None:
@@ -89,27 +89,26 @@ HOSTILE = [
 ]
 
 
-@pytest.mark.parametrize("text", HOSTILE)
-def test_what_users_type_is_text_and_never_markup(text: str) -> None:
-    """Each of these would stop the typesetter or change the page if it were taken for markup."""
-    belt = replace(drive().belt, name=text[:60])
-    hostile = replace(drive(), title=text, description=text, belt=belt)
-    head = NoteHead(title=text, project=text, number=text, revision=text, author=text, file=text)
+@pytest.mark.parametrize(("text", "date"), [(HOSTILE[0], "21 November 2026"), (HOSTILE[1], "")])
+def test_what_users_type_is_text_and_never_markup(text: str, date: str) -> None:
+    """Each of these would stop the typesetter or change the page if it were taken for markup.
+
+    Names of pulleys and cases reach the pictures as well, as SVG.
+    """
+    named, base = '</text><script>#panic()"&', drive()
+    tensions = {named: next(iter(base.load_cases[0].tensions.values()))}
+    hostile = replace(
+        base, title=text, description=text, belt=replace(base.belt, name=text[:60]),
+        pulleys=(replace(base.pulleys[0], name=named),),
+        load_cases=(replace(base.load_cases[0], name=named, tensions=tensions),),
+    )  # fmt: skip
+    head = NoteHead(
+        title=text, project=text, number=text, revision=text, author=text, file=text, date=date
+    )
     data = pdf([solve(hostile, raise_on_failure=False)], head)
     escaped = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     quoted = escaped.replace('"', "&quot;").replace("'", "&apos;")
     assert any(form in metadata(data) for form in (escaped, quoted, quoted.replace("&apos;", "'")))
-
-
-def test_names_of_pulleys_and_cases_are_text_too() -> None:
-    """They reach the pictures as well, as SVG."""
-    named = '</text><script>#panic()"&'
-    base = drive()
-    pulley = replace(base.pulleys[0], name=named)
-    case = replace(base.load_cases[0], name=named, tensions={named: next(
-        iter(base.load_cases[0].tensions.values()))})  # fmt: skip
-    hostile = replace(base, pulleys=(pulley,), load_cases=(case,))
-    assert pdf([solve(hostile, raise_on_failure=False)]).startswith(b"%PDF-")
 
 
 @pytest.mark.parametrize(
@@ -129,11 +128,6 @@ def test_letters_that_no_font_has_are_told(monkeypatch: pytest.MonkeyPatch) -> N
     assert "choose .md" in str(caught.value)
 
 
-@pytest.mark.parametrize("date", ["21 November 2026", "", "2026-11-21T10:00:00.5+02:00"])
-def test_any_date_may_be_printed(date: str) -> None:
-    assert pdf(BOTH, NoteHead(date=date)).startswith(b"%PDF-")
-
-
 def test_a_breakaway_is_reported_as_such() -> None:
     broken = solve(drive(180e3, 1e3), raise_on_failure=False)
     assert not broken.solved
@@ -143,9 +137,8 @@ def test_a_breakaway_is_reported_as_such() -> None:
     assert pages(pdf([broken])) <= 4
 
 
-@pytest.mark.parametrize("name", ["tandem-fabric", "triple-steel-cord"])
-def test_several_pulleys_have_a_picture_each(name: str) -> None:
-    whole, results = train(name)
+def test_several_pulleys_have_a_picture_each() -> None:
+    whole, results = train("triple-steel-cord")
     data = pdf(results, HEAD, train=whole)
     names = [pulley.name for pulley in results[0].drive.pulleys]
     figures = structure(data, "Figure")
@@ -218,9 +211,9 @@ def test_a_long_title_stays_on_the_paper(monkeypatch: pytest.MonkeyPatch) -> Non
     images: list[bytes] = []
     compile_files: Any = typst.compile
 
-    def drawn(parts: object, **settings: Any) -> Any:
+    def drawn(parts: object, **_: Any) -> bytes:
         images.extend(compile_files(parts, format="png", ppi=50.8))  # 2 pixels a millimetre
-        return compile_files(parts, **settings)
+        return b""
 
     monkeypatch.setattr(typst, "compile", drawn)
     for title in ("W" * 200, "W" * 20):

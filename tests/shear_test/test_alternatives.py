@@ -9,6 +9,7 @@ import pytest
 from cli.running import wraparc
 from shear_test.virtual import fitted, laboratory, single
 from wraparc.friction import Constant
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_standard import laws_table
 from wraparc.shear_test.alternatives import AlternativeLaw, alternative_laws
 
@@ -58,7 +59,7 @@ def test_parameters_are_counted_with_the_lash() -> None:
 
 def test_they_stand_side_by_side() -> None:
     plan, records = laboratory(pressures=[200e3], repeats=1, points=300)
-    table = laws_table(fitted(plan, records).conditions[0], " (dry)")
+    table = shown(laws_table(fitted(plan, records).conditions[0], " (dry)"), "si")
     assert table.title == "Laws side by side (dry)"
     assert table.heads == ("parameters", "remainder", "AICc", "best of 1")
     assert table.rows[0].values[2] == "0.0"

@@ -11,6 +11,7 @@ import pytest
 
 from shear_test.virtual import fitted, laboratory
 from wraparc.errors import InputError
+from wraparc.report.shear_test_budget import budget_table
 from wraparc.shear_test import MachineRecord, TestPlan
 from wraparc.shear_test.budget import Common, Uncertainty
 from wraparc.shear_test.plan_file import plan_from_text
@@ -104,6 +105,39 @@ def test_a_rig_that_yields_moves_the_peak_slip() -> None:
     moved = (after.peaks(AT) - before.peaks(AT))[0]
     assert expected[0] > 0.03
     np.testing.assert_allclose(moved, expected, atol=0.15 * expected[0])
+
+
+def test_a_cover_of_another_modulus_moves_the_peak_slip(sound: tuple[TestPlan, Records]) -> None:
+    """The same files, their cover said to be 5 % softer: the law moves by its sensitivity."""
+    plan, records = sound
+    covered = replace(plan, cover_thickness=4e-3, cover_shear_modulus=1e6)
+    softer = replace(covered, cover_shear_modulus=1e6 / 1.05)
+    before, after = law(covered, records), law(softer, records)
+    told = common(covered, records, cover_shear_modulus=0.05)
+    expected = told.effects(before.peaks, AT)["modulus of the belt cover"][0] * np.sqrt(3.0)
+    moved = (before.peaks(AT) - after.peaks(AT))[0]
+    assert expected[0] > 1e-3
+    np.testing.assert_allclose(moved, expected, atol=0.15 * expected[0])
+    assumed = common(covered, records, cover_shear_modulus=None)
+    part = assumed.effects(before.peaks, AT)["modulus of the belt cover"][0] * np.sqrt(3.0)
+    np.testing.assert_allclose(part, 4.0 * expected, rtol=1e-12)
+    without = common(plan, records).effects(law(plan, records).peaks, AT)
+    assert "modulus of the belt cover" not in without
+
+
+def test_what_a_cover_may_be_wrong_by_is_said(sound: tuple[TestPlan, Records]) -> None:
+    plan, records = sound
+    covered = replace(plan, cover_thickness=4e-3, cover_shear_modulus=1e6)
+    for error, origin, said in (
+        (None, "at most 20 %, assumed: 5 Shore A", "its modulus is within 20 % (assumed)"),
+        (0.07, "at most 7 %, as stated", "its modulus is within 7 %"),
+    ):
+        asked = replace(covered, uncertainty=Uncertainty(cover_shear_modulus=error))
+        found = fitted(asked, records)
+        table = budget_table(found.conditions[0], "si", "")
+        assert table is not None
+        assert [r.note for r in table.rows if r.title == "modulus of the belt cover"] == [origin]
+        assert any(r.endswith(said) for r in found.conditions[0].remarks)
 
 
 def test_the_parts_add_up_to_the_interval_of_the_law(sound: tuple[TestPlan, Records]) -> None:

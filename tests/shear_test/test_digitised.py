@@ -11,6 +11,7 @@ from wraparc.errors import InputError
 from wraparc.files import load_lagging
 from wraparc.files.write import lagging_text
 from wraparc.friction import ab_from_peak
+from wraparc.present.sheet import shown
 from wraparc.provenance import Kind
 from wraparc.report.shear_test_budget import budget_table
 from wraparc.report.shear_test_tables import plan_sheet, verdict
@@ -178,7 +179,7 @@ def test_friction_comes_back_within_two_percent(tmp_path: Path, text: Any) -> No
         true = FRICTION[k] * (ratio := slip * 1e3 / SLIP[k]) * (1.0 - np.log(ratio))
         found = [float(law.friction(x, p * 1e3)) for x in slip]
         np.testing.assert_allclose(found, true, rtol=0.02)
-    assert verdict(result).level.name == "OK"
+    assert shown(verdict(result), "si").level.name == "OK"
 
 
 def test_the_figure_is_the_source_wherever_the_law_shows(tmp_path: Path) -> None:
@@ -188,7 +189,7 @@ def test_the_figure_is_the_source_wherever_the_law_shows(tmp_path: Path) -> None
     assert result.laggings[0].provenance.kind is Kind.PUBLISHED
     (tmp_path / "figured.toml").write_text(lagging_text(result.laggings))
     assert load_lagging(tmp_path / "figured.toml").provenance.source == said
-    sheet = plan_sheet(result)
+    sheet = shown(plan_sheet(result), "si")
     assert any(said in source for source in sheet.sources)
     rows = {row.title: row.values for table in sheet.tables for row in table.rows}
     assert rows["Curves"] == (said,)
@@ -206,7 +207,7 @@ def test_the_error_of_a_point_is_in_the_budget(tmp_path: Path, said: str, share:
     np.testing.assert_allclose(
         budget.parts["friction off the figure"][:, 1], share * largest / peaks / np.sqrt(3.0)
     )
-    table = budget_table(condition, "si", "")
+    table = shown(budget_table(condition, ""), "si")
     assert table is not None
     assert "friction off the figure" in {row.title for row in table.rows}
 

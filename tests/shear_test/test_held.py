@@ -9,6 +9,7 @@ import pytest
 from shear_test.virtual import as_record, fitted, laboratory, single
 from wraparc.errors import InputError
 from wraparc.present.document import json_text
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_document import plan_document
 from wraparc.report.shear_test_tables import curves_table, plan_sheet
 from wraparc.shear_test import Sample, VirtualRig, fit_curve, reduce_record, run_virtual_test
@@ -79,12 +80,12 @@ def test_the_report_says_what_was_held() -> None:
     plan, records = laboratory(pressures=[100e3, 200e3, 300e3], repeats=1, points=300)
     result = fitted(replace(plan, held=Held(peak_slip=16e-3, lash=0.5e-3)), records)
     condition = result.conditions[0]
-    for row in curves_table(condition, "si", "").rows:
+    for row in shown(curves_table(condition, ""), "si").rows:
         assert row.values[1] == "16 (held)"
         assert row.values[3] == "0.5 (held)"
     slips = np.exp(condition.fit.peaks(np.array([100e3, 200e3, 300e3])))[:, 0]  # type: ignore[union-attr]
     assert slips == pytest.approx([16e-3] * 3, rel=1e-3)
-    said = " ".join(plan_sheet(result).remarks)
+    said = " ".join(shown(plan_sheet(result), "si").remarks)
     assert "as the plan says, not fitted: peak slip 16 mm, lash 0.5 mm" in said
 
 
@@ -116,7 +117,7 @@ def test_a_peak_without_an_upper_end_is_said_to_have_none() -> None:
     (test,) = condition.tests
     assert test.is_skewed
     assert test.peak_slip_interval[1] == np.inf
-    assert curves_table(condition, "si", "").rows[0].values[1].endswith("to ?)")
+    assert shown(curves_table(condition, ""), "si").rows[0].values[1].endswith("to ?)")
     document = json_text(plan_document(fitted(plan, records)))
     assert "Infinity" not in document
 

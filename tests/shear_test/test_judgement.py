@@ -10,6 +10,7 @@ import pytest
 from shear_test.virtual import PRESSURES, as_record, fitted, laboratory, single
 from wraparc.checks import Level
 from wraparc.friction import IntegralLog, PressureKnots
+from wraparc.present.sheet import shown as told_in
 from wraparc.report.shear_test_tables import verdict
 from wraparc.shear_test import (
     MachineRecord,
@@ -52,7 +53,7 @@ def sound(seed: int, repeats: int) -> PlanResult:
 
 def test_a_sound_laboratory_is_not_accused() -> None:
     """A limit of two noise levels for left-out pressures accused this one."""
-    assert verdict(sound(4, 2)).level is Level.OK
+    assert told_in(verdict(sound(4, 2)), "si").level is Level.OK
 
 
 def test_a_pressure_that_the_others_miss_is_named() -> None:
@@ -65,7 +66,7 @@ def test_a_pressure_that_the_others_miss_is_named() -> None:
         round(item.pressure, -3) for item in found.conditions[0].found.left_out if item.missed
     ]
     assert 138e3 in missed
-    assert verdict(found).level is Level.ATTENTION
+    assert told_in(verdict(found), "si").level is Level.ATTENTION
     assert "standard deviations where chance reaches" in " ".join(found.conditions[0].misfit)
 
 
@@ -104,7 +105,7 @@ def shifted(factor: float, name: str, load: float = 1.0, **options: Any) -> Plan
 @pytest.mark.parametrize("factor", [0.5, 0.71])
 def test_a_test_at_half_its_friction_is_no_ok(pressures: Any, factor: float) -> None:
     found = shifted(factor, "p1r1", seed=1, pressures=pressures)
-    assert verdict(found).level is Level.ATTENTION
+    assert told_in(verdict(found), "si").level is Level.ATTENTION
 
 
 @pytest.mark.parametrize(("name", "load", "asked"), [("p3r1", 0.1, 414.0), ("p0r0", 10.0, 34.0)])
@@ -117,7 +118,7 @@ def test_a_pressure_typed_ten_times_off_is_asked_about(
         assert "if its pressure or normal force were 10 times as large" in told
     else:
         assert f"({name}): was its pressure {asked:.3g} kPa, not {load * asked:.4g} kPa?" in told
-    assert verdict(found).level is Level.ATTENTION
+    assert told_in(verdict(found), "si").level is Level.ATTENTION
 
 
 def test_a_pull_in_another_unit_within_the_limits_is_asked_about() -> None:
@@ -207,12 +208,12 @@ def test_a_remainder_is_judged_by_noise_and_by_size() -> None:
     """A wave of 1.5 % under noise of 0.1 % stood under "within their noise" once."""
     plan, records = scattered(seed=1, repeats=1, pressures=[207e3], points=1500, noise=0.001)
     quiet = fitted(plan, records)
-    assert "noise levels" in verdict(quiet).headline
+    assert "noise levels" in told_in(verdict(quiet), "si").headline
     record = records["p0r0"]
     wave = 1.0 + 0.04 * np.sin(record.travel / record.travel[-1] * 20.0)
     records["p0r0"] = replace(record, force=record.force * wave)
     found = fitted(plan, records)
-    assert verdict(found).level is Level.ATTENTION
+    assert told_in(verdict(found), "si").level is Level.ATTENTION
     (told,) = (s for s in found.conditions[0].misfit if "systematic remainder" in s)
     assert "% of the largest friction (" in told
     assert "noise levels)" in told
@@ -220,7 +221,7 @@ def test_a_remainder_is_judged_by_noise_and_by_size() -> None:
 
 def test_a_law_that_is_hardly_known_is_no_ok() -> None:
     found = shifted(0.4, "p1r0", seed=1, repeats=1, pressures=SMALL[:3])
-    assert verdict(found).level is Level.ATTENTION
+    assert told_in(verdict(found), "si").level is Level.ATTENTION
 
 
 @pytest.mark.parametrize("memory", [9.5, 0.0])

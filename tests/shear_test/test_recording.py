@@ -11,6 +11,7 @@ import pytest
 
 from shear_test.virtual import fitted, laboratory, verdicts
 from wraparc.checks import Level
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_tables import plan_sheet, verdict
 from wraparc.shear_test import Choices, MachineRecord, Sample, reduce_record
 from wraparc.shear_test.campaign import order_of
@@ -40,7 +41,7 @@ def test_a_fault_is_named_in_the_verdict(fault: str) -> None:
     result = faulty(fault, 3)
     told = " ".join([*map(str, result.left_out), *result.misfit])
     assert SAID[fault] in told
-    assert verdict(result).level is Level.ATTENTION
+    assert shown(verdict(result), "si").level is Level.ATTENTION
 
 
 def one(**rig: Any) -> MachineRecord:
@@ -180,14 +181,16 @@ def test_a_sample_that_wears_shows_in_its_repeats_where_no_order_is_stated() -> 
     sound = fitted(plan, records)
     told = "from a test to the next of its pressure in the plan"
     assert not any(told in text for text in sound.misfit)
-    assert any("order of the tests is not stated" in text for text in verdict(sound).sentences)
+    assert any(
+        "order of the tests is not stated" in text for text in shown(verdict(sound), "si").sentences
+    )
     for name, record in records.items():
         records[name] = replace(record, force=0.95 ** int(name[-1]) * record.force)
     worn = fitted(plan, records)
     (text,) = (text for text in worn.misfit if told in text)
     # 0.95 - 1, to the scatter of 2 % over the root of 16
     assert float(text.split("%")[0].split()[-1]) == pytest.approx(-5.0, abs=1.0)
-    assert verdict(worn).level is Level.ATTENTION
+    assert shown(verdict(worn), "si").level is Level.ATTENTION
 
 
 def test_a_pressure_typed_wrong_for_all_its_tests_is_asked_about_where_friction_rises() -> None:
@@ -204,7 +207,7 @@ def test_a_pressure_typed_wrong_for_all_its_tests_is_asked_about_where_friction_
     (text,) = (text for text in result.misfit if text.startswith(rises))
     assert "at 154.5 kPa to" in text
     assert "at 207 kPa" in text
-    assert verdict(result).level is Level.ATTENTION
+    assert shown(verdict(result), "si").level is Level.ATTENTION
 
 
 def test_scatter_is_what_the_repeats_show() -> None:
@@ -250,6 +253,6 @@ def test_sheets_of_one_workbook_are_named_by_their_sheets() -> None:
 
 def test_the_report_says_what_slip_includes_and_the_order() -> None:
     lab = verdicts().laboratory(verdicts().smooth(), "3 x 2", 1)
-    rows = {r.title: r.values for t in plan_sheet(lab.fit()).tables for r in t.rows}
+    rows = {r.title: r.values for t in shown(plan_sheet(lab.fit()), "si").tables for r in t.rows}
     assert rows["Slip includes"] == ("sliding and cover shear and the rig's own travel",)
     assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)

@@ -14,7 +14,7 @@ from shear_test.virtual import PRESSURES, fitted, laboratory
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Sheet, Table
+from wraparc.present.sheet import Sheet, Table, shown
 from wraparc.report.shear_test import Report, make_report
 from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.shear_test import PlanResult
@@ -34,7 +34,7 @@ def result() -> PlanResult:
 
 @pytest.fixture(scope="module")
 def sheet(result: PlanResult) -> Sheet:
-    return plan_sheet(result)
+    return shown(plan_sheet(result), "si")
 
 
 @pytest.fixture(scope="module")
@@ -98,7 +98,7 @@ def test_files_and_circumstances(sheet: Sheet) -> None:
 
 
 def test_us_units(result: PlanResult) -> None:
-    heads = table(plan_sheet(result, "us"), "Tests").heads
+    heads = table(shown(plan_sheet(result), "us"), "Tests").heads
     assert heads[0] == "pressure [psi]"
     assert heads[1] == "peak slip [in]"
 
@@ -171,6 +171,6 @@ def test_residuals_and_derivative(result: PlanResult) -> None:
 def test_one_pressure_has_a_report_too(tmp_path: Path) -> None:
     one = fitted(*laboratory(pressures=[207e3], repeats=1, points=300))
     make_report(one).save(tmp_path / "one.pdf")
-    titles = [t.title for t in plan_sheet(one).tables]
+    titles = [t.title for t in shown(plan_sheet(one), "si").tables]
     assert "Equations over pressure" not in titles
     assert "Law of all tests" in titles

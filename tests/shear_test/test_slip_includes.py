@@ -14,6 +14,7 @@ from wraparc.drive import Lagging
 from wraparc.drive.changes import with_pulley
 from wraparc.errors import InputError
 from wraparc.files import lagging_text, load_lagging
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.shear_test.plan_file import plan_from_text
 from wraparc.train.file import load_drive
@@ -30,7 +31,12 @@ def law_of(**plan: Any) -> tuple[Lagging, dict[str, str]]:
     """The fitted lagging of the records, and the circumstances in the report."""
     given, records = laboratory(**RECORDS)
     result = fitted(replace(given, **plan), records)
-    rows = {r.title: r.values[0] for t in plan_sheet(result).tables for r in t.rows if r.values}
+    rows = {
+        r.title: r.values[0]
+        for t in shown(plan_sheet(result), "si").tables
+        for r in t.rows
+        if r.values
+    }
     return result.laggings[0], rows
 
 

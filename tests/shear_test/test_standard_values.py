@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import fitted, laboratory, single
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_standard import standard_tables
 from wraparc.shear_test import PlanResult
 from wraparc.shear_test.budget import Uncertainty
@@ -77,7 +78,7 @@ def test_a_slip_that_no_test_reached_is_the_law_in_brackets() -> None:
     assert of.beyond[3:] == pytest.approx(
         [float(law.friction(x, of.pressure)) for x in (6.35e-3, 10e-3)]
     )
-    static, slips, _ = standard_tables(condition, "si", "")
+    static, slips, _ = shown(tuple(standard_tables(condition, "")), "si")
     assert slips.rows[0].values[7] == f"[{of.beyond[3]:.3f}]"
     assert slips.rows[0].values[8] == "-"
     assert "extrapolated" in slips.note
@@ -95,7 +96,7 @@ def test_a_slip_that_some_tests_reached_says_how_many(result: PlanResult) -> Non
     fit = replace(first.judged.fit, slip_max=8e-3)
     short = replace(first, judged=replace(first.judged, fit=fit))
     condition = replace(condition, found=replace(condition.found, tests=(short, *others)))
-    _, slips, _ = standard_tables(condition, "us", "")
+    _, slips, _ = shown(tuple(standard_tables(condition, "")), "us")
     assert slips.heads[1::2] == ("0.0394 in", "0.0787 in", "0.157 in", "0.25 in", "0.394 in")
     assert slips.rows[0].values[9].endswith(" (1)")
     assert slips.rows[1].values[9].count("(") == 0
@@ -118,7 +119,11 @@ def test_the_law_at_standard_slips_has_the_uncertainty_of_its_peaks() -> None:
             assert friction[k, j] == pytest.approx(float(np.median(drawn)), rel=0.01)
             wanted = condition.fit.coverage_factor * float(np.std(drawn))
             assert expanded[k, j] == pytest.approx(wanted, rel=0.06)
-    (table,) = (t for t in standard_tables(condition, "si", "") if t.title.startswith("Law at"))
+    (table,) = (
+        t
+        for t in shown(tuple(standard_tables(condition, "")), "si")
+        if t.title.startswith("Law at")
+    )
     assert " \u00b1 " in table.rows[0].values[0]
     assert table.rows[0].values[4].startswith("[") == (
         STANDARD_SLIPS[4] > max(t.fit.slip_max for t in condition.tests[:2])

@@ -8,7 +8,7 @@ import pytest
 from shear_test.virtual import fitted, laboratory
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Sheet, Table
+from wraparc.present.sheet import Sheet, Table, shown
 from wraparc.provenance import Kind
 from wraparc.report.shear_test import Report, make_report
 from wraparc.report.shear_test_numbers import slope, with_error
@@ -151,7 +151,7 @@ def test_a_normal_force_that_is_set_has_no_load_cell(result: PlanResult) -> None
         replace(test, record=replace(test.record, normal_force=None)) for test in condition.tests
     )
     conditions = (replace(condition, found=replace(condition.found, tests=tests)),)
-    said = stated(plan_sheet(replace(result, conditions=conditions)))
+    said = stated(shown(plan_sheet(replace(result, conditions=conditions)), "si"))
     assert said["Normal force"] == "as set, not measured"
     assert "Load cell, normal force" not in said
 
@@ -162,7 +162,7 @@ def test_what_is_stated_of_some_tests_only(result: PlanResult) -> None:
     condition = result.conditions[0]
     tests = (replace(condition.tests[0], test=plan.tests[0]), *condition.tests[1:])
     conditions = (replace(condition, found=replace(condition.found, tests=tests)),)
-    said = stated(plan_sheet(replace(result, plan=plan, conditions=conditions)))
+    said = stated(shown(plan_sheet(replace(result, plan=plan, conditions=conditions)), "si"))
     assert said["Temperature"] == "21 degC (2 of 3 tests: not stated)"
 
 
@@ -239,7 +239,7 @@ def test_a_slope_of_rounding_is_none() -> None:
 def test_one_remark_is_one(result: PlanResult) -> None:
     condition = result.conditions[0]
     one = replace(result, conditions=(replace(condition, misfit=("p0r0: rises twice",)),))
-    verdict = plan_sheet(one).verdict
+    verdict = shown(plan_sheet(one), "si").verdict
     assert verdict is not None
     assert verdict.headline == "The law does not describe everything: 1 remark."
 

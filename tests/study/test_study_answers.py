@@ -14,6 +14,7 @@ from wraparc.arc import Distributed, WrapArc
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
+from wraparc.present.sheet import shown
 from wraparc.present.study_words import histogram_sentence, part
 from wraparc.schema.source import parse, read_text
 from wraparc.study.histogram import limit_column
@@ -163,7 +164,7 @@ def test_draws_without_an_answer_are_no_draws_that_keep_the_limit() -> None:
     assert (found.beyond, found.away, found.unanswered, found.total) == (6, 2, 1, 10)
     assert (group.over_limit.count, group.over_limit.total) == (6, 10)
     assert (group.breakaway.count, group.breakaway.total) == (2, 10)
-    assert histogram_sentence("exit_creep", found) == (
+    assert shown(histogram_sentence("exit_creep", found), "si") == (
         "60 % of 10 draws exceed the creep limit of 8 mm, "
         "2 in gross slip and 1 without an answer among them."
     )

@@ -24,6 +24,10 @@ format = 1
 width = "1200 mm"
 modulus = "12960 kN/m"
 speed = "3 m/s"
+pulley_cover = "4 mm"
+carry_cover = "8 mm"
+carcass = "6 mm"
+mass = "25 kg/m"
 [lagging.worn]
 preset = "diamond-rubber"
 shear_modulus = "2 MPa"
@@ -31,7 +35,7 @@ shear_modulus = "2 MPa"
 thickness = "10 mm"
 shear_modulus = "2 MPa"
 compression_modulus = "9 MPa"
-law = { kind = "constant", friction = 0.5 }
+law = { kind = "constant", friction = 0.5, slip_includes = [] }
 [[pulley]]
 name = "first"
 diameter = "800 mm"
@@ -72,6 +76,7 @@ AXES = [
     [quantity(8, 20, "mm", "lagging.worn.thickness")],
     [quantity(1, 3, "MPa", "lagging.worn.shear_modulus")],
     [quantity(5, 30, "MPa", "pulley.first.lagging.compression_modulus")],
+    [quantity(10, 60, "kg/m", "belt.mass"), quantity(2, 6, "m/s", "belt.speed")],
     [
         {"field": "pulley.first.lagging", "values": ["worn", "full-ceramic", "medium-ceramic"]},
         {"field": "pulley.first.recovery", "values": [True, False]},
@@ -85,6 +90,12 @@ SECOND = [
     ],
     [quantity(140, 160, "kW", "pulley.first.power"), quantity(2, 4, "m/s", "belt.speed")],
     [{"field": "lagging.plain.law.friction", "distribution": "uniform", "from": 0.4, "to": 0.7}],
+    [
+        quantity(2, 6, "mm", "belt.pulley_cover"),
+        quantity(4, 9, "mm", "belt.carcass"),
+        quantity(0.8, 1.5, "MPa", "belt.cover_shear_modulus"),
+        {"field": "pulley.second.side", "values": ["pulley", "carry"]},
+    ],
     [quantity(50, 70, "kN", "load_case.braked.pulley.second.entry_tension")],
 ]
 
@@ -106,7 +117,7 @@ def in_file(study: Study, values: dict[str, Array], row: int) -> dict[str, Any]:
         "pressure": "Pa",
         "angle": "rad",
     }
-    units |= {"speed": "m/s", "power": "W", "torque": "N m"}
+    units |= {"mass_per_length": "kg/m", "speed": "m/s", "power": "W", "torque": "N m"}
     words = {axis.field: axis.values for axis in study.plan.levels if not axis.numeric}
     for name, column in values.items():
         dimension = study.source.unit_of(name)

@@ -17,6 +17,7 @@ from wraparc.batch import Setting
 from wraparc.checks import Level, judge
 from wraparc.drive import Belt
 from wraparc.errors import InputError
+from wraparc.present.sheet import shown
 from wraparc.present.train_words import train_verdict
 from wraparc.train import MemberResult, Shares, Speeds, Train, solve_train, solve_train_batch
 
@@ -142,6 +143,6 @@ def test_a_trim_between_drums_that_differ_asks_for_the_thickness(
 def test_speeds_without_thickness_say_what_they_miss() -> None:
     """5 mm over 400 mm."""
     for belt, there in ((FABRIC, True), (THICK, False)):
-        verdict = train_verdict(solve_train(tandem(belt), method=QUICK))
+        verdict = shown(train_verdict(solve_train(tandem(belt), method=QUICK)), "si")
         told = " ".join(verdict.sentences)
         assert ("10 mm of belt on a drum of 800 mm would lower them by 1.25 %" in told) == there

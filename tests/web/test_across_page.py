@@ -9,7 +9,7 @@ from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
 from web.browser import Visitor
-from wraparc.present.sheet import named
+from wraparc.present.sheet import named, shown
 
 #: Counts what a hand does: presses of the mouse, wherever they land.
 _COUNT = "window.presses = 0; addEventListener('pointerdown', () => { presses += 1; }, true);"
@@ -168,10 +168,10 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
     answer = json.loads(out)
     case = answer["verdict"]["governing"]["load_case"]  # stands first on the page
     told = next(a for a in answer["across"] if a["load_case"] == case)
-    running = named("largest_running_tension", told["largest_running_tension"])
+    running = shown(named("largest_running_tension", told["largest_running_tension"]), "si")
     assert figure(page, "Largest tension, running") == running
-    assert figure(page, "Wear, largest over mean") == named(
-        "energy_unevenness", told["energy_unevenness"]
+    assert figure(page, "Wear, largest over mean") == shown(
+        named("energy_unevenness", told["energy_unevenness"]), "si"
     )
     text = file.read_text("utf-8")
     for words in ("across = {", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):

@@ -262,11 +262,8 @@ def test_what_the_server_refuses_the_page_refuses() -> None:
             document["sag"]["line_mass"] = "20 kg/m"
         documents.append(document)
     for (path, value), document, found in zip(WRONG, documents, assembled(documents), strict=True):
-        with pytest.raises(InputError):
-            read(document)
-        told = [problem["path"] for problem in found["problems"]]
-        assert told, (path, value)
-        assert path.split(".")[0] in told[0], (path, told)
+        told = [problem["sentence"] for problem in found["problems"]]
+        assert told == sentences(document) != [], (path, value)
 
 
 #: Tensions of the pulley, and of a load case where there is one, that fix nothing or too much.
@@ -299,8 +296,7 @@ def test_tensions_that_do_not_fix_the_load_are_refused_in_the_same_words(
         read(document)
     found = assembled([document])[0]
     # one rule, `drive.tension_rules`, on both sides: message and remedy, character for character
-    told = [p["sentence"].partition(": ")[2] for p in found["problems"]]
-    assert told == [f"{p.message}. {p.remedy}" for p in refused.value.problems]
+    assert [p["sentence"] for p in found["problems"]] == list(map(str, refused.value.problems))
 
 
 JUNK: list[Any] = [
@@ -334,22 +330,34 @@ def spoilt(document: Data, pick: random.Random) -> Data:
         node = inner
 
 
-def test_junk_is_refused_and_never_thrown_over() -> None:
-    # expected: Python's reader; the page refuses all that it refuses
+def test_junk_is_refused_in_the_same_sentences() -> None:
+    # expected: the program's reader, sentence by sentence, of 400 documents; it takes the others
     pick = random.Random(3)  # noqa: S311 - documents to try, no secrets
     documents = [spoilt(some_drive(pick), pick) for _ in range(400)]
     wrong: dict[int, Any] = {}
     refused = 0
     for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
-        try:
-            read(document)
-        except InputError as error:
-            refused += 1
-            # what is said of sources decides on no number
-            if not found["problems"] and ".sources." not in str(error):
-                wrong[i] = str(error), document
+        told = [p["sentence"] for p in found["problems"] if not p.get("beyond")]
+        expected = sentences(document)
+        refused += bool(expected)
+        if told != expected and not unusual(found):
+            wrong[i] = told, expected
     assert wrong == {}
-    assert refused > 100
+    assert refused > 250
+
+
+def sentences(document: Data) -> list[str]:
+    """Return what the program says is wrong with a document."""
+    try:
+        read(document)
+    except InputError as error:
+        return [str(problem) for problem in error.problems]
+    return []
+
+
+def unusual(found: Data) -> bool:
+    """Whether the page leaves a drive that it has read to the program: no belt carries it."""
+    return any("friction falls too steeply" in p["message"] for p in found["problems"])
 
 
 @pytest.mark.parametrize("junk", ["x", "-5", "1,5 m", True])
@@ -375,9 +383,6 @@ def test_junk_in_every_field_is_refused(junk: Any) -> None:
     for (path, document), found in zip(
         documents.items(), assembled(list(documents.values())), strict=True
     ):
-        try:
-            read(document)
-        except InputError as error:
-            if not found["problems"]:
-                wrong[path] = str(error)
+        if [p["sentence"] for p in found["problems"] if not p.get("beyond")] != sentences(document):
+            wrong[path] = found["problems"], sentences(document)
     assert wrong == {}

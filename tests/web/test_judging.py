@@ -18,8 +18,9 @@ from wraparc.errors import InputError
 from wraparc.present.checks_table import check_table
 from wraparc.present.drive_sheet import loads_of
 from wraparc.present.least_tension import least_sentence, least_table, shown_least
+from wraparc.present.sheet import shown
 from wraparc.present.words import short
-from wraparc.units import System, display_unit
+from wraparc.units import System, display_unit, in_units
 from wraparc.web.answers.documents import read
 from wraparc.web.answers.drives import SolveAnswer
 from wraparc.web.answers.form import form
@@ -51,7 +52,7 @@ def base_of(document: Data, *, capacities: bool = False) -> Data:
     """Return of a solved drive what the page goes on from."""
     result = solved(document, capacities=capacities)
     ready = judging(document, result)
-    checks = tables(lambda system: [check_table(judge(result), system)], ["checks"])[0]
+    checks = tables([check_table(judge(result))], ["checks"])[0]
     construct: Any = SolveAnswer.model_construct  # written as the server writes it
     return {
         "judging": json.loads(construct(judging=ready).model_dump_json())["judging"],
@@ -64,7 +65,7 @@ def least_of(result: DriveResult) -> Data | None:
     """Return the least slack-side tension with the table that its numbers go into."""
     if least_tension(result) is None:
         return None
-    table = tables(lambda system: [least_table(result, system)], ["least"])[0]
+    table = tables([least_table(result)], ["least"])[0]
     return {"table": json.loads(table.model_dump_json())}
 
 
@@ -90,7 +91,7 @@ def told(document: Data) -> Data:
     found = judge(result)
 
     def texts(system: System) -> Data:
-        table = check_table(found, system)
+        table = shown(check_table(found), system)
         return {
             "verdict": [found.level, found.word, found.headline(system), *found.sentences(system)],
             "rows": [[r.title, *r.values, r.note, r.level] for r in table.rows],
@@ -99,7 +100,7 @@ def told(document: Data) -> Data:
 
     numbers = [
         (a.arc.load_case, short(result, a), found.at(a.arc.pulley, a.arc.load_case).headline(),
-         a.scalars() | loads_of(result.drive.belt, a.arc))
+         a.scalars() | loads_of(result.drive, a.arc))
         for a in result
     ]  # fmt: skip
     return {"arcs": numbers} | {system: texts(system) for system in SYSTEMS}
@@ -246,10 +247,10 @@ def test_the_least_slack_side_tension_is_that_of_python() -> None:
         assert found is not None
         governs.add("none" if math.isinf(found.tension) else found.governing.name)
         for system in SYSTEMS:
-            there, table = told_[system]["least"], least_table(result, system)
+            there, table = told_[system]["least"], shown(least_table(result), system)
             assert table is not None
-            assert there["sentence"] == least_sentence(result, system)
-            assert there["shown"] == shown_least(result, system)
+            assert there["sentence"] == in_units(least_sentence(result), system)
+            assert there["shown"] == in_units(shown_least(result), system)
             assert there["level"] == ("OK" if found.tension <= found.given else "ATTENTION")
             rows = [[r["title"], r["values"][system][0], r["note"]] for r in there["table"]["rows"]]
             assert rows == [[r.title, r.values[0], r.note] for r in table.rows]

@@ -124,7 +124,8 @@ class Expressions(Sequences):
         if is_named_tuple(type(value)):
             self.module.kind(type(value), self.where(node))
         if isinstance(value, FunctionType):
-            return self.module.function(value)
+            native = self.module.instead.get(value)
+            return self.module.native(native) if native else self.module.function(value)
         return self.module.constant(name, value, self.where(node))
 
     def _tuple(self, node: ast.Tuple) -> str:

@@ -80,7 +80,7 @@ def wide_arc(
     stiffness
         In-plane shear stiffness of the belt [N/m], or None for its own or the estimate.
     """
-    arc = replace(WrapArc.of(drive, pulley, case), centrifugal=0.0)  # mass is left out here
+    arc = WrapArc.of(drive, pulley, case)
     lagging = pulley.lagging_in(case.condition)
     across = pulley.across or Across()
     own = in_plane_stiffness(drive.belt)

@@ -151,6 +151,7 @@ class System:
         """Gamma + a/(R + e) by strip, less what the lagging gives [-]."""
         wide = self.wide
         own = self.amount * wide.radius_deviation / wide.pitch
+        own = own + wide.give * wide.lift  # which squeezes no lagging
         return np.asarray(state.drum + own - self.squeeze * state.entry)
 
     def at(self, state: State) -> Point:
@@ -162,7 +163,7 @@ class System:
         compliance = wide.compliance_in_wrap
         creep = kick + e.points[:, None] * drift
         creep -= e.integral_at_points(state.tension) * compliance
-        pressure = e.at_points(state.tension) / arc.radius
+        pressure = wide.pressure(e.at_points(state.tension))
         stress = stresses(self.law, wide.shear, creep, pressure)
         pulled = self._coupled(kick, drift, state.tension) + pull
         pulled -= wide.pulled_share * stress.stress
@@ -260,6 +261,7 @@ def started(system: System, even: ArcResult) -> State:
         system.elements.stages, even.profile.position * arc.radius, even.profile.tension
     )
     drum = even.entry_creep_ratio + entry * arc.compliance * arc.width
+    drum -= arc.recovery_compliance * arc.centrifugal
     return State(np.repeat(tension[:, None] / arc.width, n, axis=1), np.full(n, entry), drum)
 
 

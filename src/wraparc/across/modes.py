@@ -131,13 +131,13 @@ def mode_response(wide: WideArc, modes: int = 16, *, even: ArcResult | None = No
 
 def _kinks(found: Found) -> Array:
     """Places where the even belt goes from one piece of its friction law to the next [m]."""
-    system, arc = found.system, found.system.wide.arc
+    system, wide = found.system, found.system.wide
 
     def piece(places: Array) -> NDArray[np.intp]:
         creep, tension = (v[:, :1] for v in along(found, places))
-        return pieces(system.law, system.wide.shear[:1], creep, tension / arc.radius)[:, 0]
+        return pieces(system.law, wide.shear[:1], creep, wide.pressure(tension))[:, 0]
 
-    grid = graded(arc.length, _LOOKS)
+    grid = graded(wide.arc.length, _LOOKS)
     own = piece(grid)
     at = np.flatnonzero(own[1:] != own[:-1])
     low, high, first = grid[at], grid[at + 1], own[at]
@@ -201,7 +201,7 @@ def _ends(system: System, even: Point) -> Array:
     kick, _ = wide.overrun(even.state.entry)
     creep = np.array([kick[0], even.creep_end[0]])
     tension = np.array([even.state.entry[0], even.tension_end[0]])
-    return np.array(stresses(system.law, wide.shear[:1], creep, tension / wide.arc.radius))
+    return np.array(stresses(system.law, wide.shear[:1], creep, wide.pressure(tension)))
 
 
 def _kept(system: System, even: Point, thickness: Array, creep: Array, tension: Array) -> Array:
@@ -224,7 +224,7 @@ def _cause(wide: WideArc, before: float, entry: float, tension: Array) -> _Cause
     kick = np.zeros(len(CAUSES))
     if arc.overrun is None and give > 0.0:
         kick = 1.5 * arc.entry_overrun * by_thickness / give * thickness
-    softer = tension if arc.recovery else np.full_like(tension, entry)
+    softer = (tension if arc.recovery else np.full_like(tension, entry)) - wide.lift
     rate = (on["radius"] + thickness) / wide.pitch - np.outer(softer, by_thickness * thickness)
     lag = on["entry_misfit"] + before * on["entry_profile"]
     path = on["entry_misfit"] + on["exit_misfit"]

@@ -12,7 +12,7 @@ from wraparc.arc import DriveResult, WrapArc
 from wraparc.drive import Across, Drive, LoadCase, Pulley
 from wraparc.drive.compression import Block
 from wraparc.errors import BreakawayError, ConvergenceError, SlackBeltError
-from wraparc.units import System, display
+from wraparc.units import in_units, quantity
 
 
 def solve_across(
@@ -114,13 +114,13 @@ def uneven_pulleys(drive: Drive) -> tuple[Pulley, ...]:
     return tuple(p for p in drive.pulleys if p.across is not None) or drive.pulleys
 
 
-def slack_words(result: AcrossResult, system: System = "si") -> str:
+def slack_words(result: AcrossResult) -> str:
     """Say which strip goes slack and by how much; empty if none does."""
     slack = result.slack
     if slack is None:
         return ""
-    place = display(slack.position, "length", system, 3)
-    lacking = display(-slack.tension, "force_per_width", system, 3)
+    place = quantity(slack.position, "length")
+    lacking = quantity(-slack.tension, "force_per_width")
     text = f"The strip at {place} from the middle of the belt goes slack: it lacks {lacking}"
     if slack.share < 1.0:
         return f"{text}, and is slack from {100.0 * slack.share:.0f} % of the given unevenness on."
@@ -129,7 +129,7 @@ def slack_words(result: AcrossResult, system: System = "si") -> str:
 
 def _failure(sentence: str, result: AcrossResult) -> Exception:
     if result.status is AcrossStatus.SLACK:
-        return SlackBeltError(f"{sentence} {slack_words(result)}", result)
+        return SlackBeltError(in_units(f"{sentence} {slack_words(result)}"), result)
     if result.status is AcrossStatus.BREAKAWAY:
         return BreakawayError(sentence, result)
     return ConvergenceError(sentence)

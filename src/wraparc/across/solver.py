@@ -130,7 +130,7 @@ def _from(result: AcrossResult, system: System) -> State:
 
 
 class Least(NamedTuple):
-    """The least tension anywhere on the arc [N/m], its place on the arc [m] and its strip."""
+    """The least tension above m v^2/B on the arc [N/m], its place there [m] and its strip."""
 
     tension: float
     place: float
@@ -138,7 +138,7 @@ class Least(NamedTuple):
 
 
 def least_tension(found: Found) -> Least:
-    """Least tension of a solution, by its parabolas: between the points of the solve, too."""
+    """Least tension that presses, by the solution's parabolas: between its points, too."""
     elements, point = found.system.elements, found.point
     p0, p1, p2 = elements.parabolas(point.pulled)
     # slope c0 + c1 x + c2 x^2 on an element, x from 0 to 1: where it rises through nothing
@@ -151,7 +151,8 @@ def least_tension(found: Found) -> Least:
     tension = np.vstack([point.state.entry + fall, point.tension_end])
     place = elements.nodes[:, None] + np.vstack([x * elements.lengths[:, None], 0.0 * x[:1]])
     row, strip = np.unravel_index(place_of_largest(-tension), tension.shape)
-    return Least(float(tension[row, strip]), float(place[row, strip]), int(strip))
+    least = float(tension[row, strip]) - found.system.wide.lift
+    return Least(least, float(place[row, strip]), int(strip))
 
 
 def _without_defects(system: System, even: ArcResult) -> Found:
@@ -167,7 +168,8 @@ def _slack(found: Found, even: ArcResult) -> AcrossResult:
     result, least = _result(found, even, AcrossStatus.SLACK), least_tension(found)
     arc, amount = even.arc, found.system.amount
     low, high, at = 0.0, amount, _without_defects(found.system, even)
-    above, below = min(arc.entry_tension, arc.exit_tension) / arc.width, least.tension
+    above = min(arc.entry_tension, arc.exit_tension) / arc.width - found.system.wide.lift
+    below = least.tension
     for _ in range(_MOST_TRIALS):
         share = (low * below - high * above) / (below - above)
         trial = newton(replace(found.system, amount=share), at.point.state)
@@ -201,7 +203,7 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
     arc, drift = wide.arc, system.drift(point.state)
     places = np.union1d(arc.length * _PLACES, least_tension(found).place)
     creep, tension = along(found, places)
-    stress = stresses(system.law, wide.shear, creep, tension / arc.radius)
+    stress = stresses(system.law, wide.shear, creep, wide.pressure(tension))
     rate = drift - wide.compliance_in_wrap * elements.at_points(state.tension)
     work = elements.integral(point.stress.stress * rate, places)
     energy = work - 0.5 * wide.shear * (stress.stress**2 - stress.stress[0] ** 2)
@@ -215,7 +217,7 @@ def _result(found: Found, even: ArcResult, status: AcrossStatus) -> AcrossResult
         angle=places / arc.radius,
         fields=Fields(
             tension=tension,
-            wrap_pressure=tension / arc.radius,
+            wrap_pressure=wide.pressure(tension),
             creep=creep,
             slip=stress.slip,
             shear_stress=stress.stress,
@@ -285,7 +287,7 @@ def _identity_error(found: Found, lag: Array) -> float:
     wide, state, elements = system.wide, point.state, system.elements
     finer = replace(elements, fineness=2 * elements.fineness)
     drift, (creep, tension) = system.drift(point.state), along(found, finer.points)
-    stress = stresses(system.law, wide.shear, creep, tension / wide.arc.radius).stress
+    stress = stresses(system.law, wide.shear, creep, wide.pressure(tension)).stress
     work = wide.pulled_share * finer.total(stress * (drift - wide.compliance_in_wrap * tension))
     t1, t2 = state.entry, point.tension_end
     g = drift - wide.compliance_in_wrap * t1

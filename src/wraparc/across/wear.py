@@ -11,6 +11,7 @@ from wraparc.across.modes import mode_response
 from wraparc.across.result import AcrossResult
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.wide_arc import Array, WideArc
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem
 from wraparc.units import display
 
@@ -63,8 +64,8 @@ class WearHistory:
     def hours(self) -> Array:
         """Running time [h], shape (k,); nan without a wear coefficient or a belt speed."""
         speed = self.wide.arc.belt_speed
-        per_pass = math.nan if speed is None else math.pi * self.wide.arc.diameter / speed
-        return np.asarray(self.passes * per_pass / 3600.0)
+        hourly = math.nan if speed is None else turns_an_hour(speed, self.wide.pitch)
+        return np.asarray(self.passes / hourly)
 
     def hours_to(self, thickness: float) -> float:
         """Running time until the thinnest strip is down to a thickness [m], inside the march [h].
@@ -265,5 +266,5 @@ def measured_coefficient(result: AcrossResult, depth: float, hours: float) -> fl
         problems.append(Problem(key="belt.speed", message=message, remedy="Give the belt speed."))
     if problems or not arc.belt_speed:
         raise InputError(problems)
-    passes = 3600.0 * hours * arc.belt_speed / (math.pi * arc.diameter)
+    passes = hours * turns_an_hour(arc.belt_speed, result.wide.pitch)
     return depth / (passes * float(np.mean(result.frictional_energy)))

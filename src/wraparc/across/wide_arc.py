@@ -146,6 +146,15 @@ class WideArc:
         return self.arc.radius / self.pitch
 
     @property
+    def lift(self) -> float:
+        """M v^2/B, the tension per unit width that presses on no pulley [N/m]."""
+        return self.arc.centrifugal / self.arc.width
+
+    def pressure(self, tension: Array) -> Array:
+        """Wrap pressure p = (t - m v^2/B)/R of a tension [Pa]."""
+        return np.asarray((tension - self.lift) / self.arc.radius)
+
+    @property
     def give(self) -> Array:
         """h/(R^2 E_c): how the compression of the lagging adds to 1/M, by strip [m/N]."""
         return self.thickness / (self.arc.radius**2 * self.compression_modulus)
@@ -185,9 +194,9 @@ class WideArc:
         if self.arc.overrun is not None:
             given = np.full(self.strips, self.arc.overrun)
             return given, np.zeros(self.strips)
-        squeeze = self.give * self.arc.radius  # delta = squeeze t1
+        squeeze = self.give * self.arc.radius  # delta = squeeze (t1 - m v^2/B)
         c = 1.25 * squeeze**1.5 / math.sqrt(self.arc.radius)
-        root = np.sqrt(np.maximum(tension, 0.0))
+        root = np.sqrt(np.maximum(tension - self.lift, 0.0))
         return c * root**3, 1.5 * c * root
 
     def worn(self, depth: Array) -> WideArc:

@@ -27,7 +27,7 @@ from wraparc.arc.meet import (
     ratio_of,
     unmet,
 )
-from wraparc.arc.quantities import BREAKAWAY, SOLVED, UNSOLVED, Geometry
+from wraparc.arc.quantities import BREAKAWAY, POINT_STEPS, SOLVED, UNSOLVED, Geometry, counted
 from wraparc.friction.compact import CompactLaw
 
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
@@ -52,6 +52,7 @@ class Answer(NamedTuple):
 
 def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float) -> Answer:
     """Operating point of an arc between two tensions [N]."""
+    arc = counted(arc, POINT_STEPS)
     goal = arc.side * log(entry / leaving)
     area, face = arc.width * arc.radius, interface(law, arc)
     if abs(goal) < NO_PULL and arc.kick == 0.0 and arc.kick_coefficient == 0.0:

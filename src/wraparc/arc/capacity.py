@@ -23,7 +23,7 @@ from wraparc.arc.collocation import (
 )
 from wraparc.arc.gross_slip import Line, outweighs, plateau_capacity, residual_capacity
 from wraparc.arc.meet import Guess, Met, by_growth, interface, meet
-from wraparc.arc.quantities import Geometry, Load
+from wraparc.arc.quantities import CAPACITY_STEPS, Geometry, Load, counted
 from wraparc.arc.traction import plateau_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -87,7 +87,7 @@ def carry(
     law: CompactLaw, arc: Geometry, tight: float, limit: Limit, near: Course | None = None
 ) -> Met:
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
-    ends = ends_at(arc, 1.0, 0.0, tight, limit)
+    arc, ends = counted(arc, CAPACITY_STEPS), ends_at(arc, 1.0, 0.0, tight, limit)
     guess = _guess_at(law, arc, tight, limit)
     met = meet(law, arc, ends, guess, near, MISFIT)
     return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
@@ -107,6 +107,7 @@ def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tig
     the tight side of k = 1, to begin with. The place is nan where that is not met, or where the
     ratio of the tensions does not grow along the line.
     """
+    arc = counted(arc, CAPACITY_STEPS)
     tight, slack, tight_rise, slack_rise = line
     if not at_tight.done:
         return Along(nan, at_tight)
@@ -193,6 +194,7 @@ def least_slack(
     top
         The largest tension of the tight side to consider [N].
     """
+    arc = counted(arc, CAPACITY_STEPS)
     if at_tight.done:
         carried = -expm1(-log_ratio(at_tight))
         first = max(min(pull / carried, top), 1.02 * pull)
@@ -203,7 +205,7 @@ def least_slack(
             found = max(met.entry, met.course.tension[-1])
             if found <= top:
                 return Least(found - pull, nan)
-    return _least_sought(law, arc, pull, limit, top)
+    return _least_sought(law, arc, pull, limit, at_tight, top)
 
 
 def _pull_slope(arc: Geometry, slopes: Slopes) -> float:
@@ -214,32 +216,44 @@ def _pull_slope(arc: Geometry, slopes: Slopes) -> float:
     return 1.0 - first / last
 
 
-def _least_sought(law: CompactLaw, arc: Geometry, pull: float, limit: Limit, top: float) -> Least:
-    """`least_slack` along the tension: the pull at the limit grows with it, up to a largest one."""
+def _least_sought(
+    law: CompactLaw, arc: Geometry, pull: float, limit: Limit, at_tight: Met, top: float
+) -> Least:
+    """`least_slack` along the tension: the pull at the limit grows with it, up to a largest one.
+
+    Newton's method for ln pull by ln tension, which is next to straight, in a bracket.
+    """
     high = log(top)
     low = min(log(pull) + LEAST_OVER, high - DEEPEST)
-    met = carry(law, arc, top, limit)
-    if not met.done:
-        return Least(nan, nan)
-    best, most, near = high, _pull(met, top), _near(met)
-    if _pull_slope(arc, met.slopes) < 0.0:  # the largest pull lies below
-        best, most, near = _largest_pull(law, arc, limit, (low, high), near, pull)
-    if not most >= pull:
-        return Least(nan, most)
-    t = high = best
+    met, t, over = at_tight, high, False
+    if met.done:
+        t = log(max(met.entry, met.course.tension[-1]))
+    if not (met.done and t < high and _pull_slope(arc, met.slopes) > 0.0):
+        t, met = high, carry(law, arc, top, limit)
     for _ in range(ROUNDS):
-        # Newton's method on ln pull where it stays in the bracket, else halfway
-        met = carry(law, arc, exp(t), limit, near)
         if not met.done:
             break
-        near, carried = _near(met), _pull(met, exp(t))
+        carried, slope = _pull(met, exp(t)), _pull_slope(arc, met.slopes)
         miss = log(carried / pull)
-        low, high = (low, t) if miss > 0.0 else (t, high)
-        if abs(miss) < NEAR:
+        if abs(miss) < NEAR and slope > 0.0:
             return Least(exp(t) - pull, nan)
-        slope = _pull_slope(arc, met.slopes) * exp(t) / carried  # d ln pull/d ln T
-        new = t - miss / slope if slope > 0.0 else low
-        t = new if low < new < high else 0.5 * (low + high)
+        if miss < 0.0 and slope > 0.0 and t >= high:
+            return Least(nan, carried)  # the largest tension carries the most
+        if miss < 0.0 and slope <= 0.0:  # the largest pull lies below
+            t, carried, near = _largest_pull(law, arc, limit, (low, t), _near(met), pull)
+            if not carried >= pull:
+                return Least(nan, carried)
+            high, over = t, True
+            met = carry(law, arc, exp(t), limit, near)
+            continue
+        low, high = (low, t) if miss > 0.0 else (t, high)
+        over = over or miss > 0.0
+        by_log = slope * exp(t) / carried  # d ln pull/d ln T
+        new = t - miss / by_log if by_log > 0.0 else low
+        # up to the largest tension, if need be; between two that were tried strictly
+        new = high if new >= high and not over else new
+        t = new if low < new < high or (new == high and not over) else 0.5 * (low + high)
+        met = carry(law, arc, exp(t), limit, _near(met))
     return Least(nan, nan)
 
 
@@ -257,22 +271,32 @@ def _largest_pull(
     Where its slope ends between two tensions; one that carries `enough` will do.
     """
     low, high = within
-    best, most, at = high, -inf, near
+    best, most, at, up, down, t = high, -inf, near, 0.0, 0.0, low
     for _ in range(ROUNDS):
-        t = 0.5 * (low + high)
+        last, t = t, _between(low, up, high, down)
         met = carry(law, arc, exp(t), limit, at)
         if not met.done:
             break
         pull = _pull(met, exp(t))
         if pull > most:
             best, most, at = t, pull, _near(met)
-        if most >= enough or high - low < NEAR_TOP:
+        if most >= enough or high - low < NEAR_TOP or abs(t - last) < NEAR_TOP:
             break
-        if _pull_slope(arc, met.slopes) > 0.0:
-            low = t
+        slope = _pull_slope(arc, met.slopes)
+        if slope > 0.0:
+            low, up, down = t, slope, 0.5 * down
         else:
-            high = t
+            high, down, up = t, slope, 0.5 * up
     return best, most, at
+
+
+def _between(low: float, up: float, high: float, down: float) -> float:
+    """Where a slope ends that is `up` > 0 at one end and `down` < 0 at the other.
+
+    By a straight line; halfway where one of them is not known.
+    """
+    place = low + (high - low) * up / (up - down) if up > 0.0 > down else low
+    return place if low < place < high else 0.5 * (low + high)
 
 
 def largest_ratio(
@@ -299,11 +323,11 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
 
     Where what is carried no longer grows with creep; -inf where no creep is followed by less.
     """
-    best, low, high = -inf, 0.0, 0.0
+    best, low, high, up, down = -inf, 0.0, 0.0, 0.0, 0.0
     slack = tight * exp(-10.0)
     peak = mean_creep(interface(law, arc), arc, tight, slack, ON_THE_RISE)
     creep = FIRST_PART * abs(peak)
-    at, near, before, found = None, None, 0.0, False
+    at, near, before, risen, found = None, None, 0.0, 0.0, False
     for _ in range(LOOKS):
         met = carry(law, arc, tight, Limit(CREEP, creep), near)
         if met.done:
@@ -311,24 +335,27 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
             if log_ratio(met) > best and (grows > 0.0 or before > 0.0):
                 best = log_ratio(met)
                 at, found = _near(met), True
-                low, high = (creep, 0.0) if grows > 0.0 else (before, creep)
+                low, up, high = (creep, grows, 0.0) if grows > 0.0 else (before, risen, creep)
+                down = grows
             if grows <= 0.0 and high == 0.0:
-                high = creep
-            before = creep
+                high, down = creep, grows
+            before, risen = creep, grows
         creep *= WIDER
     if not found or high == 0.0:
         return -inf, inf
-    while high - low > NEAR_PEAK * high:
-        creep = 0.5 * (low + high)
+    creep, last = high, low
+    while high - low > NEAR_PEAK * high and abs(creep - last) > NEAR_PEAK * high:
+        last = creep
+        creep = _between(low, up, high, down)
         met = carry(law, arc, tight, Limit(CREEP, creep), at)
         if not met.done:
             break
-        at, best = _near(met), log_ratio(met)
-        if growth(arc, met.slopes) > 0.0:
-            low = creep
+        at, best, grows = _near(met), log_ratio(met), growth(arc, met.slopes)
+        if grows > 0.0:
+            low, up, down = creep, grows, 0.5 * down
         else:
-            high = creep
-    return best, high
+            high, down, up = creep, grows, 0.5 * up
+    return best, creep
 
 
 def growth(arc: Geometry, slopes: Slopes) -> float:
@@ -356,6 +383,7 @@ class Carried(NamedTuple):
 
 def find_capacities(law: CompactLaw, arc: Geometry, load: Load, parts: int) -> Carried:
     """Capacities that are asked for by `parts`."""
+    arc = counted(arc, CAPACITY_STEPS)
     tight = max(load.entry_tension, load.exit_tension)
     pull = abs(load.entry_tension - load.exit_tension)
     by_creep = by_slip = gross = gross_creep = least = most = nan

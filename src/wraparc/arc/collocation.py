@@ -61,6 +61,7 @@ LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
 #: Largest change of a tension, of the pull, that ends Newton's method, and that on a mesh not yet
 #: judged; one that may be rounding; a pull that is next to none, of the tension.
 NEWTON, COARSELY, ROUNDING, LEAST_PULL = 1e-9, 1e-4, 1e-5, 1e-5
+FARTHEST = 1e6  # change of a tension, of the pull, after which nothing is found
 LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
 FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
@@ -70,19 +71,26 @@ FREELY = 1e-10  # of a change of K behind a rest arc that its start does not tak
 KINK = 1e-4  # of an element: how near to a kink an element has to end
 MESH = 3e-6  # misfit of an element, of the largest change of tension, that is let stand
 LONGEST = 2.0  # slide behind a rest arc that is followed, of the wrap
-ROUGH, SOFTEST = 1e-3, 5.0
-FIRST_SHARE, LEAST_SHARE, MOST_EASED = 0.125, 1e-3, 30  # steps from the belt at rest
+ROUGH = 1e-3  # misfit that is let stand on the way
+#: Continuation in what shears: shear-lag lengths of the softest arc, shear of one that has none, of
+#: the softest; how much softer than the law; first factor of a step, least one, and most steps.
+SOFTEST, SOFTER, LEAST_SHEAR, FIRST_SOFTER, LEAST_SOFTER, MOST_SOFTENED = (
+    3.0,
+    10.0,
+    1e-9,
+    1.0 / 16.0,
+    0.97,
+    60,
+)
 
 
 class Interface(NamedTuple):
-    """Traction between belt and shell: that of a law, or on the way to it from a spring.
+    """Traction between belt and shell.
 
     Attributes
     ----------
     law, shear
-        The friction law, and h/G [m/Pa].
-    share, spring
-        Traction is share tau(u, p) + (1 - share) spring u [-, Pa/m].
+        The friction law, and h/G [m/Pa], or more on the way to it.
     slides
         0; or the way (+1, -1) that the belt slides all along under a law that jumps: traction is
         that of slip, however small.
@@ -93,8 +101,6 @@ class Interface(NamedTuple):
 
     law: CompactLaw
     shear: float
-    share: float
-    spring: float
     slides: float
     rests: bool
 
@@ -223,12 +229,12 @@ def mean_creep(
     if stress <= 0.0:
         return 0.0
     high = 1e-9
-    while _size_at(face, p, high) < stress and high < 1e3:
+    while traction(face.law, face.shear, p, high).stress < stress and high < 1e3:
         high *= 4.0
     low = 0.25 * high
     for _ in range(12):
         middle = sqrt(low * high)
-        if _size_at(face, p, middle) < stress:
+        if traction(face.law, face.shear, p, middle).stress < stress:
             low = middle
         else:
             high = middle
@@ -238,24 +244,8 @@ def mean_creep(
 def traction_at(face: Interface, pressure: float, creep: float) -> Traction:
     """Traction of an interface at a wrap pressure [Pa] and a creep [m]."""
     if face.slides != 0.0:
-        found = _sliding(face, pressure, creep)
-    else:
-        found = traction(face.law, face.shear, pressure, creep)
-    share = face.share
-    if share == 1.0:
-        return found
-    rest = (1.0 - share) * face.spring
-    return Traction(
-        share * found.stress + rest * creep,
-        share * found.by_creep + rest,
-        share * found.by_pressure,
-        found.slip,
-    )
-
-
-def _size_at(face: Interface, pressure: float, creep: float) -> float:
-    """Magnitude of the traction at a magnitude of creep, before any continuation [Pa]."""
-    return traction(face.law, face.shear, pressure, creep).stress
+        return _sliding(face, pressure, creep)
+    return traction(face.law, face.shear, pressure, creep)
 
 
 def _sliding(face: Interface, pressure: float, creep: float) -> Traction:
@@ -302,7 +292,8 @@ def entry_of_rest(face: Interface, arc: Geometry, tension: float) -> float:
     entry = tension
     for _ in range(4):  # an overrun by formula grows with the entry tension: Newton's method
         overrun, by_tension = overrun_at(arc, entry)
-        entry -= (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension)
+        change = (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension)
+        entry = max(entry - change, LEAST_LEFT * entry)
     return entry
 
 
@@ -578,14 +569,24 @@ def converged(
     """Newton's method on one mesh, until a step changes no tension by `near` of the pull."""
     slopes, before = NO_SLOPES, inf
     for _ in range(most):
+        if spent(arc, at):
+            return Solved(False, at, slopes)
         at, change, slopes = improved(face, arc, ends, at)
-        if not change < 1e4:
+        if not change < FARTHEST:
             return Solved(False, at, slopes)
         # what no longer shrinks, where steps shrink as squares, is rounding
         if change < near or (change < ROUNDING and change > 0.5 * before):
             return Solved(True, at, slopes)
         before = change
     return Solved(False, at, slopes)
+
+
+def spent(arc: Geometry, at: Course) -> bool:
+    """Count a step over a mesh, or as much work; whether there are none left."""
+    if arc.left is None:
+        return False
+    arc.left[0] -= len(at.place) - 1
+    return arc.left[0] < 0.0
 
 
 def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
@@ -715,6 +716,7 @@ def meshed(
     True where a finer mesh is needed; else the course is returned as it was.
     """
     places, misses = at.place, misfits(face, arc, at, kind)
+    spent(arc, at)
     needed = [(miss / tol) ** 0.25 for miss in misses]
     needed[0] = needed[0] ** 2  # creep begins there with the steepest slope of a law
     ends = kinks(face, arc, at)
@@ -794,31 +796,40 @@ def _carried_over(arc: Geometry, at: Course, places: list[float]) -> Course:
     return Course(places, creep, tension, stage, at.ratio)
 
 
-def eased(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> Solved:
-    """Continuation in the law: from traction that grows evenly with creep, in steps that adapt."""
-    share, step = 0.0, FIRST_SHARE
-    size = max(abs(at.creep[-1]), abs(at.creep[0]))
-    pull = abs(at.tension[0] - at.tension[-1])
-    length = at.place[-1]
-    softest = (SOFTEST / length) ** 2 / (compliance_of(arc) * arc.width)
-    spring = max(pull, 1e-3 * at.tension[0]) / (arc.width * length * max(size, 1e-9))
-    face = face._replace(spring=min(spring, softest), share=0.0)
-    found = converged(face, arc, ends, at, FIRST_STEPS, COARSELY)
+def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float) -> Solved:
+    """Continuation in what shears: from a lagging so soft that the arc is a few l long.
+
+    There the law gives way less than the lagging, and an overrun is held. Every arc on the way has
+    all of the friction, and creep and tension that change over lengths which the mesh of the one
+    before resolves.
+    """
+    length, entry, leaving = at.place[-1], at.tension[0], at.tension[-1]
+    mean = sqrt(entry * leaving) / (arc.width * arc.radius)
+    creep = mean_creep(face, arc, entry, leaving) + overrun_at(arc, entry)[0]
+    gives = SOFTER * abs(creep) / plateau_stress(face.law, mean)
+    least = max((length / SOFTEST) ** 2 * compliance_of(arc) * arc.width, gives)
+    soft = face._replace(shear=max(face.shear, least), slides=0.0)
+    creep = at.creep[-1]
+    if ends.kind == TENSION:
+        creep = 2.0 * mean_creep(soft, arc, entry, leaving)
+    first = first_course(arc, length, entry, leaving, creep)
+    found = converged(soft, arc, ends, first, FIRST_STEPS, COARSELY)
     if not found.done:
         return found
-    at = meshed(face, arc, found.course, ends.kind, ROUGH)[1]
-    for _ in range(MOST_EASED):
-        if step < LEAST_SHARE:
+    least, step = max(face.shear, LEAST_SHEAR * soft.shear), FIRST_SOFTER
+    at = meshed(soft, arc, found.course, ends.kind, ROUGH)[1]
+    for _ in range(MOST_SOFTENED):
+        if step > LEAST_SOFTER:
             break
-        now = min(share + step, 1.0)
-        found = converged(face._replace(share=now), arc, ends, at, FIRST_STEPS, COARSELY)
+        shear = max(step * soft.shear, least)
+        now = soft._replace(shear=shear) if shear > least else face
+        found = converged(now, arc, ends, at, FIRST_STEPS, COARSELY)
         if not found.done:
-            step *= 0.4
+            step = sqrt(step)
             continue
-        share, step = now, 1.6 * step
-        face = face._replace(share=now)
-        at = meshed(face, arc, found.course, ends.kind, max(ROUGH, tol))[1]
-        if share == 1.0:
+        soft, step = now, step * sqrt(step)
+        at = meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[1]
+        if shear == least:
             return converged(face, arc, ends, at, LATER_STEPS, COARSELY)
     return Solved(False, at, NO_SLOPES)
 
@@ -838,12 +849,12 @@ def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float
     return converged(face, arc, ends, found.course, LATER_STEPS, NEWTON)
 
 
-def solved_or_eased(
+def solved_or_softened(
     face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH
 ) -> Solved:
-    """`solved`, by continuation in the law where Newton's method alone does not get there."""
+    """`solved`, by continuation in what shears where Newton's method alone does not get there."""
     found = solved(face, arc, ends, start, tol)
     if found.done:
         return found
-    found = eased(face, arc, ends, start, tol)
+    found = softened(face, arc, ends, start, tol)
     return solved(face, arc, ends, found.course, tol) if found.done else found

@@ -27,7 +27,7 @@ from wraparc.arc.collocation import (
     overrun_at,
     ratio_behind_rest,
     solved,
-    solved_or_eased,
+    solved_or_softened,
 )
 from wraparc.arc.quantities import Geometry, jumps
 from wraparc.arc.traction import held_stress
@@ -70,7 +70,7 @@ class Met(NamedTuple):
 def interface(law: CompactLaw, arc: Geometry) -> Interface:
     """Traction of an arc by its law."""
     rigid = jumps(law) and arc.shear == 0.0
-    return Interface(law, arc.shear, 1.0, 0.0, arc.side if rigid else 0.0, False)
+    return Interface(law, arc.shear, arc.side if rigid else 0.0, False)
 
 
 class Guess(NamedTuple):
@@ -113,7 +113,7 @@ def meet(
         if tol >= ROUGH:  # one of many steps: a shorter one will do
             return unmet(face, near)
     first = first_course(arc, length, guess.entry, guess.leaving, guess.creep)
-    return all_sliding(face, solved_or_eased(face, arc, ends, first, tol))
+    return all_sliding(face, solved_or_softened(face, arc, ends, first, tol))
 
 
 def may_rest(law: CompactLaw, arc: Geometry) -> bool:

@@ -29,7 +29,7 @@ from wraparc.arc.collocation import (
     overrun_at,
     ratio_behind_rest,
     solved,
-    solved_or_eased,
+    solved_or_softened,
     start_at,
 )
 from wraparc.arc.meet import (
@@ -43,7 +43,7 @@ from wraparc.arc.meet import (
     with_rest,
 )
 from wraparc.arc.profile import entry_ratio
-from wraparc.arc.quantities import Geometry
+from wraparc.arc.quantities import POINT_STEPS, Geometry, counted
 from wraparc.arc.traction import held_stress
 from wraparc.friction.compact import CompactLaw
 
@@ -95,7 +95,7 @@ def passed(
     tol
         Misfit of an element that is let stand; `NO_MESH` keeps the mesh of `near` [-].
     """
-    ends = Ends(1.0, 0.0, entry, CREEP, creep)
+    arc, ends = counted(arc, POINT_STEPS), Ends(1.0, 0.0, entry, CREEP, creep)
     if arc.shear > 0.0 and may_rest(law, arc):
         held = _held(law, arc, ends)
         if held is not None:
@@ -173,7 +173,7 @@ def _afresh(law: CompactLaw, arc: Geometry, ends: Ends, tol: float) -> Met:
     fall = min(0.9 * used / p * arc.wrap_angle, LARGEST_FALL)
     guess = Guess(ends.tension, ends.tension * exp(-arc.side * fall), ends.goal)
     first = first_course(arc, arc.radius * arc.wrap_angle, guess.entry, guess.leaving, guess.creep)
-    found = solved_or_eased(face, arc, ends, first, tol)
+    found = solved_or_softened(face, arc, ends, first, tol)
     met = all_sliding(face, found)
     if not met.done:
         met = by_growth(law, arc, ends, guess, tol)

@@ -9,6 +9,9 @@ from wraparc.friction.compact import LIMIT, TABLE, CompactLaw
 
 Buffer = MutableSequence[float]
 
+#: Steps over one element each, 20-50 us, for an operating point or a passage, and for capacities.
+POINT_STEPS, CAPACITY_STEPS = 15_000.0, 25_000.0
+
 #: Outcomes.
 SOLVED, BREAKAWAY, UNSOLVED, REFUSED = range(4)
 
@@ -30,8 +33,9 @@ class Geometry(NamedTuple):
         h/G [m/Pa].
     kick, kick_coefficient
         The overrun is kick + kick_coefficient p1^1.5, negative towards travel [m, m/Pa^1.5].
-    onset
-        Slip per shear stress before the limit of an elastic-plastic law [m/Pa].
+    left
+        Steps of Newton's method over one element each that may still be taken, counted down while
+        a question is answered, else None. See `counted`.
     """
 
     side: float
@@ -42,7 +46,7 @@ class Geometry(NamedTuple):
     shear: float
     kick: float
     kick_coefficient: float
-    onset: float
+    left: Buffer | None
 
 
 class Load(NamedTuple):
@@ -67,6 +71,14 @@ class Load(NamedTuple):
     pressure_max: float
     slip_max: float
     steepest_fall: float
+
+
+def counted(arc: Geometry, most: float) -> Geometry:
+    """An arc whose solver ends after so many steps, unless they are counted already.
+
+    What a question has not found by then is unsolved: no arc hangs, whatever is asked of it.
+    """
+    return arc._replace(left=[most]) if arc.left is None else arc
 
 
 def zeros(size: int) -> Buffer:

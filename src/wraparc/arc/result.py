@@ -254,12 +254,13 @@ class ArcResult(Viewable):
 
     @property
     def k_factor(self) -> float:
-        """Spring rate of the belt over its active arc, k = M B/(R phi_a) [N/m]; nan without one.
+        """Spring rate of the belt over its active arc, k = M B/(R phi_a) [N/m]; nan if idle.
 
         Equation 7 of B. DeVries, *A model of lagging friction as a function of creep history and
         wrap pressure*; a change of tension dT shrinks that length of belt by dT/k.
         """
-        return spring_rate(self.arc.axial_stiffness, self.arc.radius * self.active_arc)
+        length = self.arc.radius * self.active_arc
+        return spring_rate(self.arc.axial_stiffness, length, self.exit_creep)
 
     @cached_property
     def creep_interval(self) -> tuple[float, float]:

@@ -26,6 +26,8 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 
 #: Overrun by formula over delta sqrt(delta/R) [-].
 OVERRUN = 1.25
+#: Active arc and exit creep of a pulley that idles: less is rounding [m].
+IDLE = 1e-9
 #: Slip in the direction of the stress that a stuck belt has in front of it [m].
 NEXT_SLIP = 1e-300
 
@@ -75,8 +77,8 @@ def recovery_compliance(arc: Description) -> float:
     return 2.0 * squeeze / (arc.width * arc.diameter * (0.5 * arc.diameter))
 
 
-def geometry_of(arc: Description, onset: float) -> Geometry:
-    """Numbers of the arc for the solver; `onset` is that of its law [m/Pa].
+def geometry_of(arc: Description) -> Geometry:
+    """Numbers of the arc for the solver.
 
     They are those of the arc without thickness that is the same, see `wraparc.drive.pitch`; its
     tensions are those above m v^2.
@@ -94,7 +96,7 @@ def geometry_of(arc: Description, onset: float) -> Geometry:
         arc.shear_compliance,
         arc.overrun if given else 0.0,
         0.0 if given else by_formula,
-        onset,
+        None,
     )
 
 
@@ -172,9 +174,12 @@ class Summary(NamedTuple):
     identity_error: float
 
 
-def spring_rate(axial_stiffness: float, length: float) -> float:
-    """Spring rate of the belt over its active arc, EA/l [N/m]; nan without one."""
-    return axial_stiffness / length if length > 0.0 else nan
+def spring_rate(axial_stiffness: float, length: float, creep: float) -> float:
+    """Spring rate of the belt over its active arc, EA/l [N/m]; nan of an idle pulley.
+
+    Of its active arc and its exit creep nothing but rounding is left, below `IDLE`.
+    """
+    return axial_stiffness / length if length > IDLE and abs(creep) > IDLE else nan
 
 
 def summary_of(
@@ -222,7 +227,7 @@ def summary_of(
         peak_shear_position=told.peak_at / radius,
         mean_friction=abs(log(entry / exit_tension)) / arc.wrap_angle,
         active_arc=told.active / radius,
-        k_factor=spring_rate(arc.axial_stiffness, radius * (told.active / radius)),
+        k_factor=spring_rate(arc.axial_stiffness, radius * (told.active / radius), told.creep),
         outside_tested_share=told.outside,
         stuck_arc=told.stuck / radius,
         transmitted_power=speed * pull,

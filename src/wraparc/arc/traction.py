@@ -40,7 +40,7 @@ from wraparc.friction.compact import (
 
 #: Least slip over peak slip, and least creep [m], at which the slope of a law is taken: that of the
 #: integral-log law grows without bound as the slip vanishes.
-LEAST_SHARE, LEAST_CREEP = 1e-12, 1e-16
+LEAST_SHARE, LEAST_CREEP = 1e-16, 1e-16
 #: Relative accuracy of the slip; the change after which the next is as small as that (Halley's
 #: method triples the digits); how near to the peak, 1 - r, the parabola there is a better guess.
 ACCURACY, NEAR, NEAR_PEAK = 1e-15, 1e-5, 0.8
@@ -208,28 +208,37 @@ def _under_limit(
 
 def _in_table(law: CompactLaw, segment: int, ease: float, pressure: float, creep: float) -> Piece:
     """Of a measured table: the cell whose creeps hold it, then Newton's method in a bracket."""
-    slips = law.slips
-    mu, _, _ = friction_at(law, segment, 0, 0.0, pressure)
-    before, cell, last = ease * mu, 0, len(slips) - 1
+    c, slips, edges = law.coefficients, law.slips, law.edges
+    cells, last = len(slips), len(edges) - 1
+    o = 4 * cells * max(min(segment, last), 0)
+    up, w = o, 0.0  # rows of the table below and above the pressure, and the share of the latter
+    if 0 <= segment < last:
+        up, w = o + 4 * cells, (pressure - edges[segment]) / (edges[segment + 1] - edges[segment])
+    if segment >= last >= 0:
+        ease *= edges[last] / pressure  # the traction is held
+    before, cell = ease * (c[o] + w * (c[up] - c[o])), 0
     if creep <= before:
         return HELD
     after = before
-    while cell < last:
-        mu, _, _ = friction_at(law, segment, cell + 1, slips[cell + 1], pressure)
-        after = slips[cell + 1] + ease * mu
+    while cell < cells - 1:
+        o, up = o + 4, up + 4
+        after = slips[cell + 1] + ease * (c[o] + w * (c[up] - c[o]))
         if creep <= after:
             break
         before = after
         cell += 1
-    if cell == last:
-        return Piece(creep - ease * friction_at(law, segment, last, slips[last], pressure)[0], last)
-    low, high = slips[cell], slips[cell + 1]
+    if cell == cells - 1:
+        return Piece(slips[cell] + creep - after, cell)
+    low, high, start = slips[cell], slips[cell + 1], slips[cell]
+    o, up = o - 4, up - 4
+    c0, c1 = c[o] + w * (c[up] - c[o]), c[o + 1] + w * (c[up + 1] - c[o + 1])
+    c2, c3 = c[o + 2] + w * (c[up + 2] - c[o + 2]), c[o + 3] + w * (c[up + 3] - c[o + 3])
     x = low + (high - low) * (creep - before) / (after - before)
     for _ in range(100):
-        mu, mu_x, _ = friction_at(law, segment, cell, x, pressure)
-        miss = x + ease * mu - creep
+        t = x - start
+        miss = x + ease * (c0 + t * (c1 + t * (c2 + t * c3))) - creep
         low, high = (low, x) if miss > 0.0 else (x, high)
-        slope = 1.0 + ease * mu_x
+        slope = 1.0 + ease * (c1 + t * (2.0 * c2 + 3.0 * t * c3))
         new = x - miss / slope if slope > 0.0 else low
         inside = low < new < high
         if not inside:

@@ -16,7 +16,6 @@ from wraparc.arc.result import ArcResult
 
 Array = NDArray[np.float64]
 
-HOUR = 3600.0
 #: Part of the thickness that may be worn off where nothing else is said [-].
 WORN_SHARE = 0.5
 
@@ -56,19 +55,6 @@ def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     length = arc.length / parts
     share = arc.radius / (arc.radius + arc.offset)
     return edges, scale * np.diff(at) * arc.belt_speed / (1.0 - g) / length * share
-
-
-def passes_per_hour(speed: float, diameter: float) -> float:
-    """How often a place of the lagging passes under the belt in an hour [-]: v/(pi D).
-
-    Parameters
-    ----------
-    speed
-        Belt speed [m/s].
-    diameter
-        Over the lagging [m].
-    """
-    return speed * HOUR / (math.pi * diameter)
 
 
 def wear_life(depth: float, coefficient: float, energy: float, passes: float) -> float:

@@ -354,7 +354,7 @@ class WrapArc:
 
     def geometry(self) -> Geometry:
         """Numbers of the arc for the march, but for the entry tension."""
-        return geometry_of(self.described(), self.law.compact().onset_compliance)
+        return geometry_of(self.described())
 
     def load(self) -> Load:
         """Tensions above m v^2 and limits, as the kernel reads them."""

@@ -219,7 +219,7 @@ class Arcs:
         return thin_belt(0.5 * self.diameter, self.wrap_angle, self.belt_width, self.pitch_offset)
 
     def inputs(self) -> Array:
-        """Numbers of every arc that a kernel reads, in the order of `row.INPUTS`, shape (n, 16)."""
+        """Numbers of every arc that a kernel reads, in the order of `row.INPUTS`, shape (n, 15)."""
         radius = 0.5 * self.diameter
         squeeze = self.lagging_thickness / self.compression_modulus
         by_formula, lift = np.isnan(self.overrun), self.centrifugal_force
@@ -234,7 +234,6 @@ class Arcs:
             self.shear_compliance,
             np.where(by_formula, 0.0, self.overrun),
             np.where(by_formula, overrun_coefficient(squeeze, radius), 0.0),
-            self.laws.onset_compliance[self.law],
             self.entry_tension - lift,
             self.exit_tension - lift,
             self.creep_limit,

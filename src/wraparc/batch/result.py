@@ -91,7 +91,8 @@ class BatchResult(Mapping[str, Array]):
     @property
     def slip_speed(self) -> Array:
         """Largest speed of the belt on the lagging, or a bound from below, shape (n,) [m/s]."""
-        speed: Array = self.arcs.belt_speed * self.found[:, row.STEEPEST_SLIP]
+        shell = 1.0 + self.arcs.pitch_offset / (0.5 * self.arcs.diameter)  # runs by so much less
+        speed: Array = self.arcs.belt_speed / shell * self.found[:, row.STEEPEST_SLIP]
         return speed
 
     def to_frame(self) -> pd.DataFrame:

@@ -23,7 +23,7 @@ TENSIONS = 1
 EVERYTHING = TENSIONS + CAPACITIES
 
 #: numbers that a kernel reads for one arc
-INPUTS = (*Geometry._fields, *Load._fields)
+INPUTS = (*Geometry._fields[:8], *Load._fields)
 
 # places in a row of results
 (
@@ -64,13 +64,13 @@ PLACES = {
 def geometry_of(given: Buffer) -> Geometry:
     """What of an arc does not depend on its tensions, from its row of `INPUTS`."""
     g = given
-    return Geometry(g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], g[8])
+    return Geometry(g[0], g[1], g[2], g[3], g[4], g[5], g[6], g[7], None)
 
 
 def load_of(given: Buffer) -> Load:
     """What an arc is asked, from its row of `INPUTS`."""
     g = given
-    return Load(g[9], g[10], g[11], g[12], g[13], g[14], g[15])
+    return Load(g[8], g[9], g[10], g[11], g[12], g[13], g[14])
 
 
 def tensions_of_row(law: CompactLaw, given: Buffer, parts: int, found: Buffer) -> None:

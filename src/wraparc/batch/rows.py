@@ -300,7 +300,7 @@ class RowBatch:
         p = self.of_input("entry_tension") / self.block.area
         kick = np.abs(self.block.overrun(self.of_input("entry_tension"))[0])
         jump = self.block.laws.jump(p) * p
-        held = (self.of_input("shear") + self.of_input("onset")) * jump
+        held = (self.of_input("shear") + self.arcs.laws.onset_compliance[self.arcs.law]) * jump
         return np.asarray(steep | ((jump > 0.0) & (kick > 0.0) & (kick > held)))
 
     def find(self, parts: int) -> None:

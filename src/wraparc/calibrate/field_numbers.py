@@ -8,10 +8,9 @@ from dataclasses import dataclass, field, replace
 
 from wraparc.arc import ArcResult, Distributed
 from wraparc.calibrate.problem import speed_ratio
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem
 from wraparc.provenance import Kind, Provenance
-
-HOUR = 3600.0
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -153,21 +152,6 @@ class FieldNumbers:
         return max(worn, 0.0)
 
 
-def passes(speed: float, diameter: float, hours: float) -> float:
-    """Return turns of a pulley in some hours [-]: v t/(pi D).
-
-    Parameters
-    ----------
-    speed
-        Belt speed [m/s].
-    diameter
-        Over the lagging [m].
-    hours
-        Hours of running [h].
-    """
-    return speed * hours * HOUR / (math.pi * diameter)
-
-
 def wear_coefficient(depth: float, energy: float) -> float:
     """Energetic wear coefficient from a measured wear [m3/J]: depth / frictional energy per area.
 
@@ -245,7 +229,7 @@ def field_numbers(
     energy, turns = 0.0, 0.0
     for name, share in hours.items():
         r = results[name]
-        n = passes(r.arc.belt_speed or 0.0, r.arc.diameter, share)
+        n = share * turns_an_hour(r.arc.belt_speed or 0.0, r.arc.radius + r.arc.offset)
         turns += n
         energy += n * abs(r.energy.frictional_energy)
     wear = math.nan if coefficient is None else coefficient * energy

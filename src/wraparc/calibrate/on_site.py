@@ -10,10 +10,10 @@ from wraparc.calibrate.field_numbers import (
     FieldNumbers,
     at_creep_limit,
     field_numbers,
-    passes,
     wear_coefficient,
 )
 from wraparc.drive import Drive
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.train.whole import Whole, by_pulley
 from wraparc.units import Dimension, parse_quantity
@@ -93,7 +93,8 @@ def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> flo
             message = "no such load case, or the belt speed is not known"
             raise InputError(Problem(key="wear_hours", value=shown(name), message=message))
         result = results[name]
-        turns = passes(result.arc.belt_speed or 0.0, result.arc.diameter, share)
+        arc = result.arc
+        turns = share * turns_an_hour(arc.belt_speed or 0.0, arc.radius + arc.offset)
         energy += turns * abs(result.energy.frictional_energy)
     return energy
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import NamedTuple, TypeVar
@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
-from wraparc.units import RESULT_DIGITS, Dimension, System, display
+from wraparc.units import RESULT_DIGITS, Cell, Dimension, System, in_units, quantity
+from wraparc.units.cell import Form
 
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
-#: The most digits shown to tell a value and its limit apart.
-MOST_DIGITS = 9
 #: Checks that advise where they are missed, as a design standard does that does not bind.
 ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed")
 #: Checks of the solution itself: what keeps its limit is rounding, and no number that is known.
@@ -43,6 +42,11 @@ class Level(StrEnum):
 
     def __init__(self, _: str) -> None:
         self.rank = len(type(self).__members__)
+
+
+def escaped(text: str) -> str:
+    """Return a text that stands for itself in `Check.says`."""
+    return text.replace("{", "{{").replace("}", "}}")
 
 
 def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
@@ -204,49 +208,54 @@ class Check:
         """Whether it asks for attention or worse."""
         return self.level.rank >= Level.ATTENTION.rank
 
-    def texts(self, system: System = "si") -> tuple[str, str]:
+    def texts(self) -> tuple[str, str]:
         """Return value and limit with their units, in as many digits as tell them apart."""
         if self.below:
-            limit = quantity_text(self.limit, self.dimension, system)
+            limit = quantity_text(self.limit, self.dimension)
             return f"below {limit}", limit
-        value = limit = ""
-        for digits in range(RESULT_DIGITS, MOST_DIGITS + 1):
-            value = quantity_text(self.value, self.dimension, system, digits)
-            limit = quantity_text(self.limit, self.dimension, system, digits)
-            if value != limit or not self.missed:
-                break
-        return value, limit
+        if not self.missed:
+            return (
+                quantity_text(self.value, self.dimension),
+                quantity_text(self.limit, self.dimension),
+            )
+        return (
+            quantity_text(self.value, self.dimension, self.limit),
+            quantity_text(self.limit, self.dimension, self.value),
+        )
 
-    def bound(self, system: System = "si") -> str:
+    def bound(self) -> str:
         """Return the limit with its sense, ``at most 6.350 mm``; empty without one."""
         if math.isnan(self.limit):
             return ""
-        return f"{'at most' if self.at_most else 'at least'} {self.texts(system)[1]}"
+        return f"{'at most' if self.at_most else 'at least'} {self.texts()[1]}"
 
     def sentence(self, system: System = "si") -> str:
-        """Return what there is to say, with the remedy."""
+        """Return what there is to say, with the remedy, as text in a system of units."""
+        return in_units(self.said, system)
+
+    @property
+    def said(self) -> str:
+        """What there is to say, with the remedy; its quantities are cells."""
+        value, limit = self.texts()
         if not self.says:
-            value, bound = self.texts(system)[0], self.bound(system)
-            bound = f", {bound}" if bound else ""
+            bound = f", {self.bound()}" if limit else ""
             return f"{self.title}: {value}{bound}." if value else f"{self.title}."
-        value, limit = self.texts(system)
-        words = {n: quantity_text(v, d, system) for n, (v, d) in self.more.items()}
+        words = {n: quantity_text(v, d) for n, (v, d) in self.more.items()}
         words |= {"value": value, "limit": limit}
         return " ".join(part.format(**words) for part in (self.says, self.remedy) if part)
 
 
-def quantity_text(
-    value: float, dimension: Dimension, system: System = "si", digits: int = RESULT_DIGITS
-) -> str:
-    """Return a value [SI] with its unit; empty for nan, words for infinity."""
+def quantity_text(value: float, dimension: Dimension, against: float = math.nan) -> str:
+    """Return the cell of a value [SI]; empty for nan, words for infinity.
+
+    It is shown in as many digits as tell it from another number, if one is given.
+    """
     if math.isnan(value):
         return ""
     if math.isinf(value):
-        return "without bound"
-    if dimension == "speed" and abs(value) < 0.1:  # speeds of slip
-        unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
-        return f"{display(value / size, 'number', digits=digits)} {unit}"
-    return display(value, dimension, system, digits)
+        return quantity(value, dimension)
+    form: Form = "slip" if math.isnan(against) else "slip apart"
+    return Cell(value, dimension, form=form, other=against)
 
 
 @dataclass(frozen=True)
@@ -276,6 +285,14 @@ class Verdict:
         """
         judged = [c for c in self.checks if c.level is not Level.NOT_CHECKED]
         return min(judged, key=_badness, default=None)
+
+    @cached_property
+    def odd(self) -> Check | None:
+        """The size that is asked about, where another check governs: it may be why."""
+        worst = self.governing
+        if worst is None or worst.name == "usual_sizes":
+            return None
+        return next((c for c in self.listed if c.name == "usual_sizes" and c.missed), None)
 
     @property
     def level(self) -> Level:
@@ -317,7 +334,7 @@ class Verdict:
     @property
     def data(self) -> tuple[str, ...]:
         """On what data the answer stands: what is illustrative, estimated, without tests."""
-        told = (c.sentence() for c in self.checks if c.name == "data" and c.says)
+        told = (c.said for c in self.checks if c.name == "data" and c.says)
         return tuple(dict.fromkeys(told))
 
     def at(self, pulley: str, load_case: str) -> Verdict:
@@ -341,24 +358,42 @@ class Verdict:
         return found
 
     def headline(self, system: System = "si") -> str:
-        """Return the answer in one sentence or two."""
+        """Return the answer in one sentence or two, as text in a system of units."""
+        return in_units(self.lead, system)
+
+    @property
+    def lead(self) -> str:
+        """The answer in one sentence or two; its quantities are cells."""
         worst = self.governing
         if worst is None:
             return "Nothing could be checked."
+        if self.odd is not None:
+            said, odd = (replace(check, remedy="") for check in (worst, self.odd))
+            return f"{placed(said)}{self._sense()} {odd.said} {self.action}".rstrip()
         if worst.missed:
-            return f"{placed(worst, system)}{self._sense()}"
-        text = self._kept(sum(c.compares for c in self.listed), system)
+            return f"{placed(worst)}{self._sense()}"
+        text = self._kept(sum(c.compares for c in self.listed))
         if math.isnan(worst.margin) or math.isinf(worst.margin):
             return f"{text}.{self._sense()}"
-        value, _ = worst.texts(system)
+        value, _ = worst.texts()
         where = f" ({worst.place})" if str(worst.place) else ""
         return (
             f"{text}; nearest to its limit is {_small(worst.title)}, {value}, "
-            f"{worst.bound(system)}{where}.{self._sense()}"
+            f"{worst.bound()}{where}.{self._sense()}"
         )
 
+    @property
+    def action(self) -> str:
+        """What the headline says is to be done: an odd size is looked at first."""
+        told = (
+            check.said.removeprefix(replace(check, remedy="").said).strip()
+            for check in (self.odd, self.governing)
+            if check is not None and check.missed and check.says
+        )
+        return " ".join(filter(None, told))
+
     def _sense(self) -> str:
-        """Say which pulleys brake, and in how many of the load cases if not in all."""
+        """Say which pulleys brake, or that none pulls, and in how many load cases if not in all."""
         every = {c.place.load_case for c in self.checks} - {""}
         braking = [c for c in self.checks if c.name == "sense"]
         told = ""
@@ -368,33 +403,39 @@ class Verdict:
             told += f" {title}{some}."
         return told
 
-    def _kept(self, count: int, system: System) -> str:
+    def _kept(self, count: int) -> str:
         """Say that checks are kept; of a drive computed dry only, what wet would give."""
         if self.over_wet:
-            return f"{self.beyond_wet(system)}: all {count} checks are kept dry only"
+            return f"{self.beyond_wet()}: all {count} checks are kept dry only"
         told = f"All {count} checks are kept"
         if self.wet < 0.0:
             return told
         known = not math.isnan(self.wet)
-        return f"{told}, dry only{f' ({self._when_wet(system)})' if known else ''}"
+        return f"{told}, dry only{f' ({self._when_wet()})' if known else ''}"
 
-    def _when_wet(self, system: System) -> str:
+    def _when_wet(self) -> str:
         if math.isinf(self.wet):
             return "wet it slips through"
-        return f"wet it creeps {quantity_text(self.wet, 'length', system)}"
+        digits = RESULT_DIGITS + self.over_wet  # in which 6.354 mm is beyond 6.35 mm
+        return f"wet it creeps {quantity(self.wet, 'length', digits)}"
 
-    def beyond_wet(self, system: System = "si") -> str:
+    def beyond_wet(self) -> str:
         """Return, without a full stop, that wet a limit is missed which is kept dry; or nothing."""
         if not self.over_wet:
             return ""
         limit = ", beyond its limit" if math.isfinite(self.wet) else ""
-        return f"{_capital(self._when_wet(system))}{limit}"
+        return f"{_capital(self._when_wet())}{limit}"
 
     def sentences(self, system: System = "si") -> tuple[str, ...]:
-        """Return what is missed besides the headline, and what could not be checked."""
-        first = self.governing.name if self.governing else ""
-        others = (check for check in self.missed if check.name != first)
-        told = [f"{check.level}: {placed(check, system)}" for check in others]
+        """Return what is missed besides the headline, as texts in a system of units."""
+        return tuple(in_units(sentence, system) for sentence in self.others)
+
+    @property
+    def others(self) -> tuple[str, ...]:
+        """What is missed besides the headline, a sentence each; their quantities are cells."""
+        first = {c.name for c in (self.governing, self.odd) if c is not None}
+        others = (check for check in self.missed if check.name not in first)
+        told = [f"{check.level}: {placed(check)}" for check in others]
         if self.level.rank > Level.OK.rank and self.qualifier:
             told.append(f"All of this stands {self.qualifier}.")
         return tuple(told)
@@ -431,9 +472,9 @@ def ahead(margin: _Number) -> _Number:
     return found
 
 
-def placed(check: Check, system: System) -> str:
+def placed(check: Check) -> str:
     """Return the sentence of a check with its place, once."""
-    where, said = _capital(str(check.place)), check.sentence(system)
+    where, said = _capital(str(check.place)), check.said
     return said if not where or said.startswith(where) else f"{where}: {said}"
 
 

@@ -10,20 +10,18 @@ from weakref import WeakKeyDictionary
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
-from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.check import Check, Level, Place, Verdict, escaped
 from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import (
     LEAST_SHIFT,
-    USUAL_MOTORS,
-    compared_motor,
     kept,
     pull_against,
     trim_shift,
-    usual,
 )
 from wraparc.checks.rules import RULES, idle
 from wraparc.checks.sliding import wet_creep
+from wraparc.checks.usual import Owner, of_train, usual_sizes
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import (
     CaseResult,
@@ -38,7 +36,6 @@ from wraparc.train import (
     TrainStatus,
 )
 from wraparc.train.unsolved import unsolved_drive
-from wraparc.units import Dimension
 
 #: Checks that more tension on the slack side helps against, and those that less does.
 RAISING = frozenset({
@@ -150,7 +147,7 @@ def before(described: Drive | Train) -> Verdict:
     cases = () if isinstance(described, Drive) else described.cases
     divided = {case.name for case in cases if not case.pulls_given}
     checks: list[Check] = [of_data.data(drive, p) for p in drive.pulleys]
-    checks += of_drive.usual_sizes(drive)
+    checks += usual_sizes(drive, *(of_train(described) if isinstance(described, Train) else ()))
     checks += of_drive.take_up(drive)
     checks += (of_drive.pulley_diameter(drive, p) for p in drive.pulleys)
     for case in drive.load_cases:
@@ -172,7 +169,7 @@ def _unsolved(drive: Drive, case: LoadCase, pulleys: Sequence[Pulley]) -> Iterat
         yield found
 
 
-def _drive(result: DriveResult) -> Iterator[Check]:
+def _drive(result: DriveResult, *others: Owner) -> Iterator[Check]:
     drive = result.drive
     cases = {case.name: case for case in drive.load_cases}
     by_case: dict[str, list[ArcResult]] = {}
@@ -185,7 +182,7 @@ def _drive(result: DriveResult) -> Iterator[Check]:
     yield from of_drive.take_up(drive)
     for pulley in drive.pulleys:
         yield of_drive.pulley_diameter(drive, pulley)
-    yield from of_drive.usual_sizes(drive)
+    yield from usual_sizes(drive, *others)
     for pulley in drive.pulleys:
         yield of_data.data(drive, pulley)
 
@@ -218,7 +215,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         yield from of_data.condition(case, pulley)
         yield from of_data.fit(case, pulley)
         yield from of_arc.tested_slip(pulley, result)
-        if result.arc.side < 0.0 and not idle(result.arc):
+        if all(idle(arc.arc) for arc in arcs) or (result.arc.side < 0.0 and not idle(result.arc)):
             yield of_drive.sense(case, pulley)
         balanced = of_arc.balance(result)
         if balanced is not None:
@@ -241,9 +238,8 @@ def _train(result: TrainResult) -> Iterator[Check]:
         yield from _of_train(case)
         if isinstance(case.case.division, Pulls):
             yield from _meeting(case)
-    yield from _usual_motors(result.train)
     adrift = {case.case.name for case in result if case.adrift}
-    for check in _drive(result.drive_result()):
+    for check in _drive(result.drive_result(), *of_train(result.train)):
         if check.name == "gross_slip" and check.place.load_case in adrift:
             title = of_arc.GRIP.format(result.train.case(check.place.load_case).kind)
             yield of_drive.not_checked(check.name, title, NO_DIVISION, check.place)
@@ -297,8 +293,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         level=Level.ATTENTION,
         place=place,
         short="trim without belt thickness",
-        says=f"The trim of {of_drive.escaped(place.pulley)} is that of a belt without thickness: "
-        f"{why}",
+        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
         remedy="Give pulley_cover, carry_cover and carcass in [belt].",
         more={"shift": (100.0 * shift, "number")},
         binding=False,
@@ -318,28 +313,6 @@ def unrated(momentary: bool, place: Place) -> Check:
     name = "momentary_load" if momentary else "motor_load"
     why = "a drive that follows another gives no rating of its motors"
     return of_drive.not_checked(name, _MOTOR[momentary], why, place)
-
-
-def _usual_motors(train: Train) -> Iterator[Check]:
-    """Check motors for a slip of unit, and for a gear that does not fit the belt speed."""
-    division = train.cases[0].division
-    motors = division.motors if isinstance(division, Motors) else ()
-    for pulley, motor in zip(train.pulleys, motors, strict=False):
-        if isinstance(motor, Motor):
-            turns = motor.rated_speed / motor.gear_ratio
-            belt = math.nan if train.belt.speed is None else train.belt.speed
-            values = compared_motor(
-                motor.rated_power, motor.rated_speed, turns, 0.5 * pulley.diameter, belt
-            )
-            names: tuple[tuple[str, Dimension], ...] = (
-                ("rated power of the motor", "power"),
-                ("rated speed of the motor", "rotation_speed"),
-                ("speed of the drum by its motor and gear over that of the belt", "number"),
-            )
-            for (name, dimension), value, ends in zip(names, values, USUAL_MOTORS, strict=True):
-                if not usual(value, *ends):
-                    of = f"{name} of pulley {pulley.name}"
-                    yield of_drive.unusual(of, dimension, Place(pulley.name), value, ends)
 
 
 def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check:
@@ -374,7 +347,7 @@ def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
         title="Operating point of the drives",
         level=Level.FAULT if fault else Level.FAILS,
         short=shorts.get(status, "not solved"),
-        says=of_drive.escaped(f"{reason} {status}".strip()),
+        says=escaped(f"{reason} {status}".strip()),
         place=place,
     )
 

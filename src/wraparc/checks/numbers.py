@@ -39,7 +39,7 @@ USUAL_SIZES = (
     (0.15, 3.0),  # diameter
     (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
     (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
-    (0.05e-3, 63.5e-3),  # creep limit; ten customary ones is sliding
+    (0.05e-3, 30e-3),  # creep limit; five customary ones, and ten are sliding
     (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
     (0.0, 60e-3),  # thickness of the lagging
     (0.1e6, 50e6),  # its shear modulus
@@ -59,6 +59,7 @@ USUAL_SIZES = (
     USUAL_TENSION,  # entry tension over the width
     USUAL_TENSION,  # exit tension
     (250.0, 2e7),  # power of a pulley that pulls
+    (1.0, 130.0),  # mass of the belt over its width [kg/m2]
 )
 
 
@@ -150,6 +151,7 @@ class Sizes(NamedTuple):
     entry: float
     leaving: float
     pull: float  # nan where there is none, or where it is found and not given
+    mass: float  # of the belt per length
 
 
 def compared_sizes(of: Sizes) -> list[float]:
@@ -161,6 +163,7 @@ def compared_sizes(of: Sizes) -> list[float]:
         of.sag / of.width,
         of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
         of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
+        of.mass / of.width,
     ]  # fmt: skip
 
 
@@ -242,6 +245,7 @@ class Criteria(NamedTuple):
     alone: bool  # whether no other pulley pulls the belt
     printed: bool  # whether a factor of the standard is printed with two decimals
     wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
+    pulley_mass: float  # [kg]
     wet: float = 0.0  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
 
 
@@ -279,7 +283,6 @@ def pull_against(pulls: Sequence[float]) -> float:
     return min(sum(max(p, 0.0) for p in pulls), sum(max(-p, 0.0) for p in pulls))
 
 
-USUAL_BELT_MASS = (1.0, 130.0)  # per length and width [kg/m2]
 #: For the size of what is missing without the layers of a belt: how much covers differ [m]; least
 #: shift of a trim that is told [-].
 COVERS_APART, LEAST_SHIFT = 4e-3, 1e-4
@@ -311,11 +314,6 @@ def as_printed(factor: float) -> float:
     CEMA prints its factors so: a slack side of the printed one keeps the standard.
     """
     return min(factor, floor(100.0 * factor + 0.5) / 100.0)
-
-
-def passes_an_hour(speed: float, diameter: float) -> float:
-    """How often the pulley turns in an hour [-]."""
-    return 3600.0 * speed / (pi * diameter)
 
 
 def largest(column: Buffer, count: int) -> float:

@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
-from wraparc.checks.check import Check, Level, Place
-from wraparc.checks.of_drive import escaped, judged, not_checked, origin, tests_of
+from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.of_drive import judged, not_checked, origin, tests_of
 from wraparc.checks.rules import ACROSS_RULES, tension_factor
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
 from wraparc.units import display

@@ -10,13 +10,12 @@ import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
-from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import asked_slack, balance_miss, passes_an_hour, steepest
+from wraparc.checks.numbers import asked_slack, balance_miss, steepest
 from wraparc.checks.of_drive import (
     MORE_CREEP,
-    escaped,
     judged,
     not_checked,
     origin,
@@ -25,6 +24,7 @@ from wraparc.checks.of_drive import (
 from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
 from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley, TakeUp
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -290,7 +290,8 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     more: dict[str, tuple[float, Dimension]] = {}
     if result.arc.belt_speed is not None:
         often = ", {passes} times an hour,"
-        more["passes"] = passes_an_hour(result.arc.belt_speed, result.arc.diameter), "number"
+        pitch = result.arc.radius + result.arc.offset
+        more["passes"] = turns_an_hour(result.arc.belt_speed, pitch), "number"
     fatigue = _stress(
         pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
         "Shear stress of lagging and bond, at every pass", "lagging tires",
@@ -400,7 +401,8 @@ def slip_speed(result: ArcResult) -> float:
         return math.nan
     profile, arc = result.profile, result.arc
     position, slip = profile.position.tolist(), profile.slip.tolist()
-    return speed * steepest(position, slip, len(position), arc.radius, arc.length)
+    pitch = arc.radius + arc.offset  # the shell turns v/pitch under the belt
+    return speed * steepest(position, slip, len(position), pitch, pitch * arc.wrap_angle)
 
 
 def balance(result: ArcResult) -> Check | None:

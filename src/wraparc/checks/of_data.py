@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from wraparc.checks.check import Check, Level, Place
-from wraparc.checks.of_drive import escaped, origin
+from wraparc.checks.check import Check, Level, Place, escaped
+from wraparc.checks.of_drive import origin
 from wraparc.checks.rules import RULES
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.drive.changes import WORN
@@ -88,7 +88,7 @@ def data(drive: Drive, pulley: Pulley) -> Check:
     """Say on what data the answer for a pulley stands; the weakest decides."""
     lagging = pulley.lagging
     found: dict[str, list[str]] = {}
-    for kind, what in _weak_sources(drive, pulley):
+    for kind, what in weak_sources(drive, pulley):
         found.setdefault(kind, []).append(what)
     grounds, words = law_words(lagging)
     words += [
@@ -117,7 +117,7 @@ def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
     return [law, *(["untested"] if untested else [])], words
 
 
-def _weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
+def weak_sources(drive: Drive, pulley: Pulley) -> Iterator[tuple[str, str]]:
     """Yield each number that is illustrative, calibrated or estimated, with its kind."""
     lagging, belt = pulley.lagging, drive.belt
     owners = (
@@ -139,7 +139,7 @@ def weaknesses(source: Provenance) -> Iterator[str]:
     if source.note.startswith("estimated"):
         yield "estimated"
     if source.kind in (Kind.ILLUSTRATIVE, Kind.CALIBRATED):
-        yield source.kind.value
+        yield str(source.kind)
 
 
 #: In the order in which they are told.

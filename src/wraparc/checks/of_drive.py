@@ -1,22 +1,13 @@
-"""Checks of a description that need no solving: sizes, belt, pulley face, data."""
+"""Checks of a description that need no solving: belt, pulley face, take-up."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
 
 from wraparc.alike import falling
-from wraparc.checks.check import NOWHERE, Check, Level, Miss, Place, keeps
-from wraparc.checks.numbers import (
-    USUAL_BELT_MASS,
-    USUAL_SIZES,
-    Sizes,
-    compared_sizes,
-    held_alike,
-    idles,
-    usual,
-)
+from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
+from wraparc.checks.numbers import held_alike, idles
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -24,175 +15,15 @@ from wraparc.checks.rules import (
     tension_rule,
     wrap_pressure,
 )
-from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.drive.pitch import centrifugal_of
 from wraparc.provenance import Provenance
-from wraparc.units import Dimension, meant_by
+from wraparc.units import Dimension
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
-
-
-def usual_sizes(drive: Drive) -> Iterator[Check]:
-    """Check sizes, tensions and what they make together for a slip of unit."""
-    odd: dict[str, Check] = {}
-    for case in drive.load_cases:
-        for pulley in drive.in_case(case).pulleys:
-            names = _names(pulley, case)
-            values = compared_sizes(_sizes(drive, case, pulley))
-            for (name, dimension, place), value, (least, most) in zip(
-                names, values, USUAL_SIZES, strict=True
-            ):
-                made = name in (_RATIO, _STRONG) or name.startswith(
-                    _AT_RATING
-                )  # of two that are given
-                if not (usual(value, least, most) or (made and odd)):
-                    size = drive.belt.width if dimension == "force" else 1.0
-                    ends = size * least, size * most
-                    check = unusual(name, dimension, place, size * value, ends)
-                    odd.setdefault(check.sentence(), check)
-    for check in (
-        () if drive.conveyor is None else _conveyor_sizes(drive.conveyor, drive.belt.width)
-    ):
-        odd.setdefault(check.sentence(), check)
-    mass, width = drive.belt.mass, drive.belt.width
-    if mass is not None and not usual(mass / width, *USUAL_BELT_MASS):
-        least, most = (width * end for end in USUAL_BELT_MASS)
-        check = unusual("mass of the belt", "mass_per_length", Place(), mass, (least, most))
-        remedy = "Is it that of the whole belt? Give the mass of a metre."
-        odd["mass"] = replace(check, remedy=remedy)
-    yield from odd.values()
-    if not odd:
-        yield Check(
-            name="usual_sizes",
-            title="What is given is of usual size",
-            level=Level.OK,
-            binding=False,
-        )
-
-
-def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
-    full = FULLEST * width**2
-    if of.material > full:
-        name = "load per length of the full belt (capacity, speed and width)"
-        yield unusual(name, "mass_per_length", NOWHERE, of.material, (0.0, full))
-    slope = of.lift / of.length
-    if abs(slope) > STEEPEST:
-        name = "lift over length of the conveyor"
-        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
-    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
-        if not usual(value, least, most):
-            name = f"{key.replace('_', ' ')} of the conveyor"
-            dimension = Conveyor.LIMITS[key].dimension
-            yield unusual(name, dimension, NOWHERE, value, (least, most))
-
-
-def unusual(
-    name: str, dimension: Dimension, place: Place, value: float, ends: tuple[float, float]
-) -> Check:
-    """Return the check that a value [SI] outside its usual ends misses."""
-    least, most = ends
-    meant = " or ".join(meant_by(value, dimension, least, most))
-    remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
-    if dimension == "angle" and value > most:
-        remedy = "Is it the sum of two pulleys? Give each of them its own."
-    elif dimension == "angle" and not meant:
-        remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
-    if name.startswith(_AT_RATING):
-        remedy = "Check the diameter and the rating."
-    if name == _STRONG:
-        remedy = "Check strength and rating."
-    if name == _RATIO:
-        remedy = "Is the rating or the strength given as the modulus? Check the units of both."
-    return Check(
-        name="usual_sizes",
-        title=f"Usual {name}",
-        level=RULES["usual_sizes"].missed,
-        place=place,
-        value=value,
-        limit=most if value > most else least,
-        dimension=dimension,
-        at_most=value > most,
-        source="sizes that conveyor drives have",
-        short="unusual size",
-        says=f"The {escaped(name)}, {{value}}, is outside the usual {{least}} to {{most}}.",
-        remedy=escaped(remedy),
-        more={"least": (least, dimension), "most": (most, dimension)},
-        binding=False,
-    )
-
-
-_AT_RATING = "pressure of the belt at its rating"
-_STRONG = "strength over the rating of the belt"
-_RATIO = "modulus over the rating of the belt"
-
-
-def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]:
-    """Return what `compared_sizes` are called, in their order, what they measure and where."""
-    belt, drum, at = Place(), Place(pulley.name), Place(pulley.name, case.name)
-    lagging, of = f"of lagging {pulley.lagging.name}", f"of pulley {pulley.name}"
-    return [
-        ("width of the belt", "length", belt),
-        ("modulus of the belt", "force_per_width", belt),
-        ("speed of the belt", "speed", belt),
-        (f"diameter {of}", "length", drum),
-        (f"wrap angle {of}", "angle", drum),
-        (f"wrap angle {of}", "angle", drum),
-        (f"creep limit {of}", "length", drum),
-        (f"overrun {of}", "length", drum),
-        (f"thickness {lagging}", "length", drum),
-        (f"shear modulus {lagging}", "pressure", drum),
-        (f"compression modulus {lagging}", "pressure", drum),
-        ("rating of the belt", "force_per_width", belt),
-        (f"bond strength {lagging}", "pressure", drum),
-        (f"fatigue limit {lagging}", "pressure", drum),
-        ("largest wrap pressure of the belt", "pressure", belt),
-        ("least pulley of the belt", "length", belt),
-        ("tension that keeps the belt from sagging", "force", belt),
-        (_RATIO, "number", belt),
-        (_STRONG, "number", belt),
-        (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
-        (f"entry tension {of}", "force", at),
-        (f"exit tension {of}", "force", at),
-        (f"power {of}", "power", at),
-    ]
-
-
-def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
-    belt, lagging, sag = drive.belt, pulley.lagging, drive.criteria.sag
-    tensions = case.tensions[pulley.name]
-
-    idle = idles(tensions.entry, tensions.exit)
-
-    def known(value: float | None) -> float:
-        return math.nan if value is None else value
-
-    return Sizes(
-        width=belt.width,
-        modulus=belt.modulus,
-        speed=known(belt.speed),
-        diameter=pulley.diameter,
-        idle_wrap=pulley.wrap_angle if idle else math.nan,
-        wrap_angle=math.nan if idle else pulley.wrap_angle,
-        creep_limit=drive.creep_limit_of(pulley),
-        overrun=known(pulley.overrun),
-        thickness=lagging.thickness,
-        shear_modulus=lagging.shear_modulus,
-        compression_modulus=lagging.compression_modulus,
-        rating=known(belt.rating),
-        strength=known(belt.breaking_strength),
-        bond_strength=known(lagging.bond_strength),
-        fatigue_limit=known(lagging.fatigue_limit),
-        face_pressure=known(belt.largest_wrap_pressure),
-        least_diameter=known(belt.least_pulley_diameter),
-        sag=known(None if sag is None else sag.tension),
-        entry=tensions.entry,
-        leaving=tensions.exit,
-        pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
-    )
 
 
 def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
@@ -353,10 +184,13 @@ def take_up(drive: Drive) -> Iterator[Check]:
 
 
 def sense(case: LoadCase, pulley: Pulley) -> Check:
-    """Return what the verdict says of a pulley that brakes."""
+    """Return what the verdict says of a pulley that brakes, or pulls nothing where it should."""
+    tensions = case.tensions[pulley.name]
+    none = idles(tensions.entry, tensions.exit)
+    told = "pulls nothing (T1 = T2)" if none else "brakes (T1 < T2)"
     return Check(
         name="sense",
-        title=f"Pulley {pulley.name} brakes (T1 < T2)",
+        title=f"Pulley {pulley.name} {told}",
         level=Level.OK,
         place=Place(pulley.name, case.name),
         binding=False,
@@ -409,11 +243,6 @@ def sags(drive: Drive, tension: float, place: Place) -> Check:
         remedy="Raise the slack-side tension, or set the idlers closer.",
         otherwise="Set the idlers closer.",
     )
-
-
-def escaped(text: str) -> str:
-    """Return a text that stands for itself in `Check.says`."""
-    return text.replace("{", "{{").replace("}", "}}")
 
 
 def tests_of(pulley: Pulley) -> str:

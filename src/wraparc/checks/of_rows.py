@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
+from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
+from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
@@ -27,6 +29,7 @@ from wraparc.checks.rules import (
 )
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
+from wraparc.checks.usual import least_margin
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
@@ -38,8 +41,7 @@ Codes = NDArray[np.int8]
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
 _NOT_OF_ROWS = (
-    "cover_creep", "creep_interval", "balance", "train_balance", "motor_load", "momentary_load",
-    "motor_heat",
+    "creep_interval", "balance", "train_balance", "motor_heat",
 )  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (
@@ -51,7 +53,7 @@ NAMES = (
 NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
-    "the torque of motors",
+    "the torque of motors, where the load of a train is not divided anew in every row",
 )
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
@@ -74,8 +76,10 @@ class Held:
         Whether the standard binds.
     alone
         Whether no other pulley pulls the belt.
-    rating, strength
-        Of the belt [N/m].
+    rating, strength, mass
+        Of the belt [N/m, kg/m].
+    cover_left_out
+        h_b/G_b of a belt cover that the slip of the law may include or not [m/Pa].
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
     face_pressure, bond_stress, fatigue_stress
@@ -89,6 +93,11 @@ class Held:
         Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
+    odd
+        Least margin of sizes beside those of the arc that are asked about, infinite for none [-].
+    motor, motor_load, momentary_load
+        Torque of the motors over the rated one, and the largest of it: one of them, by the kind of
+        the load case [-].
     """
 
     safety: Array
@@ -99,6 +108,8 @@ class Held:
     alone: Flags
     rating: Array
     strength: Array
+    mass: Array
+    cover_left_out: Array
     belt_tension: Array
     momentary_tension: Array
     face_pressure: Array
@@ -109,6 +120,10 @@ class Held:
     diameter: Array
     scaled: Flags
     misfit: Flags
+    odd: Array
+    motor: Array
+    motor_load: Array
+    momentary_load: Array
 
     def rows(self, which: slice | NDArray[np.int64]) -> Held:
         """Return some of the rows."""
@@ -142,7 +157,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating, strength,
+        misfit, rating, strength, mass, cover, odd,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -168,6 +183,8 @@ def held_by(
         alone=np.full(len(arcs), len(names) == 1),
         rating=rating,
         strength=strength,
+        mass=mass,
+        cover_left_out=cover,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
         face_pressure=face,
@@ -178,6 +195,8 @@ def held_by(
         diameter=least,
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
+        odd=odd,
+        **dict.fromkeys(("motor", "motor_load", "momentary_load"), np.full(len(arcs), math.nan)),
     )
 
 
@@ -200,6 +219,9 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
         belt.rating,
         belt.breaking_strength,
+        belt.mass,
+        of_belt(belt, drive.pulley(pulley).side, lagging.law)["cover_left_out"],
+        least_margin(drive),
     )
 
 
@@ -277,7 +299,7 @@ def _checks(
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, rank of the level and margin of every check in the order of `RULES`."""
     yield _gross_slip(solved, held, factors, setting)
-    for name, value, limit in _compared(solved, held):
+    for name, value, limit in _compared(solved, held, factors, setting):
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
@@ -291,6 +313,7 @@ def _checks(
         ranks, margins = np.where(never, missed, ranks), np.where(never, first, margins)
         advice = ranks > Level.OK.rank
         advice &= ~held.binding if name == "design_standard" else name in ADVICE
+        margins = np.where(advice & np.isinf(value), math.inf, margins)  # has no number: last
         yield name, ranks, np.where(advice, behind(margins), margins)
         if name == "tested_pressure_min":
             for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
@@ -299,7 +322,9 @@ def _checks(
     yield _usual_sizes(solved.arcs, held)
 
 
-def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Array]]:
+def _compared(
+    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
+) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, value and limit of what is compared; a limit of nan is none."""
     arcs = solved.arcs
     tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
@@ -308,6 +333,10 @@ def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Arr
     speed, pulls = arcs.laws.tested_speed[arcs.law], ~_idle(arcs)
     yield "design_standard", slack, np.where(pulls, held.standard, math.nan)
     yield "creep", np.abs(solved["exit_creep"]), _where(solved.solved, arcs.creep_limit)
+    there = solved.solved & (held.cover_left_out > 0.0)
+    if there.any():
+        creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
+        yield "cover_creep", creep, _where(there, arcs.creep_limit)
     yield "belt_tension", tight, held.belt_tension
     yield "momentary_tension", tight, held.momentary_tension
     pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter, arcs.centrifugal_force)
@@ -326,6 +355,24 @@ def _compared(solved: BatchResult, held: Held) -> Iterator[tuple[str, Array, Arr
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
     yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
     yield "pulley_diameter", arcs.diameter, held.diameter
+    yield "motor_load", held.motor, held.motor_load
+    yield "momentary_load", held.motor, held.momentary_load
+
+
+def _covered_creep(
+    arcs: Arcs,
+    held: Held,
+    factors: tuple[Array, Array],
+    setting: Setting,
+    which: NDArray[np.intp],
+) -> Array:
+    """Creep of some arcs with the cover of the belt in series [m]; infinite where it slips."""
+    some, found = arcs.rows(which), np.full(len(arcs), math.nan)
+    covered = replace(some, cover_compliance=some.cover_compliance + held.cover_left_out[which])
+    friction, slip = (factor[which] for factor in factors)
+    again = solve_scaled(covered, friction, slip, setting=setting, capacities=False)
+    found[which] = np.where(again.solved, np.abs(again["exit_creep"]), math.inf)
+    return found
 
 
 def _where(there: Flags, limit: Array) -> Array:
@@ -387,8 +434,8 @@ def _gross_slip(
 
 def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
-    ranks = np.full(len(arcs), Level.OK.rank)
-    margins = np.full(len(arcs), math.inf)
+    missed = RULES["usual_sizes"].missed.rank
+    ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
     idle = _idle(arcs)
     pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
     wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))
@@ -397,6 +444,7 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
         arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
         arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
         held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,
+        held.mass,
     ]  # fmt: skip
     values: list[Any] = compared_sizes(Sizes(*given))
     for value, (least, most) in zip(values, USUAL_SIZES, strict=True):
@@ -404,6 +452,6 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
         with np.errstate(divide="ignore", invalid="ignore"):
             under = np.where(low, margin_to(value, least, at_most=False), math.inf)
             found = np.where(high, margin_to(value, most, at_most=True), under)
-        ranks = np.where(low | high, RULES["usual_sizes"].missed.rank, ranks)
+        ranks = np.where(low | high, missed, ranks)
         margins = np.minimum(margins, found)
     return "usual_sizes", ranks, margins

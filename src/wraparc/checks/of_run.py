@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -20,16 +20,19 @@ from wraparc.checks.numbers import usual
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
 from wraparc.checks.sliding import SLIDES
+from wraparc.checks.usual import Owner, of_train, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
 from wraparc.train import Motor, Motors
 from wraparc.train.motors import MOMENTARY
 from wraparc.train.result import drive_with
-from wraparc.units import display
+from wraparc.units import display, quantity
 
 if TYPE_CHECKING:
+    from wraparc.motion.event import Event
     from wraparc.motion.result import DrumHistory, RunResult
+    from wraparc.motion.station import Station
 
 
 #: Miss of the set speed over the belt speed with which a start or stop is over [-]; ours.
@@ -39,19 +42,6 @@ SETTLED = 0.1
 HEAT = (1.5**2 - 1.0) * 120.0
 HEATING = "Heating of the motors beyond their rating"
 _LAST = 0.1  # of the run: what lasts
-#: Sizes that what moves has, and what happens to it, least and most, by key [SI]; 0 is none.
-USUAL_MOTION = {
-    "conveyor_mass": (100.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
-    "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
-    "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (0.1, 1e6),
-    "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
-    "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
-    "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
-    "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
-    "filter_time": (1e-3, 60.0), "duration": (0.1, 7200.0), "time": (0.1, 600.0),
-    "length": (0.01, 2e3), "rise": (-0.02, 0.02), "run_out": (-0.01, 0.01),
-    "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3), "ripple": (-0.3, 0.3),
-}  # fmt: skip
 
 _told: WeakKeyDictionary[RunResult, Verdict] = WeakKeyDictionary()
 _otherwise: WeakKeyDictionary[RunResult, tuple[Otherwise, ...]] = WeakKeyDictionary()
@@ -130,7 +120,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield from _end(run)
     for pulley, drum in zip(drive.pulleys, run, strict=True):
         place = Place(pulley.name, event=run.event.name)
-        yield from _creeps(drive, pulley, drum, place)
+        yield from _creeps(drive, pulley, drum, place, bool(run.event.moves))
         yield of_arc.bond(pulley, drum.extremes.shear.value, place)
         slip = drum.extremes
         yield from of_arc.slip_in_tests(pulley, slip.slip.value, slip.slip_speed.value, place)
@@ -146,31 +136,29 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield _vibration(run)
     yield _tension(run, case)
     yield _sag(drive, run)
-    odd = list(_odd_sizes(run))
-    given = of_drive.usual_sizes(drive)
-    yield from (*odd, *(check for check in given if not odd or check.missed))
+    yield from _pull_over_weight(run)
+    yield from usual_sizes(drive, *of_run(run.station, run.event))
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
 
 
-def _odd_sizes(run: RunResult) -> Iterator[Check]:
-    """Yield what of the moving parts and of the event no conveyor has, with the unit meant."""
-    station, event = run.station, run.event
-    owners: list[tuple[Any, str]] = [(station, ""), (event, f" of event {event.name}")]
-    owners += [(of, f" of event {event.name}") for of in event.happenings]
+def of_run(station: Station, event: Event) -> Iterator[Owner]:
+    """Yield what moves, and what happens to it."""
+    yield from of_train(station.train)
+    yield Owner(station, "")
+    yield from (Owner(of, f"of event {event.name}") for of in (event, *event.happenings))
     for name, drum in zip(station.names, station.drums, strict=True):
-        owners += [(of, f" of drum {name}") for of in (drum, drum.control, drum.trim) if of]
-    for of, words in owners:
-        for key, limit in of.LIMITS.items():
-            value, ends = getattr(of, key), USUAL_MOTION.get(key)
-            if ends and value and not usual(value, *ends):
-                told = f"{key.replace('_', ' ')}{words}"
-                yield of_drive.unusual(told, limit.dimension, Place(), value, ends)
-    if station.conveyor_mass is not None:
-        pull = sum(abs(drum.extremes.pull.value) for drum in run)
-        over = pull / (station.conveyor_mass * GRAVITY)
-        if not usual(over, *PULL_OVER_WEIGHT):
-            told = "largest pull of the drives over the weight of the conveyor_mass"
-            yield of_drive.unusual(told, "number", Place(), over, PULL_OVER_WEIGHT)
+        yield from (Owner(of, f"of drum {name}") for of in (drum, drum.control, drum.trim) if of)
+
+
+def _pull_over_weight(run: RunResult) -> Iterator[Check]:
+    """Yield that a conveyor is far too light for its pull, whatever its mass is given as."""
+    if run.station.conveyor_mass is None:
+        return
+    pull = sum(abs(drum.extremes.pull.value) for drum in run)
+    over = pull / (run.station.conveyor_mass * GRAVITY)
+    if not usual(over, *PULL_OVER_WEIGHT):
+        told = "largest pull of the drives over the weight of the conveyor_mass"
+        yield unusual(told, "number", Place(), over, PULL_OVER_WEIGHT)
 
 
 def _case(run: RunResult) -> LoadCase:
@@ -225,18 +213,22 @@ def _settled(run: RunResult) -> Iterator[Check]:
         title="Followed to its end",
         level=Level.ATTENTION,
         place=Place(event=run.event.name),
-        says=f"At the end of the run the belt moves at {display(end, 'speed', digits=3)}, where "
-        f"{display(asked, 'speed', digits=3)} is asked of it in the end: what comes until then is "
+        says=f"At the end of the run the belt moves at {quantity(end, 'speed')}, where "
+        f"{quantity(asked, 'speed')} is asked of it in the end: what comes until then is "
         "not seen.",
         remedy="Give the event a longer duration.",
         short="not followed to its end",
     )
 
 
-def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> Iterator[Check]:
+def _creeps(
+    drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
+) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
+    slower = "start and stop more slowly, " if moves else ""
+    remedy = f"Raise the slack-side tension, {slower}or choose a lagging with more friction."
     if creep.value > max(SLIDES, limit):
-        yield _slides(place, creep.value, creep.time)
+        yield _slides(place, creep.value, creep.time, remedy)
     yield judged(
         RULES["creep"],
         "Largest creep at exit",
@@ -245,25 +237,23 @@ def _creeps(drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place) -> It
         "length",
         place=place,
         short="over creep limit",
-        says=f"Creeps {{value}} at {display(creep.time, 'time', digits=3)}, more than the limit of "
-        f"{{limit}}, and is over it for {display(drum.over_limit, 'time', digits=2)}.",
-        remedy="Start and stop more slowly, raise the slack-side tension, or choose a lagging "
-        "with more friction.",
+        says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
+        f"{{limit}}, and is over it for {quantity(drum.over_limit, 'time', 2)}.",
+        remedy=remedy,
     )
 
 
-def _slides(place: Place, creep: float, time: float) -> Check:
+def _slides(place: Place, creep: float, time: float, remedy: str) -> Check:
     return Check(
         name=RULES["gross_slip"].name,
         title="Carries its load",
         level=Level.FAILS,
         place=place,
         short="slides",
-        says=f"The belt slides on the pulley: {display(creep, 'length', digits=3)} of creep at "
-        f"{display(time, 'time', digits=3)}, more than {{slides}}, is gross slip.",
+        says=f"The belt slides on the pulley: {quantity(creep, 'length')} of creep at "
+        f"{quantity(time, 'time')}, more than {{slides}}, is gross slip.",
         more={"slides": (SLIDES, "length")},
-        remedy="Raise the slack-side tension, start and stop more slowly, or choose a lagging with "
-        "more friction.",
+        remedy=remedy,
     )
 
 
@@ -329,7 +319,7 @@ def _vibration(run: RunResult) -> Check:
     )
     if not root.real > CALM:
         return check
-    double = display(math.log(2.0) / root.real, "time", digits=2)
+    double = quantity(math.log(2.0) / root.real, "time", 2)
     return replace(
         check,
         level=Level.FAILS,
@@ -358,8 +348,10 @@ def _tension(run: RunResult, case: LoadCase) -> Check:
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
         says=f"The belt tension {peak.place} reaches {{value}} at "
-        f"{display(peak.time, 'time', digits=3)}, more than the belt allows, {{limit}}.",
-        remedy="Start more slowly, or take a stronger belt.",
+        f"{quantity(peak.time, 'time')}, more than the belt allows, {{limit}}.",
+        remedy="Start more slowly, or take a stronger belt."
+        if run.event.moves
+        else "Take a stronger belt.",
     )
 
 

@@ -13,7 +13,7 @@ from wraparc.across import AcrossResult, AcrossSolver, wide_arc
 from wraparc.checks.of_across import EDGE_FACTOR
 from wraparc.checks.rules import tension_factor
 from wraparc.choose.search import Grid, Search
-from wraparc.drive import Belt, Drive, LoadCase, Tensions
+from wraparc.drive import Belt, LoadCase
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -66,12 +66,11 @@ def solve_edges(search: Search, grid: Grid, which: Integers, known: Edges) -> Ed
         },
     )
     cases = search.drive.load_cases
-    tensions = [grid.tensions(case) for case in cases]
     for i in map(int, which):
         worst = -np.inf
+        drives = [grid.drive(i, condition) for condition in range(len(search.conditions))]
         for condition, k in product(range(len(search.conditions)), range(len(cases))):
-            entry, leaving = (float(t[i]) for t in tensions[k])
-            drive, case = _design(search, grid, i, condition, cases[k], (entry, leaving))
+            drive, case = drives[condition], drives[condition].load_cases[k]
             result = AcrossSolver().solve(wide_arc(drive, drive.pulleys[0], case))
             limit = _limit(drive.belt, case)
             tight = _tightest(result)
@@ -99,28 +98,6 @@ def _limit(belt: Belt, case: LoadCase) -> float:
     if belt.rating is None:
         return np.nan
     return EDGE_FACTOR * tension_factor(belt, case.kind) * belt.rating
-
-
-def _design(
-    search: Search,
-    grid: Grid,
-    i: int,
-    condition: int,
-    case: LoadCase,
-    tensions: tuple[float, float],
-) -> tuple[Drive, LoadCase]:
-    """Return one design as a drive of one pulley in one load case."""
-    lagging = search.conditions[condition].lagging(search.laggings[int(grid.places[0, i])])
-    lagging = lagging.with_thickness(float(grid.thickness[i]))
-    pulley = replace(
-        search.base, lagging=lagging, conditions=(), diameter=float(grid.diameter[i]),
-        wrap_angle=float(grid.wrap_angle[i]),
-    )  # fmt: skip
-    entry, leaving = tensions
-    load = replace(case, condition="", tensions={pulley.name: Tensions(entry=entry, exit=leaving)})
-    belt = search.belts[int(grid.places[2, i])]
-    drive = replace(search.drive, belt=belt, pulleys=(pulley,), load_cases=(load,))
-    return drive, load
 
 
 def excess_of(edges: Edges) -> Mapping[str, Array]:

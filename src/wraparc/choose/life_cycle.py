@@ -9,9 +9,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.arc.wear import HOUR, WORN_SHARE
+from wraparc.arc.wear import WORN_SHARE
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.search import Grid, Search
+from wraparc.drive.pitch import turns_an_hour
 
 Array = NDArray[np.float64]
 
@@ -45,7 +46,7 @@ def _lives(search: Search, grid: Grid, dry: Sequence[Mapping[str, Array]]) -> Ar
     known = [lag.wear_coefficient for lag in search.laggings]
     coefficient = np.array([math.nan if k is None else k for k in known])[grid.places[0]]
     speeds = np.array([math.nan if b.speed is None else b.speed for b in search.belts])
-    passes = speeds[grid.places[2]] * HOUR / (math.pi * grid.diameter)
+    passes = turns_an_hour(speeds[grid.places[2]], 0.5 * grid.diameter + grid.offset)
     energy = np.zeros(len(grid))
     for case, answer in zip(search.drive.load_cases, dry, strict=True):
         hours = search.costing.hours.get(case.name, 0.0)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.choose.cost import Costing, price_problems
-from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag
+from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag, Tensions
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
@@ -233,6 +233,25 @@ class Grid:
         slack = np.where(own, end, self.slack)
         return slack, np.where(own, most, slack + (most - end))
 
+    def drive(self, design: int, condition: int = 0) -> Drive:
+        """Return one design as a drive of its pulley alone, in a condition."""
+        s, i = self.search, design
+        lagging = s.conditions[condition].lagging(s.laggings[int(self.places[0, i])])
+        pulley = replace(
+            s.base, lagging=lagging.with_thickness(float(self.thickness[i])), conditions=(),
+            diameter=float(self.diameter[i]), wrap_angle=float(self.wrap_angle[i]),
+        )  # fmt: skip
+        cases = []
+        for case in s.drive.load_cases:
+            entry, leaving = (float(tension[i]) for tension in self.tensions(case))
+            pair = {pulley.name: Tensions(entry=entry, exit=leaving)}
+            cases.append(replace(case, condition="", tensions=pair))
+        belt, criteria = s.belts[int(self.places[2, i])], s.drive.criteria
+        alone = replace(criteria, take_up=replace(criteria.take_up, after=""))
+        return replace(
+            s.drive, belt=belt, pulleys=(pulley,), load_cases=tuple(cases), criteria=alone
+        )
+
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""
         search = self.search
@@ -248,6 +267,12 @@ class Grid:
         s = self.search
         table = np.array([[of(b, lagging.law) for b in s.belts] for lagging in s.laggings])
         return np.asarray(table[self.places[0], self.places[2]])
+
+    @property
+    def offset(self) -> Array:
+        """E of every design, 0 where its belt is not known that well [m]."""
+        side = self.search.base.side
+        return self._of_belts(lambda belt, law: pitch_offset(belt, side) or 0.0)
 
     def arcs(self, case: LoadCase, condition: int) -> Arcs:
         """Return the arcs of every design in one load case and condition."""
@@ -270,7 +295,7 @@ class Grid:
             "belt_speed": speed[self.places[2]],
             "overrun": np.nan if base.overrun is None else base.overrun,
             "recovery": float(base.recovery),
-            "pitch_offset": self._of_belts(lambda belt, law: pitch_offset(belt, base.side) or 0.0),
+            "pitch_offset": self.offset,
             "cover_compliance": self._of_belts(
                 lambda belt, law: of_belt(belt, base.side, law)["cover_compliance"]
             ),

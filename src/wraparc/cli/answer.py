@@ -7,7 +7,7 @@ and leaves it: the files first, then the sheet on standard output.
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import wraps
+from functools import cache, wraps
 from typing import Any
 
 import click
@@ -86,9 +86,26 @@ class Answer:
         if path:
             self.files[path] = make()
 
-    def give(self, sheet: Callable[[], Sheet] | None) -> None:
-        """Write the files, then print the sheet."""
-        deliver(self.files, sheet, self.wanted)
+    def give(
+        self,
+        sheet: Callable[[], Sheet] | None,
+        document: Callable[[], Mapping[str, Any]] | None = None,
+    ) -> None:
+        """Write the files, then print the sheet.
+
+        Parameters
+        ----------
+        sheet
+            Makes the sheet, if any.
+        document
+            Makes what the JSON holds besides the answer of the sheet.
+        """
+        path, made = self.paths.get("json"), sheet and cache(sheet)
+        if path and made and document:
+            from wraparc.present.answer_data import answer_json
+
+            self.files = {path: answer_json(document(), made()), **self.files}
+        deliver(self.files, made, self.wanted)
 
 
 def answers(
@@ -114,10 +131,12 @@ def answers(
         @wraps(command)
         def call(**given: Any) -> Any:
             paths = {name: given.pop(f"{name}_file") for name in files}
-            wanted = Wanted(given.pop("full", not tables), given.pop("table", None) or "")
+            units: System = given.pop("units")
+            table = given.pop("table", None) or ""
+            wanted = Wanted(given.pop("full", not tables), table, units)
             if wanted.table and wanted.table not in tables:
                 raise InputError(no_table(wanted.table, list(tables)))
-            answer = Answer(given.pop("units"), wanted, paths)
+            answer = Answer(units, wanted, paths)
             if checked:
                 answer.check([given[argument]])
             return command(answer=answer, **given)

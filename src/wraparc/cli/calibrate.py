@@ -36,7 +36,6 @@ def calibrate(
     from wraparc.calibrate.file import calibrated_lagging, load_measured
     from wraparc.files import lagging_text
     from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
-    from wraparc.present.document import json_text
 
     measured = load_measured(file, overrides=[*settings, *_pulley(pulley)])
     if not measured.problem.parameters:
@@ -49,13 +48,14 @@ def calibrate(
             )
         )
     found = fit(measured.problem)
-    answer.write("json", lambda: json_text(calibrate_document(found)))
     if found.told:
         answer.write(
             "output", lambda: lagging_text(calibrated_lagging(found, measured, name or ""))
         )
     about = measured.title, measured.description, tuple(map(str, measured.sources))
-    answer.give(lambda: calibrate_sheet(found, measured.problem, *about, answer.units))
+    answer.give(
+        lambda: calibrate_sheet(found, measured.problem, *about), lambda: calibrate_document(found)
+    )
     output = answer.paths["output"]
     if output and not found.told:
         click.echo(f"{output} not written: the data do not identify every parameter.", err=True)
@@ -83,9 +83,7 @@ def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | 
         from wraparc.plot.overlay import plot_overlay
 
         answer.write("plot", lambda: plot_overlay(problem.traces, predicted, answer.units).save)
-    answer.give(
-        lambda: overlay_sheet(problem, measured.folded, predicted, measured.title, answer.units)
-    )
+    answer.give(lambda: overlay_sheet(problem, measured.folded, predicted, measured.title))
     return _TOLD
 
 

@@ -5,7 +5,7 @@ import click
 from wraparc import catalogue
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import units_option
-from wraparc.cli.show import FULL, show
+from wraparc.cli.show import Wanted, show
 from wraparc.files import load_lagging_conditions
 from wraparc.present.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.units import System
@@ -17,7 +17,7 @@ def laggings(units: System) -> None:
     """List the laggings of the catalogue."""
     names = catalogue.lagging_names()
     found = [lagging for name in names for lagging in load_lagging_conditions(name)]
-    show(laggings_sheet(found, units), FULL)
+    show(laggings_sheet(found), Wanted(full=True, units=units))
 
 
 @click.command()
@@ -38,11 +38,11 @@ def lagging(answer: Answer, name: str) -> None:
         from wraparc.plot import plot_lagging
 
         answer.write("plot", lambda: plot_lagging(conditions[0], answer.units).save)
-    answer.give(lambda: lagging_sheet(conditions, answer.units))
+    answer.give(lambda: lagging_sheet(conditions))
 
 
 @click.command()
 @units_option
 def belts(units: System) -> None:
     """List the belts of the catalogue."""
-    show(belts_sheet(units), FULL)
+    show(belts_sheet(), Wanted(full=True, units=units))

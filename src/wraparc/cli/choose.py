@@ -38,14 +38,14 @@ def choose(
     from wraparc.choose.file import load_search
     from wraparc.choose.selection import choose as choose_design
     from wraparc.present.choose_sheet import choose_csv, choose_document, choose_sheet
-    from wraparc.present.document import json_text
 
     selection = choose_design(load_search(file, overrides=settings))
     lighter = _lightest(selection) if lightest_belt else None
-    answer.write("json", lambda: json_text(choose_document(selection, lighter)))
     answer.write("csv", lambda: choose_csv(selection))
     answer.write("plot", lambda: _picture(selection, answer.units))
-    answer.give(lambda: choose_sheet(selection, answer.units, lighter, rows))
+    answer.give(
+        lambda: choose_sheet(selection, lighter, rows), lambda: choose_document(selection, lighter)
+    )
     return _FOUND if len(selection.ranking) else _NONE_FEASIBLE
 
 

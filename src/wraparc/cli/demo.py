@@ -46,7 +46,7 @@ def demo(into: Path, units: System) -> int:
         picture = f"The picture is {into / _PICTURE}"
     except MissingExtraError as error:
         picture = f"There is no picture: it {error}"
-    show(drive_sheet([result], units), Wanted())
+    show(drive_sheet([result]), Wanted(units=units))
     say("\n".join(["", *(f"Kept your own {into / name}." for name in kept), picture]))
     say(f"The calculator in the browser opens with: {command_name()} serve {into / _DRIVE}")
     say(_next_steps(into))

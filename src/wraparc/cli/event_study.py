@@ -51,16 +51,16 @@ def event_study(
 
 
 def _run(asked: EventStudy, path: str, answer: Answer, *, resume: bool) -> None:
-    from wraparc.present.document import json_text
     from wraparc.present.event_study_sheet import event_study_document, event_study_sheet
 
     with bar(len(asked.designs), "Following") as tell:
         rows = run_event_study(asked, path, resume=resume, progress=tell)
     click.echo(f"Wrote {path}", err=True)
     with interrupted(lambda: f"{path} is whole."):
-        answer.write("json", lambda: json_text(event_study_document(asked, rows)))
         if answer.paths["plot"]:
             from wraparc.plot.event_study import plot_event_study
 
             answer.write("plot", lambda: plot_event_study(asked, rows, answer.units).save)
-        answer.give(lambda: event_study_sheet(asked, rows, answer.units))
+        answer.give(
+            lambda: event_study_sheet(asked, rows), lambda: event_study_document(asked, rows)
+        )

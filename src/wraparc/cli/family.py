@@ -31,7 +31,6 @@ def family(
     """
     from wraparc.arc import WrapArc
     from wraparc.arc.family import tension_ratio_family
-    from wraparc.present.document import json_text
     from wraparc.present.family_sheet import family_document, family_sheet
     from wraparc.train.file import load_drive
 
@@ -51,7 +50,6 @@ def family(
         where = f"pulley {place.name}, load case {case.name}"
         return plot_family(results, answer.units, title=f"{title} - {where}").save
 
-    answer.write("json", lambda: json_text(family_document(results)))
     answer.write("plot", picture)
-    answer.give(lambda: family_sheet(drive, results, title, answer.units))
+    answer.give(lambda: family_sheet(drive, results, title), lambda: family_document(results))
     return 0 if all(r.status.solved for r in results) else 1

@@ -43,7 +43,6 @@ def field(
     """
     from wraparc.checks import judge
     from wraparc.cli.solve import exit_code
-    from wraparc.present.document import json_text
     from wraparc.present.field_sheet import field_document, field_sheet
     from wraparc.train.whole import by_pulley, solved
 
@@ -59,8 +58,10 @@ def field(
     with options():
         found, source = on_site(whole, name, asked)
     judged, title = judge(whole), drive.title or "Drive"
-    answer.write("json", lambda: json_text(field_document(found, judged)))
-    answer.give(lambda: field_sheet(found, judged, title, name, source, answer.units))
+    answer.give(
+        lambda: field_sheet(found, judged, title, name, source),
+        lambda: field_document(found, judged),
+    )
     return exit_code(whole)
 
 

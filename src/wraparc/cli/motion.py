@@ -81,7 +81,7 @@ def run(
     if not rows.cancelled:
         answer.write("plot", lambda: _picture(result, answer.units))
     printed = csv_file == STANDARD_OUTPUT
-    answer.give(None if printed else lambda: _run_sheet(result, answer.units))
+    answer.give(None if printed else lambda: _run_sheet(result))
     if rows.cancelled:
         with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
             raise KeyboardInterrupt
@@ -123,7 +123,7 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
         answer.write(
             "map", lambda: plot_stability_map(stability_map(motion.station, what=over)).save
         )
-    answer.give(lambda: stability_sheet(result, answer.units))
+    answer.give(lambda: stability_sheet(result))
     return SOLVED if result.stable else FAILS
 
 
@@ -133,10 +133,10 @@ def _picture(result: RunResult, units: System) -> Content:
     return plot_run(result, units).save
 
 
-def _run_sheet(result: RunResult, units: System) -> Any:
+def _run_sheet(result: RunResult) -> Any:
     from wraparc.present.motion_sheet import run_sheet
 
-    return run_sheet(result, units)
+    return run_sheet(result)
 
 
 @contextmanager

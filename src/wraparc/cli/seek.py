@@ -25,7 +25,6 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
 
     Exit code 1 if no value in the range does.
     """
-    from wraparc.present.document import json_text
     from wraparc.present.seek_sheet import seek_document, seek_sheet
     from wraparc.schema.overrides import read_document
     from wraparc.study.seek import Goal
@@ -36,6 +35,5 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
     wanted = Goal(**{key: text or "" for key, text in goal.items()})
     found = search(document, wanted, file=file, folder=dirname(file), allow_paths=True)
     title = str(document.get("title") or "Goal seek")
-    answer.write("json", lambda: json_text(seek_document(found)))
-    answer.give(lambda: seek_sheet(found, title, answer.units))
+    answer.give(lambda: seek_sheet(found, title), lambda: seek_document(found))
     return 0 if found.values else 1

@@ -9,7 +9,7 @@ import click
 
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.pipe import say
-from wraparc.cli.show import FULL, show
+from wraparc.cli.show import Wanted, show
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import interrupted
 
@@ -62,7 +62,7 @@ def read(
         for record in records:
             if shown_before:
                 say("")
-            show(record_sheet(record), FULL)
+            show(record_sheet(record), Wanted(full=True))
             shown_before = True
     if problems:
         raise InputError(problems)
@@ -146,7 +146,6 @@ def fit(
     """
     from wraparc.catalogue import place_of_own
     from wraparc.files.write import lagging_text
-    from wraparc.present.document import json_text
     from wraparc.report.shear_test import SUFFIXES, make_report
     from wraparc.report.shear_test_document import plan_document
     from wraparc.report.shear_test_tables import counted, plan_sheet
@@ -174,8 +173,10 @@ def fit(
     if reports:
         save = make_report(result, answer.units, laws=compare_laws).save
         answer.files |= dict.fromkeys(reports, save)
-    answer.write("json", lambda: json_text(plan_document(result, laws=compare_laws)))
-    answer.give(lambda: plan_sheet(result, answer.units, laws=compare_laws))
+    answer.give(
+        lambda: plan_sheet(result, laws=compare_laws),
+        lambda: plan_document(result, laws=compare_laws),
+    )
     output = answer.paths["output"]
     if not (output or own) or result.may_be_written:
         return _DONE

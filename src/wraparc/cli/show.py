@@ -8,10 +8,12 @@ from dataclasses import dataclass
 import click
 
 from wraparc.cli.pipe import reader_may_leave
-from wraparc.errors import InputError, Problem, near, shown
+from wraparc.errors import InputError, Problem, near
+from wraparc.errors import shown as quoted
 from wraparc.present.lines import headline_lines, lines_of, table_lines
-from wraparc.present.sheet import Sheet
+from wraparc.present.sheet import Sheet, shown
 from wraparc.present.short import short_sheet
+from wraparc.units import System
 
 #: Width of lines where no terminal says how wide it is.
 _PIPED_WIDTH = 110
@@ -19,13 +21,11 @@ _PIPED_WIDTH = 110
 
 @dataclass(frozen=True)
 class Wanted:
-    """How much of an answer is to be printed: the short one, all, or the tables of one name."""
+    """How an answer is to be printed: the short one, all, or the tables of one name; its units."""
 
     full: bool = False
     table: str = ""
-
-
-FULL = Wanted(full=True)
+    units: System = "si"
 
 
 def show(sheet: Sheet, wanted: Wanted) -> None:
@@ -36,6 +36,7 @@ def show(sheet: Sheet, wanted: Wanted) -> None:
     """
     terminal = sys.stdout.isatty()
     width = shutil.get_terminal_size((_PIPED_WIDTH, 24)).columns
+    sheet = shown(sheet, wanted.units)
     lines = _lines(sheet, wanted, width)
     if terminal and wanted.full and sheet.verdict:
         lines += ["", *headline_lines(sheet.verdict, width)]
@@ -66,7 +67,7 @@ def no_table(name: str, there: list[str]) -> Problem:
     remedy = f"Did you mean {' or '.join(meant)}? " if meant else ""
     return Problem(
         key="--table",
-        value=shown(name),
+        value=quoted(name),
         message="no such table in this answer",
         remedy=f"{remedy}It has {', '.join(there)}.",
     )

@@ -12,7 +12,6 @@ from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
-from wraparc.cli.show import Wanted
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
 from wraparc.present.drive_sheet import drive_sheet, input_sheet
@@ -83,14 +82,13 @@ def solve(
         drive = with_limit(with_case(drive, load_case, file), creep_limit)
         results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
     units = answer.units
-    answer.write("json", lambda: _json(results, train, file))
     answer.write("csv", lambda: _csv(results, units, decimal_comma))
     answer.write("plot", lambda: _picture(results, units, train).save)
     answer.write("map", lambda: _map(results[0], units).save)
     if everything and not answer.wanted.table:
-        answer.wanted = Wanted(full=True)
+        answer.wanted = replace(answer.wanted, full=True)
     detailed = answer.whole and (everything or load_case is not None)
-    answer.give(lambda: _sheet(results, units, detailed, train))
+    answer.give(lambda: _sheet(results, detailed, train), lambda: _document(results, train, file))
     return exit_code(results[0] if train is None else train)
 
 
@@ -110,10 +108,12 @@ def solve_as_train(
     return train_answer.solve_all(train, METHODS[method])
 
 
-def _json(results: Sequence[DriveResult], train: "TrainResult | None", file: str) -> str:
-    from wraparc.present.document import solved_json
+def _document(
+    results: Sequence[DriveResult], train: "TrainResult | None", file: str
+) -> dict[str, Any]:
+    from wraparc.present.document import solved_document
 
-    return solved_json(results, train, file=file)
+    return solved_document(results, train, file=file)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
@@ -141,23 +141,21 @@ def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
     """Validate a drive FILE: report all its errors; solve nothing."""
     read = load_whole(file, overrides=settings)
     if isinstance(read, Drive):
-        answer.give(lambda: input_sheet(read, answer.units))
+        answer.give(lambda: input_sheet(read))
         return SOLVED
     from wraparc.present.train_sheet import train_input_sheet
 
-    answer.give(lambda: train_input_sheet(read, answer.units))
+    answer.give(lambda: train_input_sheet(read))
     return SOLVED
 
 
-def _sheet(
-    results: Sequence[DriveResult], units: System, everything: bool, train: "TrainResult | None"
-) -> Sheet:
+def _sheet(results: Sequence[DriveResult], everything: bool, train: "TrainResult | None") -> Sheet:
     if train is not None:
         from wraparc.cli.train_answer import sheet_of
 
-        return sheet_of(train, results, units, everything)
+        return sheet_of(train, results, everything)
     detail = range(len(results[0])) if everything else None
-    return drive_sheet(results, units, detail)
+    return drive_sheet(results, detail)
 
 
 def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult | None") -> Any:

@@ -125,7 +125,6 @@ def _size(asked: Study) -> str:
 
 
 def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
-    from wraparc.present.document import json_text
     from wraparc.present.study_document import study_document
     from wraparc.present.study_sheet import study_page, study_sheet
     from wraparc.study.monte_carlo import summarise
@@ -137,19 +136,17 @@ def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
     sheet = study_sheet(
         summary,
         dimensions,
-        answer.units,
         local=local,
         indices=indices,
         remarks=asked.remarks,
         sources=asked.sources,
     )
-    answer.write("json", lambda: json_text(study_document(summary, local=local, indices=indices)))
     if answer.paths["plot"] or answer.paths["report"]:
         pictures = _pictures(asked, summary, local, indices, dimensions, answer.units)
         drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
         answer.write("plot", lambda: pictures[0].save)
-        answer.write("report", lambda: study_page(sheet, drawn, summary))
-    answer.give(lambda: sheet)
+        answer.write("report", lambda: study_page(sheet, drawn, summary, answer.units))
+    answer.give(lambda: sheet, lambda: study_document(summary, local=local, indices=indices))
 
 
 def _pictures(

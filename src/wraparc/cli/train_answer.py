@@ -8,7 +8,6 @@ from wraparc.arc import solve as solve_drive
 from wraparc.errors import placed
 from wraparc.present.sheet import Sheet
 from wraparc.train import Train, TrainResult, solve_train
-from wraparc.units import System
 
 
 def with_case(train: Train, name: str | None, file: str, key: str = "--load-case") -> Train:
@@ -43,11 +42,9 @@ def solve_all(
     return result, results
 
 
-def sheet_of(
-    result: TrainResult, results: Sequence[DriveResult], system: System, everything: bool
-) -> Sheet:
+def sheet_of(result: TrainResult, results: Sequence[DriveResult], everything: bool) -> Sheet:
     """Return the sheet of a train."""
     from wraparc.present.train_sheet import train_sheet
 
     detail = range(len(results[0])) if everything else None
-    return train_sheet(result, system, detail, results)
+    return train_sheet(result, detail, results)

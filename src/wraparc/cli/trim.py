@@ -1,5 +1,7 @@
 """``wraparc trim``: how closely the drives on one belt must be matched."""
 
+from typing import Any
+
 import click
 
 from wraparc.arc import Distributed
@@ -10,7 +12,7 @@ from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.matching import WEAR, wet_laggings
-from wraparc.units import System, display, parse_quantity
+from wraparc.units import display, parse_quantity
 
 
 @click.command()
@@ -70,8 +72,7 @@ def trim(
         train.case(load_case)
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
     if not (result[load_case] if load_case else result.cases[0]).status.solved:
-        answer.write("json", lambda: _verdict_json(result))
-        answer.give(lambda: _verdict(result, answer.units))
+        answer.give(lambda: _verdict(result), lambda: _verdict_document(result))
         return exit_code(result)
     matching = match_drives(
         result,
@@ -83,10 +84,11 @@ def trim(
         points=points,
     )
     over_load = _map(result, load_case, drive, matching) if with_map else None
-    answer.write("json", lambda: _json(result, matching, over_load, file))
     answer.write("csv", lambda: _csv(matching))
     answer.write("plot", lambda: _picture(matching, over_load, train.title))
-    answer.give(lambda: _sheet(result, matching, answer.units))
+    answer.give(
+        lambda: _sheet(result, matching), lambda: _document(result, matching, over_load, file)
+    )
     return exit_code(result)
 
 
@@ -96,32 +98,32 @@ def _picture(matching: Matching, over_load: ShareMap | None, title: str) -> Cont
     return plot_matching(matching, over_load, title=title).save
 
 
-def _sheet(result: TrainResult, matching: Matching, units: System) -> Sheet:
+def _sheet(result: TrainResult, matching: Matching) -> Sheet:
     from wraparc.present.train_sheet import matching_sheet
 
-    return matching_sheet(result, matching, units)
+    return matching_sheet(result, matching)
 
 
-def _verdict(result: TrainResult, units: System) -> Sheet:
+def _verdict(result: TrainResult) -> Sheet:
     from wraparc.present.train_words import train_verdict
 
     title = f"{result.train.title or 'Train'}: nothing to trim"
-    return Sheet(title=title, verdict=train_verdict(result, units))
+    return Sheet(title=title, verdict=train_verdict(result))
 
 
-def _verdict_json(result: TrainResult) -> str:
+def _verdict_document(result: TrainResult) -> dict[str, Any]:
     from wraparc.checks import judge
     from wraparc.present.checks_table import verdict_document
-    from wraparc.present.document import json_text
 
-    return json_text({"format": 1, "verdict": verdict_document(judge(result))})
+    return {"format": 1, "verdict": verdict_document(judge(result))}
 
 
-def _json(result: TrainResult, matching: Matching, over_load: ShareMap | None, file: str) -> str:
-    from wraparc.present.document import json_text
+def _document(
+    result: TrainResult, matching: Matching, over_load: ShareMap | None, file: str
+) -> dict[str, Any]:
     from wraparc.present.train_document import matching_document
 
-    return json_text(matching_document(result, matching, over_load, file=file))
+    return matching_document(result, matching, over_load, file=file)
 
 
 def _csv(matching: Matching) -> str:

@@ -52,7 +52,6 @@ def what_if(
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.cli.solve import exit_code
     from wraparc.files.conditions import refuse_several
-    from wraparc.present.document import json_text
     from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
     from wraparc.train.as_drive import nearest_drive
 
@@ -76,8 +75,7 @@ def what_if(
         )
     found = solve_both(read, name, case, changes)
     title = drive.title or "What if"
-    answer.write("json", lambda: json_text(what_if_document(found)))
-    answer.give(lambda: what_if_sheet(found, title, answer.units))
+    answer.give(lambda: what_if_sheet(found, title), lambda: what_if_document(found))
     return exit_code(found.wholes[0])
 
 

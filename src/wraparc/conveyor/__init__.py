@@ -3,6 +3,7 @@
 from wraparc.conveyor.belt_path import Point, wrap_angle
 from wraparc.conveyor.conveyor import (
     DRIVES_AT,
+    EMPTIEST,
     FULLEST,
     STEEPEST,
     USUAL_CONVEYOR,
@@ -22,6 +23,7 @@ from wraparc.conveyor.resistance import (
 
 __all__ = [
     "DRIVES_AT",
+    "EMPTIEST",
     "FULLEST",
     "GRAVITY",
     "LENGTH_COEFFICIENTS",

@@ -46,8 +46,9 @@ USUAL_CONVEYOR = (
 )
 #: Steepest that a belt carries: lift over length [-]; a troughed belt slides its load at 0.35.
 STEEPEST = 0.5
-#: Most material per length over the square of the belt width: a full trough of ore [kg/m3].
-FULLEST = 700.0
+#: Least and most material per length over the square of the belt width: a trough of which the
+#: thousandth part is filled, and a full one of ore [kg/m3].
+EMPTIEST, FULLEST = 0.7, 700.0
 _MASS = Limit("mass_per_length", open=True, most=10_000.0)
 _FORCE = Limit("force", most=1e8)
 _TIME = Limit("time", open=True, most=3600.0)

@@ -8,8 +8,10 @@ drive does not say at what speed and temperature, the least factor of the table 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import ClassVar
 
 import numpy as np
 
@@ -164,8 +166,10 @@ class ConditionFactor:
         Where it came from.
     """
 
+    LIMITS: ClassVar[Mapping[str, Limit]] = {"factor": Limit("number", open=True, most=10.0)}
+
     factor: float
     source: Provenance
 
     def __post_init__(self) -> None:
-        raise_all(limit_problems(self, {"factor": Limit("number", open=True, most=10.0)}))
+        raise_all(limit_problems(self, self.LIMITS))

@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import atan2, cos, sin, sqrt
+from math import atan2, cos, nan, sin, sqrt
 from typing import ClassVar, NamedTuple
 
+from wraparc.conveyor import GRAVITY
 from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
@@ -37,13 +38,19 @@ class Resultant(NamedTuple):
     resultant_force: float  # of both belt tensions [N]
     resultant_angle: float  # from the line of the entry tension towards that of the exit [rad]
     belt_safety: float  # strength over the larger tension; nan without a strength [-]
+    most_shaft_load: float  # with the weight of the pulley, the belt pulling straight down [N]
+    least_shaft_load: float  # the belt pulling straight up; both nan without a mass [N]
 
 
-def resultant(entry: float, leaving: float, wrap_angle: float, strength: float) -> Resultant:
-    """Return the resultant of the belt tensions at a pulley, without its own weight.
+def resultant(
+    entry: float, leaving: float, wrap_angle: float, strength: float, mass: float = nan
+) -> Resultant:
+    """Return the resultant of the belt tensions at a pulley, and its bounds with its own weight.
 
     The strands leave the pulley pi - phi apart: R^2 = T1^2 + T2^2 - 2 T1 T2 cos phi, and
-    tan(angle) = T2 sin phi/(T1 - T2 cos phi).
+    tan(angle) = T2 sin phi/(T1 - T2 cos phi). How the belt lies to the vertical is not known: the
+    vector sum of R and the weight W is between |R - W| and R + W, level belts at the root of
+    R^2 + W^2.
 
     Parameters
     ----------
@@ -53,10 +60,14 @@ def resultant(entry: float, leaving: float, wrap_angle: float, strength: float) 
         phi [rad].
     strength
         Breaking strength of the belt, nan where it is not known [N].
+    mass
+        Mass of the pulley, nan where it is not known [kg].
     """
     along, across = entry - leaving * cos(wrap_angle), leaving * sin(wrap_angle)
     force, angle = sqrt(along * along + across * across), atan2(across, along)
-    return Resultant(force, angle, strength / max(entry, leaving))
+    weight = mass * GRAVITY
+    safety = strength / max(entry, leaving)
+    return Resultant(force, angle, safety, force + weight, abs(force - weight))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -13,7 +13,7 @@ pressures are the same. Speed, torque and power belong to the pitch radius R - d
 
 from __future__ import annotations
 
-from math import isnan, nan
+from math import isnan, nan, pi
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -149,6 +149,17 @@ def pitch_radius(radius: Number, compression: Number, offset: Number) -> Number:
         e of the tension member over the surface of the lagging [m].
     """
     return radius - compression + offset
+
+
+def turns_an_hour(speed: Number, pitch: Number) -> Number:
+    """How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-].
+
+    Parameters
+    ----------
+    speed, pitch
+        Of the belt [m/s]; R + e, radius of its tension member [m].
+    """
+    return 3600.0 * speed / (2.0 * pi * pitch)
 
 
 def centrifugal_force(mass: Number, speed: Number) -> Number:

@@ -42,6 +42,9 @@ class Pulley:
     side
         Side of the belt that meets the pulley: ``pulley``, or ``carry`` where the belt is bent the
         other way, as on one pulley of an S-wrap.
+    mass
+        Mass of the pulley with lagging and shaft [kg], or None where it is not known: the load of
+        shaft and bearings is then that of the belt alone.
     across
         What is uneven across the width, or None for an even pulley under an even belt.
     sources
@@ -60,6 +63,7 @@ class Pulley:
         "wrap_angle": Limit("angle", least=math.radians(1.0), most=4.0 * math.pi),
         "overrun": Limit("length", least=-1.0, most=1.0),
         "creep_limit": Limit("length", open=True, most=1.0),
+        "mass": Limit("mass", open=True, most=1e6),
     }
 
     name: str
@@ -70,6 +74,7 @@ class Pulley:
     recovery: bool = True
     creep_limit: float | None = None
     side: Side = "pulley"
+    mass: float | None = None
     across: Across | None = None
     sources: Mapping[str, Provenance] = field(default_factory=dict, hash=False)
     conditions: tuple[Lagging, ...] = ()

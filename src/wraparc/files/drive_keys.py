@@ -133,6 +133,7 @@ PULLEY = Table(
         Choice(SIDES),
         title="Belt side",
     ),
+    known("mass", quantity="pulley_mass"),
     Entry("across", "What is uneven across the width.", ACROSS),
     Entry("sources", "Where single numbers came from, by key.", ByName(PROVENANCE)),
     of=Pulley,

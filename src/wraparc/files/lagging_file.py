@@ -131,7 +131,7 @@ def lagging_record(name_or_path: str, folder: str, allow_paths: bool) -> tuple[R
 
 def is_path(text: str) -> bool:
     """Whether a text is the path of a lagging file, not a name: it ends so or has a folder."""
-    return text.endswith(_SUFFIX) or bool(os.path.dirname(text))
+    return text.endswith(_SUFFIX) or "/" in text or os.sep in text
 
 
 @lru_cache(maxsize=64)

@@ -98,7 +98,7 @@ def _grammar() -> re.Pattern[str]:
     return re.compile(
         rf"""\s*(?P<sign>[+-])?\s*(?P<number>{_NUMBER})?\s*\*?\s*
         (?P<factor>
-            p (?:\s*\^\s* (?P<open>\()? \s*(?P<power>[+-]?{_NUMBER})\s* (?(open)\)))?
+            p (?:\s*\^\s* (?:\(\s*(?P<within>[+-]?{_NUMBER})\s*\) | (?P<power>[+-]?{_NUMBER})))?
           | ln\(\s*p\s*\) (?:\s*\^\s*(?P<log_power>[123]))?
           | exp\((?P<exponent>(?:[^()]|\(\s*p\s*\))*)\)
         )?\s*""",
@@ -133,7 +133,7 @@ def _term(match: re.Match[str], text: str) -> _Term:
     if factor.startswith("exp"):
         inner = _sum(_terms(match["exponent"]), text, Decimal(1))
         return _Term(coefficient, "exp", 0.0, inner)
-    power = float(match["power"] or "1") if factor else 0.0
+    power = float(match["within"] or match["power"] or "1") if factor else 0.0
     return _Term(coefficient, "p", power, None)
 
 

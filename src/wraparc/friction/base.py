@@ -160,8 +160,8 @@ def held_pressure(edges: ArrayLike, pressure: ArrayLike) -> tuple[Array, Array]:
 
 #: What no pair of materials falls short of by far; below, digits of the solvers would be lost [-].
 LEAST_FRICTION = 1e-6
-#: Between points of a table, and up to a peak [m].
-LEAST_SLIP = 1e-9
+#: Between points of a table, and up to a peak [m]; the most is more than any belt can slip.
+LEAST_SLIP, MOST_SLIP = 1e-9, 1e3
 
 
 def check(*tests: tuple[bool, str, str, str]) -> None:

@@ -8,7 +8,7 @@ from math import exp, isfinite, log
 import numpy as np
 
 from wraparc.errors import InputError, Problem
-from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, Array, check
+from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, MOST_SLIP, Array, check
 from wraparc.friction.trend import Trend
 
 
@@ -134,10 +134,10 @@ class PressureKnots:
                 f"friction must be at least {LEAST_FRICTION:g}",
             ),
             (
-                all(v >= LEAST_SLIP for v in self.peak_slip),
+                all(LEAST_SLIP <= v <= MOST_SLIP for v in self.peak_slip),
                 "peak_slip",
                 _list(self.peak_slip, "m"),
-                "slip at the peak must be at least 1 nm",
+                "slip at the peak must be 1 nm to 1 km",
             ),
             (
                 all(v <= 0 for v in self.post_peak_slope),
@@ -256,13 +256,14 @@ class CoefficientPieces:
                     message=f"A must be negative {where}, else the law gives no positive friction",
                 )
             )
-        elif not (np.all(np.isfinite(slip)) and np.all(slip * self.slip_unit >= LEAST_SLIP)):
+        elif not np.all(
+            (slip * self.slip_unit >= LEAST_SLIP) & (slip * self.slip_unit <= MOST_SLIP)
+        ):
             bad.append(
                 Problem(
                     key=f"{key}.b",
                     value=f"{float(b[0]):g} 1/m",
-                    message="the slip at the peak exp(b/A - 1) must be finite and at least 1 nm "
-                    f"{where}",
+                    message=f"the slip at the peak exp(b/A - 1) must be 1 nm to 1 km {where}",
                 )
             )
         if not np.all(slope <= 0.0):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import isfinite
+from math import inf, isfinite
 from typing import Self
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from wraparc.friction.base import (
     LEAST_FRICTION,
     LEAST_SLIP,
+    MOST_SLIP,
     Array,
     Equation,
     FrictionLaw,
@@ -71,6 +72,12 @@ class MeasuredTable(FrictionLaw):
                 "slip",
                 "",
                 "the slips must be at least 1 nm apart",
+            ),
+            (
+                not any(MOST_SLIP < slip < inf for slip in self.slip),
+                "slip",
+                f"{max(self.slip, default=0.0):g} m",
+                "the slips must be at most 1 km",
             ),
             (
                 bool(self.pressure)

@@ -27,7 +27,8 @@ class Shape(NamedTuple):
     Attributes
     ----------
     width, diameter, length
-        B, D and L [m], those of the same arc without thickness, see `wraparc.drive.pitch`.
+        B, D and L [m], those of the same arc without thickness, see `wraparc.drive.pitch`; lengths,
+        travel and W are along the surface of the lagging.
     shear
         c = h/G [m/Pa].
     kick, kick_coefficient
@@ -41,9 +42,9 @@ class Shape(NamedTuple):
     kick: float
     kick_coefficient: float
 
-    def overrun(self, tension: float) -> float:
-        """x_c at an entry tension [m]."""
-        pressure = max(2.0 / (self.width * self.diameter) * tension, 0.0)
+    def overrun(self, pressing: float) -> float:
+        """x_c at an entry tension above m v^2 [m]."""
+        pressure = max(2.0 / (self.width * self.diameter) * pressing, 0.0)
         return self.kick + self.kick_coefficient * pressure * sqrt(pressure)
 
 
@@ -115,6 +116,8 @@ class MovingArc:
         Friction work so far [J].
     slope
         dm/dS of the last roll [-].
+    lift
+        m v^2 of the belt, at first that of the arc [N].
     give, rise, dry
         What the piece at the nip gets: compliance of belt and lagging recovery [1/N], extra
         radius [m], share of the friction [-].
@@ -138,6 +141,7 @@ class MovingArc:
     lifted: float = 0.0
     work: float = 0.0
     slope: float = 0.0
+    lift: float = field(init=False)
     give: float = field(init=False)
     rise: float = 0.0
     dry: float = 1.0
@@ -152,12 +156,16 @@ class MovingArc:
         arc = self.arc
         _refuse(arc)
         self.entry = self.exit = arc.exit_tension
-        self.give = arc.compliance
+        self.lift, self.give = arc.centrifugal, arc.compliance
         self.shape, self.spacing = shape_of(arc), arc.length / self.points
 
     def on(self, wraps: Carried, place: int) -> None:
         """Say which wrap of a table is its own."""
         self.wraps, self.own = wraps, place
+
+    def overrun(self, tension: float) -> float:
+        """x_c at an entry tension [m]."""
+        return self.shape.overrun(tension - self.lift)
 
     def place(self) -> Array:
         """Positions on the wrap of the pieces, from the entry nip to the exit nip [m]."""

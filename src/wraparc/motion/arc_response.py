@@ -5,7 +5,9 @@ With T_in and the creep ratio at the nip vibrating like e^(lambda t),
     dT/ds = -B (K u + P T),   dW/ds = a T,
     u = x_c' T_in e^(-lambda s/V) + c_hat (V/lambda)(1 - e^(-lambda s/V)) - W,
 
-K and P the slopes of the shear stress by creep and tension at fixed history.
+K and P the slopes of the shear stress by creep and tension at fixed history. V is the speed of the
+surface here; what is answered is per unit of V c_hat at the tension member, and W along it. The
+centrifugal force of the belt is held: what its speed vibrates by is far less than its creep.
 """
 
 from __future__ import annotations
@@ -33,8 +35,9 @@ class SteadyProfile:
     ----------
     length, width, give
         L [m], B [m], a = 1/EA' [1/N].
-    speed
-        V of the loaded surface at the entry nip [m/s].
+    speed, share
+        V of the tension member over the loaded surface at the entry nip [m/s]; R/(R + e), how far
+        the surface travels over it [-].
     overrun_slope
         x_c', of the overrun by entry tension [m/N].
     places
@@ -49,6 +52,7 @@ class SteadyProfile:
     width: float
     give: float
     speed: float
+    share: float
     overrun_slope: float
     places: Array
     by_creep: Array
@@ -68,7 +72,7 @@ class SteadyProfile:
         rows = []
 
         def state(t: float, u: float) -> tuple[float, float, float]:
-            return _stress(lagging, max(t, 1.0) * per, u)
+            return _stress(lagging, max(t - arc.centrifugal, 1.0) * per, u)
 
         def slopes(x: float, t: float, u: float) -> tuple[float, float]:
             ds = 3.0 * arc.length * x * x
@@ -93,7 +97,8 @@ class SteadyProfile:
             width=b,
             give=give,
             speed=speed,
-            overrun_slope=1.5 * coefficient * (entry * per) ** 0.5 * per,
+            share=arc.radius / (arc.radius + arc.offset),
+            overrun_slope=1.5 * coefficient * arc.entry_pressure**0.5 * per,
             places=xi,
             by_creep=table[:, 2],
             by_tension=table[:, 3],
@@ -101,10 +106,15 @@ class SteadyProfile:
             creep=table[:, 1],
         )
 
+    @property
+    def transit(self) -> float:
+        """Time that a piece of lagging takes from nip to nip [s]."""
+        return self.length / (self.share * self.speed)
+
     def response(self, lam: Complex) -> ArcResponse:
         """How the arc answers to vibrations e^(lam t), lam != 0, shape (n,) [1/s]."""
         lam = np.asarray(lam, dtype=complex)
-        n, v, a = len(lam), self.speed, self.give
+        n, v, a = len(lam), self.share * self.speed, self.give
         xi, h = self.places, self.places[2] - self.places[0]
         s = self.length * xi**3
         ds = 3.0 * self.length * xi**2
@@ -118,7 +128,8 @@ class SteadyProfile:
         def told(j: int) -> Complex:
             """The part of u that does not come from W."""
             wave = np.exp(-lam * (s[j] / v))
-            return np.stack([self.overrun_slope * wave, -np.expm1(-lam * (s[j] / v)) / lam])
+            slid = -np.expm1(-lam * (s[j] / v)) / lam
+            return np.stack([self.overrun_slope * wave, self.share * slid])
 
         before = told(0)
         for j in range(0, len(xi) - 2, 2):
@@ -134,7 +145,7 @@ class SteadyProfile:
             t = t + h / 6.0 * (t1 + 2.0 * t2 + 2.0 * t3 + t4)
             w = w + h / 6.0 * (w1 + 2.0 * w2 + 2.0 * w3 + w4)
             before = after
-        u = before - w
+        u, w = before - w, w / self.share
         return ArcResponse(lam, t[0], t[1], w[0], w[1], u[0], u[1])
 
 

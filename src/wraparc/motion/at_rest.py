@@ -15,6 +15,7 @@ def rest(march: StationState) -> None:
         If its state at rest is not known.
     """
     for d in march.drums:
+        d.arc.lift = 0.0
         march.wraps.lay_at_rest(d.arc, march.slack)
         d.locked = True
         d.turning.run(0.0, 0.0, 0.0)

@@ -26,7 +26,10 @@ class DrumState:
     arc, duty, turning, trimming
         The belt on it, its steady state, its motor in time, its load sharing or None.
     inertia, run, radius
-        J [kg m2], belt from the drum before [m], radius of the unloaded lagging [m].
+        J [kg m2], belt from the drum before [m], R + e of the tension member over the unloaded
+        lagging [m].
+    share
+        R/(R + e), how far the surface of the lagging travels over the tension member [-].
     squeeze, recovery, give
         Fall of the radius by entry tension [m/N]; compliance of the lagging's recovery, and of it
         and the belt together [1/N].
@@ -46,6 +49,7 @@ class DrumState:
     inertia: float
     run: float
     radius: float
+    share: float
     squeeze: float
     recovery: float
     give: float
@@ -108,11 +112,16 @@ class DrumState:
         self, entry: float, exit_: float, rise_in: float, rise_out: float
     ) -> tuple[float, float, float]:
         """Moment of the belt, with its slopes by entry and exit tension [N m, m, m]."""
-        arm, pull = self.radius - self.squeeze * entry, entry - exit_
+        lift = self.arc.lift
+        arm, pull = self.radius - self.squeeze * (entry - lift), entry - exit_
         grown = 1.0 + 0.5 * self.recovery * pull
-        moment = arm * pull * grown + rise_in * entry - rise_out * exit_
+        moment = arm * pull * grown + rise_in * (entry - lift) - rise_out * (exit_ - lift)
         slope = arm * (1.0 + self.recovery * pull)
         return moment, slope - self.squeeze * pull * grown + rise_in, -slope - rise_out
+
+    def lift_at(self, omega: float) -> float:
+        """M v^2 of a belt as fast over its steady speed as the drum [N]."""
+        return self.arc.arc.centrifugal * (omega / self.duty.speed) ** 2
 
     def at_nip(self, travel: float, angle: float, stretch: float) -> tuple[float, float, float]:
         """Rise, compliance of belt and recovery, and share of friction at the nip."""
@@ -121,9 +130,9 @@ class DrumState:
         rise, more, dry = 0.0, 0.0, 1.0
         for thing in self.on_drum:
             if self.t1 > thing.at:
-                rise += thing.rise(angle, self.radius)
+                rise += thing.rise(angle, self.arc.arc.radius)
         for rider, front in self.riders:
-            part = rider.part(travel - front, 2.0 * self.arc.spacing)
+            part = rider.part(travel / self.share - front, 2.0 * self.arc.spacing)
             rise += part * rider.rise
             more += part * (rider.compliance - 1.0) * stretch
             dry += part * (rider.friction - 1.0)
@@ -142,7 +151,7 @@ class DrumState:
 
     def past_exit(self, travel: float, length: float, front: float) -> float:
         """How much of a piece of the belt has left this drum [m]."""
-        return min(max(travel - self.arc.shape.length - front, 0.0), length)
+        return min(max((travel - self.arc.shape.length) / self.share - front, 0.0), length)
 
 
 def drum_of(station: Station, event: Event, steady: CaseResult, i: int, points: int) -> DrumState:
@@ -168,6 +177,7 @@ def drum_of(station: Station, event: Event, steady: CaseResult, i: int, points: 
         inertia=drum.inertia,
         run=drum.run,
         radius=pulley.radius + arc.arc.offset,
+        share=pulley.radius / (pulley.radius + arc.arc.offset),
         squeeze=2.0 * arc.arc.compression_compliance / (arc.arc.width * arc.arc.diameter),
         recovery=arc.arc.recovery_compliance,
         give=arc.arc.compliance,

@@ -73,7 +73,8 @@ class End(NamedTuple):
     surface
         Rise [m], compliance of belt and recovery [1/N] and share of friction at the nip.
     entries, speeds
-        Entry tension [N] and speed of the loaded surface at the nip [m/s], before and there.
+        Entry tension [N] and speed of the loaded surface at the nip [m/s], before and there: that
+        of the tension member times R/(R + e).
     """
 
     travel: float
@@ -125,7 +126,7 @@ def solved(march: StationState, h: float) -> Trial:
         )
         if worst < _SETTLED and faster < _SPEED_SETTLED and fall <= 0.8:
             return trial
-    if min(trial.tensions) < 0.05 * march.slack:
+    if march.slackens(trial.tensions):
         raise march.goes_slack(trial.tensions)
     raise HaltError("breaks away", place)
 
@@ -159,8 +160,11 @@ def _arcs(march: StationState, trial: Trial, first: bool) -> None:
     trial.angles = [end.angle for end in ends]
     trial.surfaces = [end.surface for end in ends]
     if first:
+        for d in march.drums:
+            d.arc.lift = d.lift_at(d.omega)
         march.wraps.begin(trial.travels, trial.h, march.onward(trial.h))
-    for d, end in zip(march.drums, ends, strict=True):
+    for d, end, w1 in zip(march.drums, ends, trial.omega, strict=True):
+        d.arc.lift = d.lift_at(w1)
         if d.arc.moves and (d.riders or d.on_drum):
             march.wraps.at_nip(d.arc, *end.surface)
     travels = [
@@ -178,9 +182,10 @@ def _travelled(march: StationState, trial: Trial, i: int) -> End:
     arc, w1 = d.arc, trial.omega[i]
     entry0, entry1 = march.T[i] + rise_of_run, trial.tensions[i] + rise_of_run
     turn = half * (d.omega + w1)
-    surface = d.at_nip(arc.travel + turn * d.radius, d.angle + turn, march.stretch)
-    v_0 = d.omega * (d.radius - d.squeeze * entry0 + arc.rise)
-    v_1 = w1 * (d.radius - d.squeeze * entry1 + surface[0])
+    surface = d.at_nip(arc.travel + turn * d.radius * d.share, d.angle + turn, march.stretch)
+    press0, press1 = entry0 - d.lift_at(d.omega), entry1 - d.lift_at(w1)
+    v_0 = d.share * (d.omega * (d.radius - d.squeeze * press0 + arc.rise))
+    v_1 = d.share * (w1 * (d.radius - d.squeeze * press1 + surface[0]))
     return End(
         arc.travel + half * (v_0 + v_1), d.angle + turn, surface, (entry0, entry1), (v_0, v_1)
     )
@@ -194,18 +199,22 @@ def _flows(march: StationState, trial: Trial, i: int, end: End, out: Found) -> N
     # the arc: T_in = its affine map
     r[i] = entry1 - out.entry
     jac[i, n + i], jac[i, n + i + 1], jac[i, i] = 1.0, -out.entry_x, -out.entry_m
-    # belt through the entry nip: a = 1/EA' there, belt alone without the recovery
+    # belt through the entry nip: a = 1/EA' there, belt alone without the recovery; the tension
+    # member runs faster by 1/share than the surface that m and W are measured on
     own0, own1 = arc.give - d.recovery, give - d.recovery
     down = 1.0 / (1.0 + 0.5 * (own0 * entry0 + own1 * entry1))
+    fast = down / d.share
     up = half * (v_0 * (1.0 + arc.give * entry0) + v_1 * (1.0 + give * entry1))
-    q = (up - (m1 - arc.m)) * down
-    by_t = half * (v_1 * give - w1 * d.squeeze * (1.0 + give * entry1)) - 0.5 * q * own1
-    by_t *= down
-    by_w = half * (v_1 / w1 if w1 else d.radius) * (1.0 + give * entry1) * down
-    trial.flow_in.append((q, -down, by_t, by_w))
+    q = (up - (m1 - arc.m)) * fast
+    by_t = half * (v_1 * give - d.share * w1 * d.squeeze * (1.0 + give * entry1)) * fast
+    by_t -= 0.5 * q * own1 * down
+    by_w = half * (v_1 / w1 if w1 else d.share * d.radius) * (1.0 + give * entry1) * fast
+    trial.flow_in.append((q, -fast, by_t, by_w))
     # belt through the exit nip: Q + dW - d Lambda
-    out_flow = q + out.wrapped - arc.wrapped - (out.lifted - arc.lifted) / d.radius
-    trial.flow_out.append((out_flow, out.wrapped_m - down, by_t, out.wrapped_x, by_w))
+    stored = out.wrapped - arc.wrapped - (out.lifted - arc.lifted) / d.radius
+    out_flow = q + stored / d.share
+    slopes = out.wrapped_m / d.share - fast, by_t, out.wrapped_x / d.share, by_w
+    trial.flow_out.append((out_flow, *slopes))
 
 
 def _runs(march: StationState, trial: Trial, softer: list[float]) -> None:
@@ -341,6 +350,6 @@ def _lead(
     n, jac, lead = march.n, trial.slopes, march.drums[d.master]
     jac[row, 2 * n + 1 + d.master] -= by_lead * slope
     if lead.held:
-        arm = lead.radius - lead.squeeze * trial.tensions[d.master]
+        arm = lead.radius - lead.squeeze * (trial.tensions[d.master] - lead.arc.lift)
         jac[row, n + d.master] -= by_lead * arm
         jac[row, n + d.master + 1] += by_lead * arm

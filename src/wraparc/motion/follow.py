@@ -163,7 +163,7 @@ def _check_step(march: March, event: Event) -> None:
         d = march.drums[march.station.index(thing.pulley)]
         order = thing.order if thing.run_out or thing.ripple else 0.0
         if thing.joint_rise:
-            order = max(order, 2.0 * math.pi * d.radius / thing.joint_width)
+            order = max(order, 2.0 * math.pi * d.arc.arc.radius / thing.joint_width)
         frequency = order * d.duty.speed / (2.0 * math.pi)
         if frequency > fastest:
             fastest, what = frequency, thing.pulley

@@ -225,7 +225,7 @@ class _Assembly:
         leaving, moments, creeps = [], [], []
         for i, (p, r) in enumerate(zip(self.linear.profiles, self.responses, strict=True)):
             t_in = self.row((i, 1.0))
-            wave = np.exp(-lam * p.length / p.speed)
+            wave = np.exp(-lam * p.transit)
             arc = self.linear.steady.members[i].arc.arc
             arm = arc.radius + arc.offset
             rows.append(
@@ -257,7 +257,7 @@ class _Assembly:
         factor = 1.0 + p.give * entry - c
         flow = p.speed * (1.0 - member.arc.entry_creep_ratio) / (1.0 + entry * self.stretch)
         return self.row(
-            (2 * n + 1 + i, factor * (arc.radius + arc.offset - squeeze * entry)),
+            (2 * n + 1 + i, factor * arc.pitch_radius),
             (i, p.speed * p.give - factor * d.speed * squeeze - flow * self.stretch),
             (n + 1 + i, -(1.0 + entry * self.stretch)),
             (self.size + i, factor * d.speed),
@@ -268,10 +268,12 @@ class _Assembly:
         arc, entry, exit_ = member.arc.arc, member.arc.entry_tension, member.arc.exit_tension
         squeeze = 2.0 * arc.compression_compliance / (arc.width * arc.diameter)
         pull, kappa = entry - exit_, arc.recovery_compliance
-        arm = arc.radius + arc.offset - squeeze * entry
+        arm = arc.pitch_radius
         slope = arm * (1.0 + kappa * pull)
         by_in = slope - squeeze * pull * (1.0 + 0.5 * kappa * pull)
-        return self.row((i, by_in), (i + 1, -slope), (self.size + i, entry - exit_ * wave))
+        lift = arc.centrifugal
+        turned = entry - lift - (exit_ - lift) * wave
+        return self.row((i, by_in), (i + 1, -slope), (self.size + i, turned))
 
     def _ends(self, leaving: Complex) -> list[Complex]:
         n, lam, station = self.n, self.lam, self.linear.station

@@ -88,8 +88,8 @@ class March(StationState):
             for d in self.drums:
                 if d is not self.drums[0]:
                     ahead += d.run
-                d.riders.append((rider, d.arc.travel + ahead))
-                ahead += d.arc.shape.length
+                d.riders.append((rider, d.arc.travel / d.share + ahead))
+                ahead += d.arc.shape.length / d.share
 
     def _travel_by(self, at: float) -> float:
         """Travel of the belt by a time, as its set speed goes [m]."""
@@ -123,7 +123,7 @@ class March(StationState):
         """In how many parts to take a step: creep jumps where old and fresh contact part."""
         pieces = []
         for d in self.drums:
-            ahead = max(d.omega, d.guessed(h, self.onward(h))) * d.radius * h
+            ahead = max(d.omega, d.guessed(h, self.onward(h))) * d.radius * d.share * h
             left = d.arc.joint + d.arc.shape.length - d.arc.travel
             if -_AROUND * d.arc.shape.length < left < ahead + _AROUND * d.arc.shape.length:
                 pieces.append(ahead / d.arc.spacing)
@@ -240,5 +240,5 @@ class March(StationState):
         self.rates = [(a - b) / h for a, b in zip(after, self.T, strict=True)]
         self.v_rate_0, self.v_rate = self.v_rate, (trial.v - self.v) / h
         self.T, self.v, self.t = list(after), trial.v, self.t + h
-        if min(self.T) < 0.05 * self.slack:
+        if self.slackens(self.T):
             raise self.goes_slack(self.T)

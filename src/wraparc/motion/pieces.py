@@ -135,7 +135,7 @@ class Table:
         laid = max(round(ahead / arc.spacing), 1)
         if not arc.moves:  # the piece at the nip stood there and remembers: it stays
             kept = float(self.table[KEPT, arc.own, arc.nip])
-            jumped = abs(arc.m - kept - arc.shape.overrun(arc.entry))
+            jumped = abs(arc.m - kept - arc.overrun(arc.entry))
             arc.joint = arc.travel
             return 1, int(jumped > 1e-9), laid  # old and fresh contact may meet there
         gone = arc.travel - float(self.table[TRAVEL, arc.own, arc.nip - 1])
@@ -169,7 +169,7 @@ class Table:
         rows[SLIP : REACH + 1, first - fresh :] = 0.0
         self.count[arc.own, first - fresh :] = 0
         if fresh:
-            rows[KEPT, first - 1] = arc.m - arc.shape.overrun(arc.entry)
+            rows[KEPT, first - 1] = arc.m - arc.overrun(arc.entry)
             rows[SHORT, first - 1] = 0.0
         rows[TRAVEL, nip:] = end
         if laid == 1:
@@ -182,7 +182,7 @@ class Table:
             for column in (NEW_SLIP, NEW_STRESS, BY_CREEP, TENSION):
                 rows[column, first:nip] = before[column, like]
         # n at the ends of steps, interpolated in travel: a part goes with the end of this one
-        known = [(arc.travel, arc.m - arc.shape.overrun(arc.entry))]
+        known = [(arc.travel, arc.m - arc.overrun(arc.entry))]
         if moved:
             least = _APART * (end - arc.travel)
             earlier = zip(arc.past_travel, arc.past_kept, strict=True)

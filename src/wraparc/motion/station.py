@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from wraparc.drive import Limit
@@ -60,7 +60,7 @@ class Station:
     Attributes
     ----------
     train
-        Pulleys and belt; the mass of the belt on the arcs is left out here.
+        Pulleys and belt.
     drums
         One for each pulley, in belt order.
     load_case
@@ -128,9 +128,6 @@ class Station:
             )
         problems += self._followers(names)
         raise_all(problems)
-        if self.train.belt.mass is not None:
-            light = replace(self.train, belt=replace(self.train.belt, mass=None))
-            object.__setattr__(self, "train", light)
         self.train.case(self.load_case)
 
     def _followers(self, names: list[str]) -> list[Problem]:

@@ -83,7 +83,7 @@ class StationState:
         self.names = station.names
         lead = self.drums[0]
         self.speed = lead.duty.speed * lead.duty.radius
-        finest = min(d.arc.spacing for d in self.drums)
+        finest = min(d.arc.spacing / d.share for d in self.drums)
         self.finest = 1.2 * finest / self.speed
         self.divides = step is None and not self._delayed()
         self.watch: Callable[[], None] = lambda: None
@@ -114,7 +114,7 @@ class StationState:
 
     def _longest(self, every: float | None) -> float:
         """Length of a step where nothing asks for less; the event is a number of them [s]."""
-        shortest = min(d.arc.shape.length for d in self.drums)
+        shortest = min(d.arc.shape.length / d.share for d in self.drums)
         longest = _STEP * shortest / self.speed
         if self.swing:
             longest = min(longest, _SWING / self.swing)
@@ -169,9 +169,17 @@ class StationState:
         for (rider, front), (_, next_front) in zip(d.riders, e.riders, strict=True):
             if rider.compliance != 1.0:
                 left = d.past_exit(travels[i], rider.length, front)
-                come = min(max(travels[i + 1] - next_front, 0.0), rider.length)
+                come = min(max(travels[i + 1] / e.share - next_front, 0.0), rider.length)
                 more += (left - come) * (rider.compliance - 1.0) * self.stretch
         return more
+
+    def slackens(self, tensions: list[float]) -> bool:
+        """Whether some tension, above m v^2, has become next to nothing."""
+        now, steady = (
+            max(v)
+            for v in zip(*((d.arc.lift, d.arc.arc.centrifugal) for d in self.drums), strict=True)
+        )
+        return min(tensions) - now < 0.05 * (self.slack - steady)
 
     def goes_slack(self, tensions: list[float]) -> HaltError:
         """The end of a run whose belt goes slack."""
@@ -184,7 +192,7 @@ class StationState:
         total = 0.0
         travels = [d.arc.travel for d in self.drums]
         for i, d in enumerate(self.drums):
-            total += d.arc.lifted / d.radius - d.arc.wrapped
+            total += (d.arc.lifted / d.radius - d.arc.wrapped) / d.share
             if i + 1 < self.n:
                 c = self.drums[i + 1].run * self.stretch + self.softer_run(i, travels)
                 total -= (self.T[i + 1] + 0.5 * self.run_rises[i + 1]) * c

@@ -85,6 +85,7 @@ class Wraps(Table):
             np.array([[getattr(a.shape, key)] for a in arcs]) for key in ("diameter", "shear")
         )
         self.per = 2.0 / (self.width * diameter)
+        self.whole_width = np.array([a.arc.width for a in arcs])  # that friction works on [m]
         self.new_count = self.count
         keys = [(a.arc.law.compact(), a.shape.shear) for a in arcs]
         self.laggings: list[tuple[Lagging, slice]] = []
@@ -136,9 +137,10 @@ class Wraps(Table):
     def _rub(self, m: Array) -> list[float]:
         """Find stress and slip of every piece, with slopes; those of the overruns by T_in."""
         table = self.table
-        pressure = np.maximum(table[TENSION] * self.per, 1.0)
+        lift = np.array([[a.lift] for a in self.arcs])
+        pressure = np.maximum((table[TENSION] - lift) * self.per, 1.0)
         if self.lays:
-            x_c = [a.shape.overrun(float(table[TENSION, a.own, -1])) for a in self.arcs]
+            x_c = [a.overrun(float(table[TENSION, a.own, -1])) for a in self.arcs]
             table[KEPT] = self.kept + (1.0 - table[BY_M]) * (m - np.array(x_c)[:, None])
         creep = m - table[KEPT] - table[SHORT]
         by_t = []
@@ -203,7 +205,7 @@ class Wraps(Table):
         dtau = table[BY_TENSION] * dt + table[BY_CREEP] * du
         for arc in self.arcs:
             if arc.moves:
-                x_c = arc.shape.overrun(float(t[arc.own, -1]))
+                x_c = arc.overrun(float(t[arc.own, -1]))
                 at = arc.own, slice(arc.nip, None)
                 du[at] = x_c - table[NEW_SLIP][at] - arc.shape.shear * table[NEW_STRESS][at]
         table[NEW_STRESS] += dtau
@@ -223,7 +225,7 @@ class Wraps(Table):
             arc.entry = out.entry + out.entry_m * dm + out.entry_x * dx
             arc.wrapped = out.wrapped + out.wrapped_m * dm + out.wrapped_x * dx
             arc.lifted = out.lifted
-            kept.append(m1 - arc.shape.overrun(arc.entry))
+            kept.append(m1 - arc.overrun(arc.entry))
         if self.lays:
             self.table[KEPT] = self.kept + (1.0 - self.table[BY_M]) * np.array(kept)[:, None]
         self._take()
@@ -277,7 +279,7 @@ class Wraps(Table):
         along = (fast[:, 0] - fast[own, back]) / (z[own, back] - z[:, 0])
         leaves = fast[:, 1] + inside * (fast[:, 0] - fast[:, 1]) + 0.5 * ahead * along
         speed = np.maximum(np.abs(fast[:, 1:]).max(axis=1), np.abs(leaves)) / self.h
-        told = [work * self.width[:, 0], speed]
+        told = [work * self.whole_width, speed]
         for value in (self.table[SLIP], self.table[STRESS]):
             at_exit = value[:, 1] + inside * (value[:, 0] - value[:, 1])
             most = value[own, 1 + np.abs(value[:, 1:]).argmax(axis=1)]

@@ -12,7 +12,7 @@ from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
-from wraparc.units import System, display_unit
+from wraparc.units import System, display_unit, in_units
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -71,7 +71,7 @@ def plot_across(
         arc = result.wide.arc
         title = f"Across the width: pulley {arc.pulley}, load case {arc.load_case}"
         figure.text(0.02, 0.945, title, fontsize=13, weight="bold")
-        words = slack_words(result, system)
+        words = in_units(slack_words(result), system)
         if result.status is AcrossStatus.SOLVED:
             words = (
                 f"Entry tension at most {result.entry_unevenness:.3g} of its mean, wear "

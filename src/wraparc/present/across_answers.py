@@ -9,15 +9,13 @@ import numpy as np
 from wraparc.across import AcrossResult, Cushion, WearHistory
 from wraparc.checks import Level
 from wraparc.present.sheet import NONE, Row, Table, Verdict, named
-from wraparc.units import System, display
+from wraparc.units import GIVEN_DIGITS, quantity
 
 #: Rows of a table of wear; the march has more steps.
 _ROWS = 8
 
 
-def wear_verdict(
-    now: AcrossResult, history: WearHistory, least: float, system: System = "si"
-) -> Verdict:
+def wear_verdict(now: AcrossResult, history: WearHistory, least: float) -> Verdict:
     """Return whether uneven wear heals or runs away, how fast, and when to re-lag.
 
     Parameters
@@ -28,16 +26,14 @@ def wear_verdict(
         The lagging as it wears.
     least
         Thickness of the thinnest strip at which the pulley is re-lagged [m].
-    system
-        Units to show.
     """
     if np.min(history.thickness[0]) <= least:
-        return Verdict(Level.ATTENTION, relag_sentence(history, least, system))
+        return Verdict(Level.ATTENTION, relag_sentence(history, least))
     first, last = (float(v) for v in history.unevenness[[0, -1]])
-    depth = named("lagging_thickness", float(history.mean_depth[-1]), system)
-    uneven, left = (named("lagging_thickness", v, system) for v in (first, last))
+    depth = named("lagging_thickness", float(history.mean_depth[-1]))
+    uneven, left = (named("lagging_thickness", v) for v in (first, last))
     rate = float(np.min(np.abs(now.levelling_depth)))
-    pace = named("levelling_depth", rate, system)
+    pace = named("levelling_depth", rate)
     if now.wear_grows:
         level, headline = Level.ATTENTION, f"Runs away: wear makes it more uneven, {uneven} "
         headline += f"from thickest to thinnest now, {left} after {depth} of mean wear."
@@ -52,12 +48,12 @@ def wear_verdict(
         sentences = ["It wears to the shape that wears evenly under what is uneven, and stays so."]
     if history.ended:
         sentences.append(f"The march ended early. {history.ended}")
-    return Verdict(level, headline, (*sentences, relag_sentence(history, least, system)))
+    return Verdict(level, headline, (*sentences, relag_sentence(history, least)))
 
 
-def relag_sentence(history: WearHistory, least: float, system: System = "si") -> str:
+def relag_sentence(history: WearHistory, least: float) -> str:
     """Say after which running time the thinnest strip is down to a thickness [m]."""
-    to = display(least, "length", system)
+    to = quantity(least, "length", GIVEN_DIGITS)
     thinnest = np.min(history.thickness, axis=1)
     if thinnest[0] <= least:
         return f"Re-lag now: the thinnest strip is down to {to} already."
@@ -70,7 +66,7 @@ def relag_sentence(history: WearHistory, least: float, system: System = "si") ->
         return "When to re-lag cannot be told in hours: give the belt speed."
     hours = history.hours_to(least)
     if math.isnan(hours):
-        thin = display(float(thinnest[-1]), "length", system)
+        thin = quantity(float(thinnest[-1]), "length", GIVEN_DIGITS)
         return f"The thinnest strip has {thin} left after {_hours(float(history.hours[-1]))}."
     return f"Re-lag after {_hours(hours)}: then the thinnest strip is down to {to}."
 
@@ -79,7 +75,7 @@ def _hours(hours: float) -> str:
     return f"{float(f'{hours:.3g}'):,.0f} hours of running"
 
 
-def wear_table(history: WearHistory, system: System = "si") -> Table:
+def wear_table(history: WearHistory) -> Table:
     """Return how lagging, tension and wear go on, at some places of the march."""
     count = len(history.mean_depth)
     kept = np.unique(np.linspace(0, count - 1, min(_ROWS, count)).round().astype(int))
@@ -89,22 +85,22 @@ def wear_table(history: WearHistory, system: System = "si") -> Table:
     for k in kept.tolist():
         tension, energy = history.entry_tension[k], history.energy[k]
         values = [
-            named("lagging_thickness", float(history.unevenness[k]), system),
-            named("lagging_thickness", float(np.min(history.thickness[k])), system),
+            named("lagging_thickness", float(history.unevenness[k])),
+            named("lagging_thickness", float(np.min(history.thickness[k]))),
             f"{float(np.max(tension) / np.mean(tension)):.3f}",
             f"{float(np.max(energy) / np.mean(energy)):.3f}",
         ]
         values += [f"{float(history.hours[k]):.0f} h"] if timed else []
-        depth = named("lagging_thickness", float(history.mean_depth[k]), system)
+        depth = named("lagging_thickness", float(history.mean_depth[k]))
         rows.append(Row(f"after {depth} of mean wear", tuple(values)))
     if timed:
         heads.append("running time")
     return Table("Wear of the uneven lagging", tuple(rows), tuple(heads))
 
 
-def cushion_verdict(found: Cushion, system: System = "si") -> Verdict:
+def cushion_verdict(found: Cushion) -> Verdict:
     """Return what the thickest lagging takes off the unevenness, and what it costs in creep."""
-    thin, thick = (display(float(found.thickness[k]), "length", system) for k in (0, -1))
+    thin, thick = (quantity(float(found.thickness[k]), "length", GIVEN_DIGITS) for k in (0, -1))
     if len(found.thickness) < 2 or not np.all(np.isfinite(found.unevenness)):
         where = [r for r in found.results if not r.status.solved]
         words = str(where[0].status) if where else "One thickness alone compares nothing."
@@ -125,11 +121,11 @@ def cushion_verdict(found: Cushion, system: System = "si") -> Verdict:
     )
 
 
-def cushion_table(found: Cushion, system: System = "si") -> Table:
+def cushion_table(found: Cushion) -> Table:
     """Return the unevenness left and the creep paid by thickness."""
     rows = []
     for k, result in enumerate(found.results):
-        thickness = display(float(found.thickness[k]), "length", system)
+        thickness = quantity(float(found.thickness[k]), "length", GIVEN_DIGITS)
         if not result.status.solved:
             rows.append(Row(thickness, (NONE,) * 5, note=str(result.status), level=Level.FAILS))
             continue
@@ -138,7 +134,7 @@ def cushion_table(found: Cushion, system: System = "si") -> Table:
             f"{100.0 * uneven:+.2f} %",
             _change(uneven, float(found.unevenness[0])),
             f"{float(found.wear_unevenness[k]):.3f}",
-            named("exit_creep", creep, system),
+            named("exit_creep", creep),
             _change(creep, float(found.creep[0])),
         )
         rows.append(Row(thickness, values))

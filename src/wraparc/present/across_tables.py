@@ -23,8 +23,8 @@ from wraparc.checks import Level, Place, Verdict, judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import NONE, Row, Table, named, percent, quantity, row_of
-from wraparc.units import System, display_unit
+from wraparc.present.sheet import NONE, Row, Table, headed, named, number, percent, row_of
+from wraparc.train.turning import surface_sentence
 
 #: Places across the belt in a table; all of them are in the data.
 _PLACES = 9
@@ -40,7 +40,7 @@ DEFECTS = {
 }
 
 
-def across_tables(result: DriveResult, system: System) -> list[Table]:
+def across_tables(result: DriveResult) -> list[Table]:
     """Return the tables of every uneven pulley, in the load case that governs it in full.
 
     Further load cases of the same pulley have the answer alone.
@@ -49,9 +49,9 @@ def across_tables(result: DriveResult, system: System) -> list[Table]:
     told: set[str] = set()
     for uneven in worst_first(result):
         pulley = uneven.wide.arc.pulley
-        tables.append(answer_table(uneven, system))
+        tables.append(answer_table(uneven))
         if pulley not in told and uneven.status is AcrossStatus.SOLVED:
-            tables += [profile_table(uneven, system), shares_table(result.drive, uneven, system)]
+            tables += [profile_table(uneven), shares_table(result.drive, uneven)]
         told.add(pulley)
     return tables
 
@@ -70,12 +70,12 @@ def worst_first(result: DriveResult) -> list[AcrossResult]:
     return sorted(across_of(result), key=badness)
 
 
-def answer_table(result: AcrossResult, system: System) -> Table:
+def answer_table(result: AcrossResult) -> Table:
     """What comes of the unevenness: edges, worst places, wear, forces."""
     arc = result.wide.arc
     title = f"Across the width: pulley {arc.pulley}, load case {arc.load_case}"
     if result.status is not AcrossStatus.SOLVED:
-        words = slack_words(result, system) or str(result.status)
+        words = slack_words(result) or str(result.status)
         return Table(
             title, (Row("Not solved", (NONE,), note=words, level=Level.FAILS),), name="width"
         )
@@ -83,10 +83,10 @@ def answer_table(result: AcrossResult, system: System) -> Table:
     least = place_of_largest(-np.min(strips, axis=0))
 
     def at(strip: int) -> str:
-        return f"at {named('across_position', float(y[strip]), system)} from the middle"
+        return f"at {named('across_position', float(y[strip]))} from the middle"
 
     def row(name: str, note: str = "") -> Row:
-        return row_of(name, getattr(result, name), system=system, note=note)
+        return row_of(name, getattr(result, name), note=note)
 
     rows = [
         row("largest_running_tension", _of_mean(result.largest_running_tension, arc.entry_tension,
@@ -98,12 +98,12 @@ def answer_table(result: AcrossResult, system: System) -> Table:
         row("energy_unevenness", f"wears fastest {at(place_of_largest(result.frictional_energy))}"),
         row("largest_pressure"),
         row("largest_creep", at(place_of_largest(np.abs(result.exit_creep)))),
-        Row("Levelling depth, modes 1 to 4", (_depths(result, system),), "w_n",
+        Row("Levelling depth, modes 1 to 4", (_depths(result),), "w_n",
             _wear_words(result), "levelling_depth"),
         row("yaw_moment"),
         row("entry_guide_force"),
         row("exit_guide_force"),
-        row("drum_number"),
+        row("drum_number", "" if arc.pitch_offset is not None else surface_sentence(arc.diameter)),
     ]  # fmt: skip
     if result.wide.static_profile is not None:
         rows.insert(2, row("largest_static_tension", "the label lines held at both ends"))
@@ -120,8 +120,8 @@ def _of_mean(tension: float, entry: float, width: float) -> str:
     return f"{percent(tension * width / entry)} of the mean at the entry"
 
 
-def _depths(result: AcrossResult, system: System) -> str:
-    return ", ".join(named("levelling_depth", d, system) for d in result.levelling_depth.tolist())
+def _depths(result: AcrossResult) -> str:
+    return ", ".join(named("levelling_depth", d) for d in result.levelling_depth.tolist())
 
 
 def _wear_words(result: AcrossResult) -> str:
@@ -130,7 +130,7 @@ def _wear_words(result: AcrossResult) -> str:
     return "negative: uneven wear grows, as on a pulley that brakes"
 
 
-def profile_table(result: AcrossResult, system: System) -> Table:
+def profile_table(result: AcrossResult) -> Table:
     """Tension, creep, shear and wear at places across the belt."""
     columns: tuple[tuple[str, str, Array], ...] = (
         ("width_tension", "t1", result.entry_tension),
@@ -139,24 +139,20 @@ def profile_table(result: AcrossResult, system: System) -> Table:
         ("peak_shear_stress", "shear stress", result.peak_shear_stress),
         ("lagging_thickness", "lagging", result.wide.thickness),
     )
-    sizes = [display_unit(GLOSSARY[name].dimension, system) for name, _, _ in columns]
-    heads = [f"{words} [{unit}]" for (_, words, _), (unit, _) in zip(columns, sizes, strict=True)]
+    heads = [headed(words, GLOSSARY[name].dimension) for name, words, _ in columns]
     y = result.position
     edge = 0.5 * result.wide.arc.width
     places = np.linspace(-edge, edge, _PLACES)
     energy = result.frictional_energy / float(np.mean(result.frictional_energy))
     rows = []
     for place in places.tolist():
-        values = [
-            quantity(float(np.interp(place, y, column)) / size, "number")
-            for (_, _, column), (_, size) in zip(columns, sizes, strict=True)
-        ]
+        values = [number(name, float(np.interp(place, y, column))) for name, _, column in columns]
         values.append(f"{100.0 * float(np.interp(place, y, energy)):.0f} %")
-        rows.append(Row(named("across_position", place, system), tuple(values)))
+        rows.append(Row(named("across_position", place), tuple(values)))
     return Table("Across the belt", tuple(rows), (*heads, "wear of mean"), name="strips")
 
 
-def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
+def shares_table(drive: Drive, result: AcrossResult) -> Table:
     """What each defect does alone, to the first order, and how sure the sum is."""
     arc = result.wide.arc
     pulley, case = drive.pulley(arc.pulley), drive.load_case(arc.load_case)
@@ -166,7 +162,7 @@ def shares_table(drive: Drive, result: AcrossResult, system: System) -> Table:
         Row(
             DEFECTS[share.name].capitalize(),
             (
-                named("width_tension", float(np.max(np.abs(share.entry_tension))), system),
+                named("width_tension", float(np.max(np.abs(share.entry_tension)))),
                 percent(float(np.max(np.abs(share.energy))) / mean),
             ),
         )
@@ -196,9 +192,7 @@ _COMPARED = (
 )
 
 
-def compared_table(
-    results: Sequence[DriveResult], heads: tuple[str, ...], system: System
-) -> Table | None:
+def compared_table(results: Sequence[DriveResult], heads: tuple[str, ...]) -> Table | None:
     """Return what becomes of a belt across its width in several drives of one uneven pulley.
 
     None where all of them are even; a drive that is even beside others has no numbers.
@@ -216,7 +210,7 @@ def compared_table(
         "even" if r is None else r.status.name.lower().replace("solved", "carried") for r in found
     )
     rows = [Row("Belt across its width", words)]
-    rows += [row_of(name, *(value(r, name) for r in found), system=system) for name in _COMPARED]
+    rows += [row_of(name, *(value(r, name) for r in found)) for name in _COMPARED]
     return Table("Across the width", tuple(rows), heads, name="width")
 
 

@@ -8,7 +8,6 @@ from wraparc.arc import ArcResult, Capacities
 from wraparc.checks import Level
 from wraparc.friction import Constant, FrictionLaw, PressurePower
 from wraparc.present.sheet import Row, Table, between, named, percent, row_of, term
-from wraparc.units import System
 
 Results = tuple[ArcResult, ...]
 
@@ -37,23 +36,23 @@ def _values(results: Results, of: Callable[[ArcResult], str]) -> tuple[str, ...]
     return tuple(of(result) for result in results)
 
 
-def answer_table(results: Results, system: System) -> Table:
+def answer_table(results: Results) -> Table:
     """Creep, slip, shear and pressure of one arc."""
 
     def row(name: str, note: str = "", level: Level | None = None) -> Row:
         values = (getattr(result, name) for result in results)
-        return row_of(name, *values, system=system, note=note, level=level)
+        return row_of(name, *values, note=note, level=level)
 
     first = results[0]
     limit = first.arc.creep_limit
     share = f"{percent(abs(first.exit_creep) / limit)} of the limit"
-    notes = [f"{share}, {named('creep_limit', limit, system)}"]
+    notes = [f"{share}, {named('creep_limit', limit)}"]
     notes += ["negative: with the belt"] if first.exit_creep < 0.0 else []
-    notes += [told] if (told := creep_interval_text(first, system)) else []
-    where = f"at {named('peak_shear_position', first.peak_shear_position, system)} from the entry"
+    notes += [told] if (told := creep_interval_text(first)) else []
+    where = f"at {named('peak_shear_position', first.peak_shear_position)} from the entry"
     pressure = Row(
         "Wrap pressure, entry to exit",
-        _values(results, lambda r: _pressures(r, system)),
+        _values(results, _pressures),
         "p",
     )
     rows = [
@@ -70,7 +69,7 @@ def answer_table(results: Results, system: System) -> Table:
         row("active_arc", "exit part over which 99 % of the tension change takes place"),
         *(
             [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")]
-            if abs(first.exit_creep) > 1e-9  # of an idle pulley nothing but rounding
+            if not math.isnan(first.k_factor)
             else []
         ),
     ]
@@ -87,20 +86,20 @@ def answer_table(results: Results, system: System) -> Table:
     return Table(f"Result: {belongs(first)}", tuple(rows), heads(results), name="result")
 
 
-def creep_interval_text(result: ArcResult, system: System) -> str:
+def creep_interval_text(result: ArcResult) -> str:
     """Return the interval of the creep by its law, ``95 % by the law: 6.6 to 8.3 mm``."""
     low, high = result.creep_interval
     if math.isnan(low):
         return ""
     if math.isinf(high) or math.isinf(low):
         end = low if math.isinf(high) else high
-        return f"95 % by the law: from {named('exit_creep', end, system)} to gross slip"
-    return f"95 % by the law: {between('exit_creep', low, high, system)}"
+        return f"95 % by the law: from {named('exit_creep', end)} to gross slip"
+    return f"95 % by the law: {between('exit_creep', low, high)}"
 
 
-def _pressures(result: ArcResult, system: System) -> str:
+def _pressures(result: ArcResult) -> str:
     pressure = result.profile.wrap_pressure
-    return between("wrap_pressure", float(pressure[0]), float(pressure[-1]), system)
+    return between("wrap_pressure", float(pressure[0]), float(pressure[-1]))
 
 
 def _creep_level(result: ArcResult) -> Level | None:
@@ -118,7 +117,7 @@ def _outside_row(results: Results) -> Row:
     return Row(title, texts, "", note, "outside_tested_share", level)
 
 
-def creep_table(results: Results, system: System) -> Table:
+def creep_table(results: Results) -> Table:
     """Where the creep at the exit comes from."""
     rows = []
     for name, note in (
@@ -129,24 +128,24 @@ def creep_table(results: Results, system: System) -> Table:
             "the whole belt slips back: what the friction needs beyond the first two",
         ),
     ):
-        texts = _values(results, lambda r, name=name: creep_part(r, name, system))  # type: ignore[misc]
+        texts = _values(results, lambda r, name=name: creep_part(r, name))  # type: ignore[misc]
         row = row_of(name, 0.0)
         rows.append(Row(row.title, texts, row.symbol, note, name))
-    rows.append(row_of("exit_creep", *(r.exit_creep for r in results), system=system))
+    rows.append(row_of("exit_creep", *(r.exit_creep for r in results)))
     return Table("Creep by source", tuple(rows), heads(results), name="creep")
 
 
-def creep_part(result: ArcResult, name: str, system: System) -> str:
+def creep_part(result: ArcResult, name: str) -> str:
     """Return a part of the creep at the exit with its share of the whole."""
     part = getattr(result, name)
     # parts that cancel, as on an idle pulley, are no shares of their sum
     parts = (result.creep_shrinkage, result.creep_compression, result.creep_global)
     if sum(map(abs, parts)) > 1.05 * abs(result.exit_creep):
-        return named(name, part, system)
-    return f"{named(name, part, system)} ({percent(part / result.exit_creep, 2)})"
+        return named(name, part)
+    return f"{named(name, part)} ({percent(part / result.exit_creep, 2)})"
 
 
-def capacity_table(result: ArcResult, system: System) -> Table | None:
+def capacity_table(result: ArcResult) -> Table | None:
     """How much more the pulley could carry; None where the method does not say."""
     c, arc = result.capacities, result.arc
     if math.isnan(c.gross_slip_capacity) and math.isnan(c.creep_limit_capacity):
@@ -161,7 +160,6 @@ def capacity_table(result: ArcResult, system: System) -> Table | None:
             tested_slip=math.nan if tested is None else tested.slip_max,
             plain=independent_of_slip(arc.law),
         ),
-        system,
     )
 
 
@@ -175,17 +173,17 @@ class Carrying(NamedTuple):
     plain: bool  # whether friction is the same at any slip
 
 
-def capacity_rows(c: Capacities, of: Carrying, system: System) -> Table:
+def capacity_rows(c: Capacities, of: Carrying) -> Table:
     """Return the table of the capacities of an arc."""
     tight, slack = ("T1", "T2") if of.driving else ("T2", "T1")
-    held = named("tension", max(of.entry, of.exit), system)
+    held = named("tension", max(of.entry, of.exit))
     actual = max(of.entry / of.exit, of.exit / of.entry)
 
     def row(name: str, value: float, note: str) -> Row:
-        return Row(term(name).title, (named(name, value, system),), term(name).symbol, note, name)
+        return Row(term(name).title, (named(name, value),), term(name).symbol, note, name)
 
     def ratio(name: str, value: float, margin: float, note: str) -> Row:
-        shown = "" if math.isnan(margin) else f"margin {named('tension_ratio', margin, system)}; "
+        shown = "" if math.isnan(margin) else f"margin {named('tension_ratio', margin)}; "
         return row(name, value, f"{shown}{note}")
 
     rows = [
@@ -196,33 +194,33 @@ def capacity_rows(c: Capacities, of: Carrying, system: System) -> Table:
         row("equivalent_friction", c.equivalent_friction, "compare with design values"),
     ]  # fmt: skip
     if not math.isnan(of.tested_slip):
-        slip = named("slip", of.tested_slip, system)
+        slip = named("slip", of.tested_slip)
         note = f"slip at the largest tested, {slip}"
         rows.append(
             ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
         )
-    gross = _gross_note(of.plain, c.gross_slip_creep, system)
+    gross = _gross_note(of.plain, c.gross_slip_creep)
     rows.append(row("gross_slip_capacity", c.gross_slip_capacity, gross))
     note = (
         f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "
-        f"actual ratio, {named('tension_ratio', actual, system)}."
+        f"actual ratio, {named('tension_ratio', actual)}."
     )
     return Table("Capacity", tuple(rows), note=note, name="capacity")
 
 
-def _gross_note(plain: bool, creep: float, system: System) -> str:
+def _gross_note(plain: bool, creep: float) -> str:
     if plain:
         return "the whole wrap slips"
     if math.isinf(creep):
         return "extrapolated, approached as creep grows without bound"
-    return f"extrapolated, at {named('gross_slip_creep', creep, system)} of creep"
+    return f"extrapolated, at {named('gross_slip_creep', creep)} of creep"
 
 
-def energy_table(result: ArcResult, system: System) -> Table:
+def energy_table(result: ArcResult) -> Table:
     """Power, losses and wear."""
     e = result.energy
     rows = [
-        row_of(name, getattr(e, name), system=system)
+        row_of(name, getattr(e, name))
         for name in ("transmitted_power", "sliding_power", "shear_loss", "power_loss")
         if not math.isnan(getattr(e, name))
     ]
@@ -230,8 +228,8 @@ def energy_table(result: ArcResult, system: System) -> Table:
         entry = row_of("efficiency", 0.0)
         rows.append(Row(entry.title, (percent(e.efficiency, 4),), entry.symbol, "", "efficiency"))
     note = "what wears lagging and belt"
-    rows.append(row_of("frictional_energy", e.frictional_energy, system=system, note=note))
+    rows.append(row_of("frictional_energy", e.frictional_energy, note=note))
     if not math.isnan(e.wear_rate):
-        rows.append(row_of("wear_rate", e.wear_rate, system=system))
+        rows.append(row_of("wear_rate", e.wear_rate))
     needs = "" if result.arc.belt_speed else "Give the belt speed to see powers."
     return Table("Energy and wear", tuple(rows), note=needs, name="energy")

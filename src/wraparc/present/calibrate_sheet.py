@@ -14,7 +14,7 @@ from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.train.turning import surface_sentence
-from wraparc.units import Dimension, System
+from wraparc.units import Dimension
 
 #: parameter -> title, dimension
 _PARAMETERS: dict[str, tuple[str, Dimension]] = {
@@ -47,10 +47,9 @@ def calibrate_sheet(
     title: str,
     description: str = "",
     sources: tuple[str, ...] = (),
-    system: System = "si",
 ) -> Sheet:
     """Return the answer of a calibration: estimates, what the data cannot tell, correlations."""
-    rows = [_row(e, system) for e in found.estimates]
+    rows = [_row(e) for e in found.estimates]
     tables = [
         Table(
             "Estimates",
@@ -64,35 +63,35 @@ def calibrate_sheet(
         _widths(found),
         _deviations(found),
         _correlations(found),
-        _misfits(found, problem, system),
+        _misfits(found, problem),
     ]
     return Sheet(
         title=title or "Calibration",
         subtitle=description,
-        verdict=_verdict(found, problem, system),
+        verdict=_verdict(found, problem),
         tables=tuple(t for t in tables if t.rows),
-        remarks=tuple(_remarks(found, system)),
+        remarks=tuple(_remarks(found)),
         sources=sources,
     )
 
 
-def _row(e: Estimate, system: System) -> Row:
+def _row(e: Estimate) -> Row:
     title, dimension = _PARAMETERS[e.name]
     spread = "none" if math.isinf(e.spread) else percent(e.spread, 2)
     if e.name == "overrun" and math.isfinite(e.spread):
-        spread = quantity(e.spread * 1e-4, "length", system)
+        spread = quantity(e.spread * 1e-4, "length")
     expected = "nothing" if math.isinf(e.expected) else percent(e.expected, 2)
     if e.name == "overrun" and math.isfinite(e.expected):
-        expected = quantity(e.expected * 1e-4, "length", system)
+        expected = quantity(e.expected * 1e-4, "length")
     if e.value is None or e.low is None or e.high is None:
         return Row(title, ("not identified", "-", spread, expected), level=Level.ATTENTION)
-    value, low, high = (quantity(v, dimension, system) for v in (e.value, e.low, e.high))
+    value, low, high = (quantity(v, dimension) for v in (e.value, e.low, e.high))
     note = "from the prior, not from the data" if e.from_prior else ""
     return Row(title, (value, f"{low} to {high}", spread, expected), note=note)
 
 
-def _verdict(found: Calibration, problem: Problemset, system: System) -> Verdict:
-    apart = tuple(_apart(found, problem, system))
+def _verdict(found: Calibration, problem: Problemset) -> Verdict:
+    apart = tuple(_apart(found, problem))
     untold = [e.name for e in found.estimates if e.value is None]
     if not untold:
         headline = (
@@ -118,14 +117,14 @@ def _verdict(found: Calibration, problem: Problemset, system: System) -> Verdict
     )
 
 
-def _apart(found: Calibration, problem: Problemset, system: System) -> Iterator[str]:
+def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
     """Yield what the best fit leaves of the data that is more than noise."""
     count = len(problem.numbers)
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
         if abs(miss) > _FAR_NUMBER * n.sd:
             yield (
                 f"{_title(n, problem)}: the best fit misses the measured "
-                f"{_value(n, n.value, system)} by {_value(n, abs(miss), system)}. "
+                f"{_value(n, n.value)} by {_value(n, abs(miss))}. "
                 f"{_OTHER}"
             )
     for d in found.deviations:
@@ -139,7 +138,7 @@ def _apart(found: Calibration, problem: Problemset, system: System) -> Iterator[
         if miss > _FAR_TRACE * most:
             yield (
                 f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}: the best fit misses "
-                f"it by {named(t.quantity, miss, system)} in the mean, {percent(miss / most, 2)} "
+                f"it by {named(t.quantity, miss)} in the mean, {percent(miss / most, 2)} "
                 f"of its largest value. {_OTHER}"
             )
 
@@ -152,11 +151,11 @@ def _title(n: Number, problem: Problemset) -> str:
     return f"{what}, {'zero record' if n is problem.zero else n.load_case}"
 
 
-def _value(n: Number, value: float, system: System) -> str:
+def _value(n: Number, value: float) -> str:
     """Return a value of a number in words: what tachometers show is a percentage."""
     if n.apparent:
         return percent(_unless_noise(value, n.sd))
-    return named(n.quantity, value, system)
+    return named(n.quantity, value)
 
 
 def _unless_noise(value: float, size: float) -> float:
@@ -231,27 +230,27 @@ def _correlations(found: Calibration) -> Table:
     return Table("Correlations of the estimates", tuple(rows), tuple(names), name="correlations")
 
 
-def _misfits(found: Calibration, problem: Problemset, system: System) -> Table:
+def _misfits(found: Calibration, problem: Problemset) -> Table:
     rows = []
     for n, miss in zip(problem.numbers, found.misfit, strict=False):
         rows.append(
             Row(
                 _title(n, problem),
-                (_value(n, n.value, system), _value(n, miss, system)),
+                (_value(n, n.value), _value(n, miss)),
             )
         )
     for t, miss in zip(problem.traces, found.misfit[len(problem.numbers) :], strict=True):
         title = f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}"
-        most = named(t.quantity, float(np.abs(t.value).max()), system)
-        rows.append(Row(title, (f"up to {most}", named(t.quantity, miss, system))))
+        most = named(t.quantity, float(np.abs(t.value).max()))
+        rows.append(Row(title, (f"up to {most}", named(t.quantity, miss))))
     return Table("Misfit", tuple(rows), ("measured", "rms misfit"), name="misfit")
 
 
-def _remarks(found: Calibration, system: System) -> Iterator[str]:
+def _remarks(found: Calibration) -> Iterator[str]:
     if found.offset is not None:
         yield (
             "By the zero record, with drum and wheel as stated, the tension member runs "
-            f"{named('pitch_offset', found.offset, system)} above the lagging surface."
+            f"{named('pitch_offset', found.offset)} above the lagging surface."
         )
     names = [e.name.replace("_", " ") for e in found.estimates]
     for i in range(len(names)):
@@ -277,7 +276,6 @@ def overlay_sheet(
     folded: tuple[tuple[str, Folded], ...],
     predicted: Mapping[str, tuple[ArcResult, ...]],
     title: str,
-    system: System = "si",
 ) -> Sheet:
     """Return measured values beside the prediction of both methods."""
     rows = []
@@ -288,7 +286,7 @@ def overlay_sheet(
         values = [float(r.scalars()[n.quantity]) for r in results]
         if n.apparent:
             values = [speed_ratio(r.arc, v) for r, v in zip(results, values, strict=True)]
-        texts = [_value(n, v, system) for v in (n.value, *values)]
+        texts = [_value(n, v) for v in (n.value, *values)]
         rows.append(Row(_title(n, problem), tuple(texts)))
     for t in problem.traces:
         at_peak = [float(np.abs(t.value).max())]
@@ -303,19 +301,19 @@ def overlay_sheet(
             at_peak.append(float(np.abs(here).max()))
             apart.append(float(np.sqrt(np.mean((here - t.value) ** 2))))
         name = f"{GLOSSARY[t.quantity].title}, {t.load_case}"
-        rows.append(Row(f"{name}: largest", tuple(named(t.quantity, v, system) for v in at_peak)))
-        texts = ["-", *(named(t.quantity, v, system) for v in apart)]
+        rows.append(Row(f"{name}: largest", tuple(named(t.quantity, v) for v in at_peak)))
+        texts = ["-", *(named(t.quantity, v) for v in apart)]
         rows.append(Row(f"{name}: rms difference", tuple(texts)))
     heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))
     tables = [Table("Measured and predicted", tuple(rows), heads, name="predicted")]
     if folded:
-        tables.append(_records(folded, system))
+        tables.append(_records(folded))
     first = next(iter(predicted.values()), ())
     by_surface = any(n.apparent for n in problem.numbers) and any(
         r.arc.pitch_offset is None for r in first
     )
     notes = (
-        *((surface_sentence(first[0].arc.diameter, system),) if by_surface else ()),
+        *((surface_sentence(first[0].arc.diameter),) if by_surface else ()),
         *(note for _, f in folded for note in f.notes),
         *(
             f"Load case {r.arc.load_case}, {r.method}: {r.status}"
@@ -327,15 +325,15 @@ def overlay_sheet(
     return Sheet(title=title or "Measured drive", tables=tuple(tables), remarks=notes)
 
 
-def _records(folded: tuple[tuple[str, Folded], ...], system: System) -> Table:
+def _records(folded: tuple[tuple[str, Folded], ...]) -> Table:
     rows = [
         Row(
             case,
             (
                 str(f.revolutions),
-                named("position", f.entry, system),
-                named("position", f.leaving, system),
-                named("position", f.seen, system),
+                named("position", f.entry),
+                named("position", f.leaving),
+                named("position", f.seen),
             ),
         )
         for case, f in folded

@@ -13,15 +13,15 @@ from wraparc.present.inputs import lagging_inputs
 from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, quantity
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind
-from wraparc.units import System, display, display_unit
+from wraparc.units import System, display, display_unit, either, in_unit, unit_of
 
-#: Slips of the friction table [m], in steps that read well in either system.
-_SLIPS = {"si": (0.5e-3, 1e-3, 2e-3, 4e-3, 6e-3, 10e-3, 15e-3),
+#: Slips of the friction table [m], in steps that read well in their system.
+_SLIPS: dict[System, tuple[float, ...]] = {"si": (0.5e-3, 1e-3, 2e-3, 4e-3, 6e-3, 10e-3, 15e-3),
           "us": tuple(i * 0.0254 for i in (0.02, 0.04, 0.08, 0.16, 0.25, 0.4, 0.6))}  # fmt: skip
 _FEW = 8
 
 
-def laggings_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
+def laggings_sheet(laggings: Sequence[Lagging]) -> Sheet:
     """List laggings, a row for each condition."""
     of = Sources()
     rows = tuple(
@@ -30,14 +30,14 @@ def laggings_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
             (
                 lagging.condition,
                 lagging.surface or NONE,
-                named("lagging_thickness", lagging.thickness, system),
-                _reference_friction(lagging, system),
+                named("lagging_thickness", lagging.thickness),
+                _reference_friction(lagging),
             ),
             note=of.note(lagging.provenance),
         )
         for lagging in laggings
     )
-    pressure, slip = named("wrap_pressure", 207e3, system), named("slip", 6.35e-3, system)
+    pressure, slip = named("wrap_pressure", 207e3), named("slip", 6.35e-3)
     heads = ("condition", "surface", "thickness", "friction")
     table = Table("Laggings", rows, heads, f"Friction at {pressure} and a slip of {slip}.")
     remarks = (
@@ -48,24 +48,24 @@ def laggings_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
     return Sheet("Laggings of the catalogue", "", None, (table,), remarks, of.listed())
 
 
-def _reference_friction(lagging: Lagging, system: System) -> str:
+def _reference_friction(lagging: Lagging) -> str:
     return f"{float(lagging.law.friction(6.35e-3, 207e3)):.2f}"
 
 
-def lagging_sheet(laggings: Sequence[Lagging], system: System = "si") -> Sheet:
+def lagging_sheet(laggings: Sequence[Lagging]) -> Sheet:
     """Return everything known of one lagging in its conditions."""
     of = Sources()
     first = laggings[0]
     tables = []
     for lagging in laggings:
         of_condition = f" ({lagging.condition})" if len(laggings) > 1 else ""
-        rows = input_rows(lagging_inputs(lagging), system, of)
+        rows = input_rows(lagging_inputs(lagging), of)
         tables.append(Table(f"Lagging{of_condition}", rows, name="lagging"))
-        tables.append(_friction_table(lagging, system, of_condition))
+        tables.append(_friction_table(lagging, of_condition))
         if isinstance(lagging.law, IntegralLog):
-            tables.append(_coefficient_table(lagging.law, system, of_condition))
+            tables.append(_coefficient_table(lagging.law, of_condition))
     design = [d for d in catalogue.design_friction() if d.surface == first.surface]
-    tables += [_design_table(first.surface, system, of)] if design else []
+    tables += [_design_table(first.surface, of)] if design else []
     tables += [_cost_table(first)] if first.cost else []
     remarks = _notes(laggings)
     if first.source_of("law").kind is Kind.ILLUSTRATIVE and not remarks:
@@ -101,11 +101,11 @@ def _notes(laggings: Sequence[Lagging]) -> list[str]:
     ]
 
 
-def law_table(lagging: Lagging, system: System = "si") -> Table:
+def law_table(lagging: Lagging) -> Table:
     """Return the table that a friction law can be drawn from again: coefficients, or friction."""
     if isinstance(lagging.law, IntegralLog):
-        return _coefficient_table(lagging.law, system, f", {lagging.name}")
-    return _friction_table(lagging, system, f", {lagging.name}")
+        return _coefficient_table(lagging.law, f", {lagging.name}")
+    return _friction_table(lagging, f", {lagging.name}")
 
 
 def _pressures(law: FrictionLaw) -> list[float]:
@@ -122,40 +122,45 @@ def _pressures(law: FrictionLaw) -> list[float]:
     return [float(p) for p in np.geomspace(law.tested.pressure_min, law.tested.pressure_max, _FEW)]
 
 
-def _friction_table(lagging: Lagging, system: System, of_condition: str) -> Table:
-    slips = _SLIPS[system]
-    unit, factor = display_unit("length", system)
+def _friction_table(lagging: Lagging, of_condition: str) -> Table:
+    slips, factors = _SLIPS.values(), [display_unit("length", system)[1] for system in _SLIPS]
     rows = tuple(
         Row(
-            named("wrap_pressure", pressure, system),
-            tuple(f"{mu:.3f}" for mu in lagging.law.friction(np.array(slips), pressure).tolist()),
+            named("wrap_pressure", pressure),
+            tuple(
+                either(*(f"{float(lagging.law.friction(slip, pressure)):.3f}" for slip in pair))
+                for pair in zip(*slips, strict=True)
+            ),
         )
         for pressure in _pressures(lagging.law)
     )
-    heads = tuple(display(slip / factor, "number", digits=2) for slip in slips)
-    note = f"Columns: slip [{unit}]; rows: wrap pressure."
-    if lagging.law.tested is not None and lagging.law.tested.slip_max < slips[-1] * (1 - 1e-9):
-        note += f" Tested up to a slip of {named('slip', lagging.law.tested.slip_max, system)}."
+    heads = tuple(
+        either(*(display(s / f, "number", digits=2) for s, f in zip(pair, factors, strict=True)))
+        for pair in zip(*slips, strict=True)
+    )
+    note = f"Columns: slip [{unit_of('length')}]; rows: wrap pressure."
+    if lagging.law.tested is not None:
+        most = lagging.law.tested.slip_max
+        told = f" Tested up to a slip of {named('slip', most)}."
+        note += either(*(told if most < some[-1] * (1 - 1e-9) else "" for some in slips))
     return Table(f"Friction mu(x, p){of_condition}", rows, heads, note, "friction")
 
 
-def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> Table:
-    unit, factor = display_unit("length", system)
+def _coefficient_table(law: IntegralLog, of_condition: str) -> Table:
+    unit = unit_of("length")
     ends = law.coefficients.pressure
     at = np.array(_pressures(law))
     slip, peak, slope, residual = law.parameters(at)
     rows = []
     for i, pressure in enumerate(at.tolist()):
-        a, b = law.coefficients_ab(pressure, factor)
         values = (
-            f"{a:.5f}",
-            f"{b:.5f}",
-            number("peak_slip", float(slip[i]), system),
+            *(_coefficient(law, pressure, place) for place in (0, 1)),
+            number("peak_slip", float(slip[i])),
             f"{peak[i]:.3f}",
-            number("post_peak_slope", float(slope[i]), system),
+            number("post_peak_slope", float(slope[i])),
             f"{residual[i]:.3f}",
         )
-        rows.append(Row(named("wrap_pressure", pressure, system), values))
+        rows.append(Row(named("wrap_pressure", pressure), values))
     heads = (
         f"A [1/{unit}]",
         f"b [1/{unit}]",
@@ -166,14 +171,18 @@ def _coefficient_table(law: IntegralLog, system: System, of_condition: str) -> T
     )
     kind = "monotone cubics between knots" if isinstance(law.coefficients, PressureKnots) else ""
     if isinstance(law.coefficients, CoefficientPieces):
-        met = ", ".join(named("wrap_pressure", p, system) for p in ends[1:-1]) or "none"
+        met = ", ".join(named("wrap_pressure", p) for p in ends[1:-1]) or "none"
         kind = f"pieces of A(p) and b(p), transition pressures: {met}"
     note = f"mu = A x ln(x) - b x up to its peak, x in {unit}; {kind}."
     title = f"Coefficients of the integral-log law{of_condition}"
     return Table(title, tuple(rows), heads, note, "coefficients")
 
 
-def _design_table(surface: str, system: System, of: Sources) -> Table:
+def _coefficient(law: IntegralLog, pressure: float, place: int) -> str:
+    return in_unit("length", lambda mm: f"{law.coefficients_ab(pressure, mm)[place]:.5f}")
+
+
+def _design_table(surface: str, of: Sources) -> Table:
     rows = []
     for design in catalogue.design_friction():
         if design.surface == surface:
@@ -202,7 +211,7 @@ def _weight(mass: float | None, unit: float) -> str:
     return NONE if mass is None else f"{mass / unit:.3g} kg/m2"
 
 
-def belts_sheet(system: System = "si") -> Sheet:
+def belts_sheet() -> Sheet:
     """List the belts of the catalogue."""
     of = Sources()
     tables = []
@@ -216,10 +225,10 @@ def belts_sheet(system: System = "si") -> Sheet:
                 notes |= {of.note(origin): None for origin in origins}
                 least = belt.least_pulley_diameter
                 values = (
-                    quantity(belt.rating, "force_per_width", system),
-                    quantity(belt.modulus, "force_per_width", system),
-                    NONE if least is None else quantity(least, "length", system),
-                    NONE if belt.carcass is None else quantity(belt.carcass, "length", system),
+                    quantity(belt.rating, "force_per_width"),
+                    quantity(belt.modulus, "force_per_width"),
+                    NONE if least is None else quantity(least, "length"),
+                    NONE if belt.carcass is None else quantity(belt.carcass, "length"),
                     _weight(belt.carcass_mass, 1.0),
                     _weight(belt.cover_mass, 1e3),
                 )

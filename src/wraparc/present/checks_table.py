@@ -6,7 +6,6 @@ from typing import Any
 from wraparc.checks import Check, Level, Verdict
 from wraparc.present.sheet import NONE, Row, Table, quantity
 from wraparc.present.sources import Sources
-from wraparc.units import System
 
 _SAME = 1e-9
 #: Checks that a short answer shows, if no more are missed.
@@ -17,63 +16,59 @@ _NOTE = (
 )
 
 
-def check_table(
-    verdict: Verdict, system: System = "si", of: Sources | None = None, title: str = "Checks"
-) -> Table:
+def check_table(verdict: Verdict, of: Sources | None = None, title: str = "Checks") -> Table:
     """Return each check with what was found, its limit, its margin, and where.
 
     Parameters
     ----------
     verdict
         The list.
-    system
-        Units to show.
     of
         Takes the sources of the limits, if they are to be shown.
     title
         Heading.
     """
     judged = [c for c in verdict.listed if c.compares]
-    rows = tuple(_row(check, system, of) for check in judged)
+    rows = tuple(_row(check, of) for check in judged)
     return Table(
         title,
         rows,
         ("found", "limit", "margin"),
-        f"{_NOTE}{_left(verdict, system)}",
+        f"{_NOTE}{_left(verdict)}",
         name="checks",
-        short=_nearest(verdict, system, title),
+        short=_nearest(verdict, title),
         brief=f"{f'{_counted(verdict)}. ' if verdict.missed else ''}{_unchecked(verdict)}".strip(),
     )
 
 
-def _nearest(verdict: Verdict, system: System, title: str) -> Table:
+def _nearest(verdict: Verdict, title: str) -> Table:
     """Return the checks that are missed, and the nearest to their limits of the others."""
     told = [c for c in verdict.listed if c.compares and (c.missed or math.isfinite(c.margin))]
     told = sorted((c for c in told if not c.below), key=verdict.nearness)
     rows = (
-        Row(c.title, (c.texts(system)[0] or NONE, c.bound(system) or NONE), "", str(c.level))
+        Row(c.title, (c.texts()[0] or NONE, c.bound() or NONE), "", str(c.level))
         for c in told[: max(_NEAREST, len(verdict.missed))]
     )
     return Table(title, tuple(rows), ("found", "limit"), name="checks")
 
 
-def _row(check: Check, system: System, of: Sources | None) -> Row:
-    found, _ = check.texts(system)
-    values = (found or NONE, check.bound(system) or NONE, margin_text(check))
+def _row(check: Check, of: Sources | None) -> Row:
+    found, _ = check.texts()
+    values = (found or NONE, check.bound() or NONE, margin_text(check))
     number = "" if of is None else of.number(check.source)
     note = " ".join(part for part in (str(check.place), number) if part)
     return Row(check.title, values, note=note, level=check.level)
 
 
-def _left(verdict: Verdict, system: System) -> str:
+def _left(verdict: Verdict) -> str:
     """Say what was not checked, and why."""
     left = [c for c in verdict.listed if c.level is Level.NOT_CHECKED]
-    told = (f"{c.title[:1].lower()}{c.title[1:]} ({_why(c, system)})" for c in left)
+    told = (f"{c.title[:1].lower()}{c.title[1:]} ({_why(c)})" for c in left)
     return f" Not checked: {'; '.join(told)}." if left else ""
 
 
-def _why(check: Check, system: System) -> str:
-    found, _ = check.texts(system)
+def _why(check: Check) -> str:
+    found, _ = check.texts()
     return f"{check.short}; here it is {found}" if found else check.short
 
 

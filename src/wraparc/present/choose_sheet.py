@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from wraparc.checks import Level
+from wraparc.checks.usual import usual_sizes
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
-from wraparc.drive import Sag
+from wraparc.drive import Drive, Sag
 from wraparc.drive.conditions import DRY
 from wraparc.present.choose_words import (
     below_standard,
@@ -32,13 +33,13 @@ from wraparc.present.sheet import (
     Sheet,
     Table,
     Verdict,
+    headed,
     named,
     number,
     percent,
     quantity,
     weak_sources,
 )
-from wraparc.units import System, display_unit
 
 _MOST_ROWS = 15
 _CSV_HEADS = (
@@ -49,7 +50,6 @@ _CSV_HEADS = (
 
 def choose_sheet(
     selection: Selection,
-    system: System = "si",
     lighter: LighterBelt | None = None,
     most: int = _MOST_ROWS,
 ) -> Sheet:
@@ -59,16 +59,14 @@ def choose_sheet(
     ----------
     selection
         The answer.
-    system
-        Units to show.
     lighter
         Lightest belt that the best design could do with, if that was asked.
     most
         Rows of a table.
     """
     search = selection.search
-    tables = [_ranking(selection, system, most), _rejected(selection, system, most)]
-    told = _verdict(selection, system, lighter)
+    tables = [_ranking(selection, most), _rejected(selection, most)]
+    told = _verdict(selection, lighter)
     remarks, sources = tuple(_remarks(selection)), tuple(_sources(selection))
     return Sheet(
         title=search.title or f"Choice for {search.drive.title}",
@@ -88,7 +86,7 @@ def _but_edges(selection: Selection) -> str:
     return f", {count} of them not solved across the width" if count else ""
 
 
-def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) -> Verdict:
+def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     if not len(selection.ranking):
         near = selection.nearest()
         names = selection.broken(near)
@@ -101,37 +99,40 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
             "No candidate keeps every limit.",
             (
                 f"Limits broken: {told}.",
-                f"Nearest: {design_name(selection, near, system)}: "
-                + "; ".join(reason(selection, near, n, system) for n in names)
+                f"Nearest: {design_name(selection, near)}: "
+                + "; ".join(reason(selection, near, n) for n in names)
                 + ".",
             ),
         )
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years
-    below, silent = below_standard(selection, best, system), silent_standard(selection, best)
-    told = f"Choose {design_name(selection, best, system)}"
+    below, silent = below_standard(selection, best), silent_standard(selection, best)
+    name = design_name(selection, best, slack=False)
+    told = f"Choose {name}"
     if below:
-        told = f"No candidate {below}; the cheapest is {design_name(selection, best, system)}"
+        told = f"No candidate {below}; the cheapest is {name}"
     headline = (
         f"{silent}{told} with a slack-side tension of "
-        f"{at_least(float(selection.slack_tension[best]), system)}: "
+        f"{at_least(float(selection.slack_tension[best]))}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
-        f"worst creep {named('exit_creep', float(selection.creep[best]), system)}."
+        f"worst creep {named('exit_creep', float(selection.creep[best]))}."
     )
     sentences = [
-        *unpriced_words(selection, system),
-        *next_dearer_words(selection, system),
-        *saving_words(selection, system),
+        *unpriced_words(selection),
+        *next_dearer_words(selection),
+        *saving_words(selection),
     ]
     if lighter is not None:
         width = selection.search.drive.belt.width
-        tight = named("belt_modulus", lighter.tight_tension / width, system)
+        tight = named("belt_modulus", lighter.tight_tension / width)
         sentences.append(
             f"The lightest catalogue belt that would do is {lighter.belt.name}: "
-            f"slack side {named('tension', lighter.slack_tension, system)}, largest tension "
-            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0, system)}."
+            f"slack side {named('tension', lighter.slack_tension)}, largest tension "
+            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}."
         )
-    level = Level.ATTENTION if below or silent else Level.OK
+    odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
+    headline = " ".join([headline, *odd[:1]])
+    level = Level.ATTENTION if below or silent or odd else Level.OK
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""
@@ -142,18 +143,23 @@ def _verdict(selection: Selection, system: System, lighter: LighterBelt | None) 
     return Verdict(level, headline, tuple(sentences), ground)
 
 
-def _heads(selection: Selection, system: System) -> tuple[str, ...]:
-    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
-    width = display_unit("force_per_width", system)[0]
+def _chosen(selection: Selection) -> Drive:
+    """Return the recommended design, at the slack-side tension that it is recommended with."""
+    best = int(selection.ranking[0])
+    slack = np.asarray(selection.slack_tension, dtype=float)
+    return selection.grid.with_slack(slack).drive(best)
+
+
+def _heads(selection: Selection) -> tuple[str, ...]:
     money_heads = tuple(
         f"{part} [{selection.search.costing.currency}]" for part in ("total", "lagging", "energy")
     )
     uneven = ("uneven",) if is_uneven(selection.search) else ()
-    tensions = (f"T2 [{force}]", f"T1/B [{width}]")
-    return (*money_heads, f"creep [{length}]", *uneven, *tensions, "front")
+    tensions = (headed("T2", "force"), headed("T1/B", "force_per_width"))
+    return (*money_heads, headed("creep", "length"), *uneven, *tensions, "front")
 
 
-def _ranking(selection: Selection, system: System, most: int) -> Table:
+def _ranking(selection: Selection, most: int) -> Table:
     costs, rows = selection.costs, []
     width = selection.search.drive.belt.width
     on_creep, on_slack = set(selection.creep_front), set(selection.slack_front)
@@ -161,13 +167,13 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
         marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
         values = (
             *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
-            number("exit_creep", float(selection.creep[i]), system),
+            number("exit_creep", float(selection.creep[i])),
             *([_uneven(selection, i)] if is_uneven(selection.search) else []),
-            number("tension", float(selection.slack_tension[i]), system),
-            number("belt_modulus", float(selection.tight_tension[i]) / width, system),
+            number("tension", float(selection.slack_tension[i])),
+            number("belt_modulus", float(selection.tight_tension[i]) / width),
             " ".join(marks),
         )
-        rows.append(Row(design_name(selection, i, system), values))
+        rows.append(Row(design_name(selection, i), values))
     more = len(selection.ranking) - len(rows)
     note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
     if max(selection.search.shape[4:]) > 1:
@@ -184,7 +190,7 @@ def _ranking(selection: Selection, system: System, most: int) -> Table:
     return Table(
         f"Designs that keep every limit, {order}",
         tuple(rows),
-        _heads(selection, system),
+        _heads(selection),
         note,
         "ranking",
     )
@@ -195,7 +201,7 @@ def _uneven(selection: Selection, i: int) -> str:
     return "-" if math.isnan(value) else f"{100.0 * (value - 1.0):+.1f} %"
 
 
-def _rejected(selection: Selection, system: System, most: int) -> Table:
+def _rejected(selection: Selection, most: int) -> Table:
     bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
     if len(bad) > most:
         rows = [
@@ -209,10 +215,7 @@ def _rejected(selection: Selection, system: System, most: int) -> Table:
             note="each with its reasons in the CSV of wraparc choose",
             name="rejected",
         )
-    rows = [
-        Row(design_name(selection, i, system), ("",), note=reasons(selection, i, system))
-        for i in bad
-    ]
+    rows = [Row(design_name(selection, i), ("",), note=reasons(selection, i)) for i in bad]
     return Table("Rejected, with every limit broken", tuple(rows), name="rejected")
 
 

@@ -12,7 +12,7 @@ from wraparc.choose.selection import Selection, own_slack
 from wraparc.choose.slack_rules import inapplicable, standard_asks
 from wraparc.present.least_tension import at_least
 from wraparc.present.sheet import named, percent, quantity
-from wraparc.units import Dimension, System
+from wraparc.units import Dimension
 
 #: limit -> what is limited, its dimension, whether the limit is a least
 _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
@@ -47,26 +47,29 @@ def money(value: float, currency: str) -> str:
     return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
 
 
-def design_name(selection: Selection, design: int, system: System = "si") -> str:
-    """Return what sets a design apart: only candidates of which there are several."""
+def design_name(selection: Selection, design: int, *, slack: bool = True) -> str:
+    """Return what sets a design apart: only candidates of which there are several.
+
+    Its slack-side tension too, unless that is said beside it.
+    """
     search, grid = selection.search, selection.grid
     shape = search.shape
     places = grid.places[:, design]
     parts = [search.laggings[places[0]].name]
     if shape[1] > 1:
-        parts.append(named("lagging_thickness", float(grid.thickness[design]), system))
+        parts.append(named("lagging_thickness", float(grid.thickness[design])))
     if shape[2] > 1:
         parts.append(search.belts[places[2]].name)
     if shape[3] > 1:
-        parts.append("D " + named("diameter", float(grid.diameter[design]), system))
+        parts.append("D " + named("diameter", float(grid.diameter[design])))
     if shape[4] > 1:
-        parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design]), system))
-    if shape[5] > 1:
-        parts.append("slack side " + named("tension", float(grid.slack[design]), system))
+        parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design])))
+    if slack and shape[5] > 1:
+        parts.append("slack side " + named("tension", float(grid.slack[design])))
     return ", ".join(parts)
 
 
-def reason(selection: Selection, design: int, name: str, system: System = "si") -> str:
+def reason(selection: Selection, design: int, name: str) -> str:
     """Return how a design stands to a limit it breaks, with by how much."""
     held = selection.held[name]
     what, dimension, least = _LIMITS[name]
@@ -88,8 +91,8 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
         under = least or (name == "tested_pressure" and value < limit)
         word = "under" if under else "over"
         text = (
-            f"{what} {quantity(value, dimension, system)}, "
-            f"{'at least' if under else 'at most'} {quantity(limit, dimension, system)} "
+            f"{what} {quantity(value, dimension)}, "
+            f"{'at least' if under else 'at most'} {quantity(limit, dimension)} "
             f"({percent(excess, 2)} {word})"
         )
     if name in ("least_pulley_diameter", "least_slack"):
@@ -100,17 +103,17 @@ def reason(selection: Selection, design: int, name: str, system: System = "si") 
     return f"{text} [{case}{', ' + condition if several else ''}]"
 
 
-def reasons(selection: Selection, design: int, system: System = "si") -> str:
+def reasons(selection: Selection, design: int) -> str:
     """Return every limit that a design breaks, in one line."""
-    return "; ".join(reason(selection, design, n, system) for n in selection.broken(design))
+    return "; ".join(reason(selection, design, n) for n in selection.broken(design))
 
 
-def below_standard(selection: Selection, design: int, system: System = "si") -> str:
+def below_standard(selection: Selection, design: int) -> str:
     """Return that a design stands below its design standard; nothing where it does not."""
     asked, rule = standard_asks(selection.search, selection.grid, design)
     if asked <= float(selection.slack_tension[design]) * (1.0 + 1e-9):
         return ""
-    return f"reaches the {at_least(asked, system)} that {rule} asks for"
+    return f"reaches the {at_least(asked)} that {rule} asks for"
 
 
 def silent_standard(selection: Selection, design: int) -> str:
@@ -119,7 +122,7 @@ def silent_standard(selection: Selection, design: int) -> str:
     return f"The design standard cannot be applied ({why}). " if why else ""
 
 
-def unpriced_words(selection: Selection, system: System = "si") -> Iterator[str]:
+def unpriced_words(selection: Selection) -> Iterator[str]:
     """Yield what wrap or tension beyond that of the first design would save, and at what price."""
     ranking, total = selection.ranking, selection.costs.total
     best, least = int(ranking[0]), int(ranking[np.argmin(total[ranking])])
@@ -130,12 +133,12 @@ def unpriced_words(selection: Selection, system: System = "si") -> Iterator[str]
     if below_standard(selection, least):
         why = "it is below the design standard"
     yield (
-        f"{design_name(selection, least, system)} would save "
+        f"{design_name(selection, least)} would save "
         f"{money(saved, selection.search.costing.currency)}; {why}."
     )
 
 
-def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
+def saving_words(selection: Selection) -> Iterator[str]:
     """Yield what the least take-up tension saves against that of the drive file.
 
     Said of the cheapest design, where least tensions were asked for: the slack side, the largest
@@ -151,14 +154,14 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     )
     tight = float(selection.tight_tension[best])
     words = "less" if then <= now else "more"
-    parts = f"{named('tension', abs(now - then), system)} {words}"
+    parts = f"{named('tension', abs(now - then))} {words}"
     yield (
-        f"Against the take-up of the drive file, {named('tension', now, system)}, the slack side "
+        f"Against the take-up of the drive file, {named('tension', now)}, the slack side "
         f"is {parts}; the mass of a gravity take-up next to the pulley, of sheave ratio "
-        f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now, system)} "
-        f"to {_mass(search, then, system)}."
+        f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now)} "
+        f"to {_mass(search, then)}."
     )
-    per_width = [quantity(t / width, "force_per_width", system) for t in (tight_now, tight)]
+    per_width = [quantity(t / width, "force_per_width") for t in (tight_now, tight)]
     rating = search.belts[selection.grid.places[2, best]].rating
     share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
     yield (
@@ -167,11 +170,11 @@ def saving_words(selection: Selection, system: System = "si") -> Iterator[str]:
     )
 
 
-def _mass(search: Search, tension: float, system: System) -> str:
-    return quantity(search.drive.criteria.take_up.counterweight(tension), "mass", system)
+def _mass(search: Search, tension: float) -> str:
+    return quantity(search.drive.criteria.take_up.counterweight(tension), "mass")
 
 
-def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[str]:
+def next_dearer_words(selection: Selection) -> Iterator[str]:
     """Yield what the next dearer lagging would buy."""
     if not len(selection.ranking):
         return
@@ -190,13 +193,13 @@ def next_dearer_words(selection: Selection, system: System = "si") -> Iterator[s
         return
     more = selection.costs.total[other] - selection.costs.total[best]
     changes = [
-        f"the creep goes from {named('exit_creep', float(selection.creep[best]), system)} to "
-        f"{named('exit_creep', float(selection.creep[other]), system)}",
-        f"the slack side from {named('tension', float(selection.slack_tension[best]), system)} to "
-        f"{named('tension', float(selection.slack_tension[other]), system)}",
+        f"the creep goes from {named('exit_creep', float(selection.creep[best]))} to "
+        f"{named('exit_creep', float(selection.creep[other]))}",
+        f"the slack side from {named('tension', float(selection.slack_tension[best]))} to "
+        f"{named('tension', float(selection.slack_tension[other]))}",
     ]
     years = selection.search.costing.years
     yield (
-        f"The next more expensive lagging, {design_name(selection, other, system)}, costs "
+        f"The next more expensive lagging, {design_name(selection, other)}, costs "
         f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}."
     )

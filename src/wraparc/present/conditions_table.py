@@ -10,7 +10,7 @@ from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge, least_tension
 from wraparc.present.least_tension import at_least, least_name
 from wraparc.present.sheet import NONE, Row, Table
-from wraparc.units import System
+from wraparc.units import distinct
 
 _NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
 
@@ -26,7 +26,7 @@ def by_condition(result: DriveResult) -> dict[str, DriveResult]:
     return found
 
 
-def conditions_table(result: DriveResult, system: System = "si") -> Table:
+def conditions_table(result: DriveResult) -> Table:
     """Return verdict, checks and least slack-side tension with one column for each condition."""
     parts = by_condition(result)
     judged = {name: judge(part) for name, part in parts.items()}
@@ -35,13 +35,11 @@ def conditions_table(result: DriveResult, system: System = "si") -> Table:
         names |= dict.fromkeys(c.name for c in verdict.listed if _told(c))
     words = tuple(str(verdict.level) for verdict in judged.values())
     rows = [Row("Verdict", words)]
-    rows += [_row(name, tuple(judged.values()), system) for name in names]
+    rows += [_row(name, tuple(judged.values())) for name in names]
     rows.append(
         Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
     )
-    rows.append(
-        Row(f"Least {least_name(result)}", tuple(_least(p, system) for p in parts.values()))
-    )
+    rows.append(Row(f"Least {least_name(result)}", tuple(_least(p) for p in parts.values())))
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
 
@@ -76,17 +74,17 @@ _SAME = (
 )  # fmt: skip
 
 
-def _row(name: str, verdicts: tuple[Verdict, ...], system: System) -> Row:
+def _row(name: str, verdicts: tuple[Verdict, ...]) -> Row:
     found = [next((c for c in v.listed if c.name == name), None) for v in verdicts]
     there = [check for check in found if check is not None]
-    texts = tuple(NONE if check is None else _text(check, system) for check in found)
-    limits = tuple(dict.fromkeys(c.bound(system) for c in there))
+    texts = tuple(NONE if check is None else _text(check) for check in found)
+    limits = distinct(c.bound() for c in there)
     worst = max((c.level for c in there), key=lambda level: level.rank)
     return Row(there[0].title, texts, note=limits[0] if len(limits) == 1 else "", level=worst)
 
 
-def _text(check: Check, system: System) -> str:
-    value = check.texts(system)[0] or NONE
+def _text(check: Check) -> str:
+    value = check.texts()[0] or NONE
     limit = "" if not check.missed else f" ({check.level})"
     return f"{value}{limit}"
 
@@ -98,8 +96,8 @@ def _friction(result: DriveResult) -> str:
     return f"{min(known):.3f}" if known else NONE
 
 
-def _least(result: DriveResult, system: System) -> str:
+def _least(result: DriveResult) -> str:
     found = least_tension(result)
     if found is None:
         return NONE
-    return "none" if math.isinf(found.tension) else at_least(found.tension, system)
+    return "none" if math.isinf(found.tension) else at_least(found.tension)

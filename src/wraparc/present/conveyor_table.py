@@ -4,9 +4,8 @@ from typing import Any
 
 from wraparc.conveyor import Conveyor, Resistance, State
 from wraparc.drive import Drive
-from wraparc.present.sheet import Row, Table, number
+from wraparc.present.sheet import Row, Table, headed, number
 from wraparc.present.sources import Sources
-from wraparc.units import System, display_unit
 
 _TITLES = {
     "main": ("Main resistance", "F_H"),
@@ -21,16 +20,15 @@ _NOTE = (
 )
 
 
-def conveyor_tables(drive: Drive, system: System, of: Sources) -> list[Table]:
+def conveyor_tables(drive: Drive, of: Sources) -> list[Table]:
     """Return the resistances and tensions of the load cases that a conveyor gives, if it does."""
     states = _states(drive)
     if not states or drive.conveyor is None:
         return []
-    unit = display_unit("force", system)[0]
-    heads = tuple(f"{state.name} [{unit}]" for state in states)
+    heads = tuple(headed(state.name, "force") for state in states)
 
     def row(title: str, symbol: str, values: list[float], note: str = "") -> Row:
-        return Row(title, tuple(number("tension", v, system) for v in values), symbol, note)
+        return Row(title, tuple(number("tension", v) for v in values), symbol, note)
 
     rows = []
     for together in zip(*(state.resistances for state in states), strict=True):

@@ -5,18 +5,17 @@ import math
 from wraparc.arc import ArcResult, ClassicalDrive, classical_drives
 from wraparc.checks import Level
 from wraparc.drive import Lagging
-from wraparc.present.sheet import NONE, Row, Table, between, named
+from wraparc.present.sheet import Row, Table, between, named, quantity
 from wraparc.present.sources import Sources
-from wraparc.units import System, display
 
 
-def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: Sources) -> Table:
+def comparison_table(result: ArcResult, lagging: Lagging, of: Sources) -> Table:
     """Set the arc beside what constant friction asks for."""
     arc, c = result.arc, result.capacities
     given = min(arc.entry_tension, arc.exit_tension)
     ratio = max(arc.entry_tension, arc.exit_tension) / given
     mean = math.log(ratio) / arc.wrap_angle
-    asked = _texts(mean, ratio, given, arc.wrap_angle if mean else 0.0, system)
+    asked = _texts(mean, ratio, given, arc.wrap_angle if mean else 0.0)
     rows = [Row("This load, whole wrap slipping", asked)]
     if not math.isnan(c.equivalent_friction):
         limit = _texts(
@@ -24,10 +23,9 @@ def comparison_table(result: ArcResult, lagging: Lagging, system: System, of: So
             c.creep_limit_capacity,
             c.least_exit_tension,
             math.nan,
-            system,
         )
         rows.append(Row("At the creep limit, as computed", limit))
-    rows += [_design_row(classical, result, system, of) for classical in known(result, lagging)]
+    rows += [_design_row(classical, result, of) for classical in known(result, lagging)]
     if lagging.surface:
         note = (
             "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: "
@@ -45,30 +43,30 @@ def known(result: ArcResult, lagging: Lagging) -> tuple[ClassicalDrive, ...]:
     return classical_drives(result.arc, lagging)
 
 
-def _texts(mu: float, ratio: float, slack: float, arc: float, system: System) -> tuple[str, ...]:
+def _texts(mu: float, ratio: float, slack: float, arc: float) -> tuple[str, ...]:
     return (
-        NONE if math.isnan(mu) else display(mu, "number", digits=3),
+        quantity(mu, "number"),
         named("tension_ratio", ratio),
-        named("tension", slack, system),
-        named("active_arc", arc, system),
+        named("tension", slack),
+        named("active_arc", arc),
     )
 
 
-def _design_row(drive: ClassicalDrive, result: ArcResult, system: System, of: Sources) -> Row:
+def _design_row(drive: ClassicalDrive, result: ArcResult, of: Sources) -> Row:
     design, arc = drive.design, result.arc
     standard = design.standard[0].upper() + design.standard[1:]
     slips = drive.slipping_arc[0] > arc.wrap_angle
     low, high = design.friction
     values = (
         f"{low:.2f}" if low == high else f"{low:.2f}-{high:.2f}",
-        _pair("tension_ratio", drive.ratio, system),
-        _pair("tension", drive.slack_tension, system),
-        "gross slip" if slips else _pair("active_arc", drive.slipping_arc, system),
+        _pair("tension_ratio", drive.ratio),
+        _pair("tension", drive.slack_tension),
+        "gross slip" if slips else _pair("active_arc", drive.slipping_arc),
     )
     note = of.note(design.provenance)
     title = ", ".join(part for part in (standard, design.surface, design.condition) if part)
     return Row(title, values, note=note, level=Level.ATTENTION if slips else None)
 
 
-def _pair(name: str, ends: tuple[float, float], system: System) -> str:
-    return between(name, *ends, system, by="-")
+def _pair(name: str, ends: tuple[float, float]) -> str:
+    return between(name, *ends, form="-")

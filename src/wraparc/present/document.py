@@ -21,7 +21,7 @@ from wraparc.present.inputs import arc_inputs
 from wraparc.present.least_tension import least_data
 from wraparc.present.wear_table import life_data
 from wraparc.provenance import Provenance
-from wraparc.units import DIMENSION_TEXT
+from wraparc.units import DIMENSION_TEXT, in_units
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -77,10 +77,10 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     }
 
 
-def solved_json(
+def solved_document(
     results: Sequence[DriveResult], train: "TrainResult | None" = None, *, file: str = ""
-) -> str:
-    """Return a solved drive as JSON, as ``wraparc solve --json`` writes it.
+) -> Data:
+    """Return what ``wraparc solve --json`` writes besides the answer of its sheet.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ def solved_json(
         from wraparc.present.train_document import train_document
 
         document["train"] = train_document(train)
-    return json_text(document)
+    return document
 
 
 def _uneven(result: DriveResult) -> list[Data]:
@@ -120,6 +120,8 @@ def _plain(value: Any) -> Any:
         return {key: _plain(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return [_plain(item) for item in value]
+    if isinstance(value, str):
+        return in_units(value)
     if isinstance(value, float):
         return value + 0.0 if math.isfinite(value) else None  # no -0.0
     return value

@@ -7,7 +7,7 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
 from wraparc.checks.rules import tension_factor
-from wraparc.drive import CREEP_LIMIT, Belt, Drive
+from wraparc.drive import CREEP_LIMIT, Drive
 from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
@@ -25,17 +25,27 @@ from wraparc.present.design_values import comparison_table
 from wraparc.present.input_tables import input_table, input_tables
 from wraparc.present.inputs import drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, number, percent
+from wraparc.present.sheet import (
+    NONE,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    headed,
+    named,
+    number,
+    percent,
+    quantity,
+)
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone_of, level_of, short, verdict
 from wraparc.train import Train, TrainResult
-from wraparc.units import System, display, display_unit, on_safe_side
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Cell
 
 
 def drive_sheet(
     results: Sequence[DriveResult],
-    system: System = "si",
     detail: Sequence[int] | None = None,
     train: TrainResult | None = None,
 ) -> Sheet:
@@ -45,8 +55,6 @@ def drive_sheet(
     ----------
     results
         The drive solved by one method, or by several; the first gives the verdict.
-    system
-        Units to show.
     detail
         Positions in `DriveResult.arcs` to show in full; the governing arc unless given.
     train
@@ -57,30 +65,30 @@ def drive_sheet(
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
-    tables = [conditions_table(first, system)] if first.drive.conditions else []
-    tables.append(check_table(judge(whole), system, of))
-    least = least_table(whole, system)
+    tables = [conditions_table(first)] if first.drive.conditions else []
+    tables.append(check_table(judge(whole), of))
+    least = least_table(whole)
     tables += [least] if least else []
-    tables += conveyor_tables(first.drive, system, of)
-    tables.append(summary_table(results, system))
-    tables.append(loads_table(first, system))
+    tables += conveyor_tables(first.drive, of)
+    tables.append(summary_table(results))
+    tables.append(loads_table(first))
     for position in detail:
-        tables += _arc(first, tuple(r.arcs[position] for r in results), system, of)
+        tables += _arc(first, tuple(r.arcs[position] for r in results), of)
     if any(pulley.across for pulley in first.drive.pulleys):
         from wraparc.present.across_tables import across_tables
 
-        tables += across_tables(first, system)
+        tables += across_tables(first)
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=_with_sides(verdict(first, system), results, system),
+        verdict=_with_sides(verdict(first), results),
         tables=tuple(tables),
         remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
 
 
-def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -> Verdict:
+def _with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
     """Add where two methods stand on different sides of the creep limit."""
     said = []
     for arcs in zip(*results, strict=True):
@@ -89,10 +97,10 @@ def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -
         if not solved or one.within_creep_limit == other.within_creep_limit:
             continue
         creeps = " and ".join(
-            f"{named('exit_creep', abs(arc.exit_creep), system)} ({METHOD_TITLES[arc.method]})"
+            f"{named('exit_creep', abs(arc.exit_creep))} ({METHOD_TITLES[arc.method]})"
             for arc in (one, other)
         )
-        limit = named("creep_limit", one.arc.creep_limit, system)
+        limit = named("creep_limit", one.arc.creep_limit)
         whose = (
             " The customary limit was set with the paper's."
             if one.arc.creep_limit == CREEP_LIMIT
@@ -107,37 +115,35 @@ def _with_sides(told: Verdict, results: Sequence[DriveResult], system: System) -
     return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
 
 
-def input_sheet(drive: Drive, system: System = "si") -> Sheet:
+def input_sheet(drive: Drive) -> Sheet:
     """Return what was read of a drive, and what there is to remark on it before it is solved."""
     of = Sources()
-    inputs = input_tables(drive_inputs(drive), system, of)
-    tables = (*conveyor_tables(drive, system, of), *inputs)
-    return read_sheet(drive, "The drive file", tables, of, system)
+    inputs = input_tables(drive_inputs(drive), of)
+    tables = (*conveyor_tables(drive, of), *inputs)
+    return read_sheet(drive, "The drive file", tables, of)
 
 
-def read_sheet(
-    of: Drive | Train, what: str, inputs: Sequence[Table], sources: Sources, system: System
-) -> Sheet:
+def read_sheet(of: Drive | Train, what: str, inputs: Sequence[Table], sources: Sources) -> Sheet:
     """Return what was read, below what needs no solving to be judged."""
     cases = of.load_cases if isinstance(of, Drive) else of.cases
     counted = f"{len(of.pulleys)} {'pulley' if len(of.pulleys) == 1 else 'pulleys'}, "
     counted += f"load cases: {', '.join(case.name for case in cases)}."
     judged = before(of)
     headline = f"{what} is in order: {counted}"
-    said = judged.sentences(system)
+    said = judged.others
     told = Verdict(judged.level, headline, said, judged.word, kept=said)
     if judged.missed:
-        told = replace(told, headline=f"{told.headline} {judged.headline(system)}")
-    found = check_table(judged, system, sources, "Checks before anything is solved")
+        told = replace(told, headline=f"{told.headline} {judged.lead}")
+    found = check_table(judged, sources, "Checks before anything is solved")
     title = of.title or ("Drive" if isinstance(of, Drive) else "Train")
     about = "" if isinstance(of, Drive) else of.description
     return Sheet(title, about, told, (found, *inputs), judged.data, sources.listed())
 
 
-def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
+def arc_sheet(result: ArcResult) -> Sheet:
     """Return what there is to show of one arc without its drive."""
-    tables = [answer_table((result,), system), creep_table((result,), system)]
-    capacity = capacity_table(result, system)
+    tables = [answer_table((result,)), creep_table((result,))]
+    capacity = capacity_table(result)
     tables += [capacity] if capacity else []
     return Sheet(
         title=belongs(result) if result.arc.pulley else "Wrap arc",
@@ -146,38 +152,33 @@ def arc_sheet(result: ArcResult, system: System = "si") -> Sheet:
     )
 
 
-def _arc(result: DriveResult, results: Results, system: System, of: Sources) -> list[Table]:
+def _arc(result: DriveResult, results: Results, of: Sources) -> list[Table]:
     first, drive = results[0], result.drive
     case = drive.load_case(first.arc.load_case)
     lagging = drive.pulley(first.arc.pulley).lagging_in(case.condition)
     solved = tuple(result for result in results if result.status.solved)
     tables = []
     if solved:
-        tables += [answer_table(solved, system), creep_table(solved, system)]
-    tables += [
-        table
-        for table in (capacity_table(first, system), margins_table(result, first, system))
-        if table
-    ]
-    tables.append(comparison_table(first, lagging, system, of))
+        tables += [answer_table(solved), creep_table(solved)]
+    tables += [table for table in (capacity_table(first), margins_table(result, first)) if table]
+    tables.append(comparison_table(first, lagging, of))
     if first.status.solved:
-        tables.append(energy_table(first, system))
-        found = (wear_table(first, lagging, system), life_table(first, lagging, system, of))
+        tables.append(energy_table(first))
+        found = (wear_table(first, lagging), life_table(first, lagging, of))
         tables += [table for table in found if table]
-    tables.append(input_table(drive, first.arc, system, of))
+    tables.append(input_table(drive, first.arc, of))
     return tables
 
 
-def summary_table(results: Sequence[DriveResult], system: System) -> Table:
+def summary_table(results: Sequence[DriveResult]) -> Table:
     """One line for each arc and method; units stand in the heads, to keep the lines short."""
-    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
     heads = (
-        f"T1 [{force}]",
-        f"T2 [{force}]",
+        headed("T1", "force"),
+        headed("T2", "force"),
         "T1/T2",
-        f"creep [{length}]",
+        headed("creep", "length"),
         "of limit",
-        f"least T2 [{force}]",
+        headed("least T2", "force"),
         "",
     )
     rows = []
@@ -185,59 +186,69 @@ def summary_table(results: Sequence[DriveResult], system: System) -> Table:
         for arc in result:
             method = f", {METHOD_TITLES[arc.method]}" if len(results) > 1 else ""
             title = f"{arc.arc.load_case}: {arc.arc.pulley}{method}"
-            rows.append(
-                Row(title, _summary_values(result, arc, system), level=level_of(result, arc))
-            )
+            rows.append(Row(title, _summary_values(result, arc), level=level_of(result, arc)))
     return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
-def loads_of(belt: Belt, of: WrapArc) -> dict[str, float]:
+def loads_of(drive: Drive, of: WrapArc) -> dict[str, float]:
     """Return what the belt does to a pulley and bears there, by names of the glossary [SI]."""
-    strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
-    ends = of.entry_tension, of.exit_tension, of.wrap_angle
-    return resultant(*ends, strength * of.width)._asdict()
+    strength, mass = drive.belt.breaking_strength, drive.pulley(of.pulley).mass
+    known = (math.nan if strength is None else strength * of.width), mass or math.nan
+    return resultant(of.entry_tension, of.exit_tension, of.wrap_angle, *known)._asdict()
 
 
-def loads_table(result: DriveResult, system: System) -> Table:
+def loads_table(result: DriveResult) -> Table:
     """One line for each pulley and load case: its resultant, and the safety of the belt there."""
-    belt, rows = result.drive.belt, []
+    drive, belt, rows = result.drive, result.drive.belt, []
+    weighed = [
+        f"{p.name} {quantity(p.mass, 'mass', GIVEN_DIGITS)}" for p in drive.pulleys if p.mass
+    ]
     strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
     for arc in result:
-        cells = (named(key, value, system) for key, value in loads_of(belt, arc.arc).items())
-        rows.append(Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells)))
+        cells = [named(key, value) for key, value in loads_of(drive, arc.arc).items()]
+        rows.append(
+            Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells[: 5 if weighed else 3]))
+        )
     note = (
         "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
         "of T2, the weight of the pulley left out. "
     )
+    if weighed:
+        note += (
+            f"With the weight ({', '.join(weighed)}): most where the belt pulls straight down, "
+            "least where it pulls straight up; where it pulls level, the root of the sum of both "
+            "squares. "
+        )
     if belt.breaking_strength is None:
         note += "Safety factor of the belt: its strength is not given."
     else:
-        note += f"Safety factor: strength {display(strength, 'force_per_width', system)} over the "
-        note += "larger tension"
+        given = quantity(strength, "force_per_width", GIVEN_DIGITS)
+        note += f"Safety factor: strength {given} over the larger tension"
         if belt.rating is not None:
             asked = strength / belt.rating
             momentary = asked / tension_factor(belt, "starting")
             note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
             note += f"{momentary:.3g} starting and stopping"
         note += "."
-    heads = ("resultant", "direction", "belt")
-    return Table("Loads of pulleys and belt", tuple(rows), heads, note, "loads")
+    heads = ("resultant", "direction", "belt", "with weight, most", "least")
+    shown = heads[: 5 if weighed else 3]
+    return Table("Loads of pulleys and belt", tuple(rows), shown, note, "loads")
 
 
-def _summary_values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
+def _summary_values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:
     arc, creep = result.arc, result.exit_creep
     return (
-        number("entry_tension", arc.entry_tension, system),
-        number("exit_tension", arc.exit_tension, system),
-        number("tension_ratio", arc.entry_tension / arc.exit_tension, system),
-        number("exit_creep", creep, system),
+        number("entry_tension", arc.entry_tension),
+        number("exit_tension", arc.exit_tension),
+        number("tension_ratio", arc.entry_tension / arc.exit_tension),
+        number("exit_creep", creep),
         percent(abs(creep) / arc.creep_limit),
-        _least(of, result, system),
+        _least(of, result),
         short(of, result),
     )
 
 
-def _least(of: DriveResult, result: ArcResult, system: System) -> str:
+def _least(of: DriveResult, result: ArcResult) -> str:
     """Return the least slack-side tension of an arc; that of a train is not one of its pulleys'."""
     if len(of.drive.pulleys) > 1:
         return NONE
@@ -246,7 +257,7 @@ def _least(of: DriveResult, result: ArcResult, system: System) -> str:
         return NONE
     if math.isinf(found.tension):
         return "none"
-    return number("tension", on_safe_side(found.tension, "force", system), system)
+    return Cell(found.tension, "force", RESULT_DIGITS, "bare up", name="tension")
 
 
 def method_remarks(results: Sequence[DriveResult]) -> Iterator[str]:

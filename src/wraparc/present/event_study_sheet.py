@@ -10,11 +10,11 @@ from wraparc.present.document import DOCUMENT_FORMAT
 from wraparc.present.sheet import NONE, Row, Sheet, Table, percent, quantity
 from wraparc.study.event_rows import NAMES, UNITS
 from wraparc.study.event_study import EventRow, EventStudy
-from wraparc.units import System, display
+from wraparc.units import display
 from wraparc.version import __version__
 
 
-def event_study_sheet(study: EventStudy, rows: Sequence[EventRow], system: System = "si") -> Sheet:
+def event_study_sheet(study: EventStudy, rows: Sequence[EventRow]) -> Sheet:
     """Return the table of a study over an event."""
     heads = (
         "creep",
@@ -25,7 +25,7 @@ def event_study_sheet(study: EventStudy, rows: Sequence[EventRow], system: Syste
         "pulsates",
         "verdict",
     )
-    lines = [_line(study, row, system) for row in rows]
+    lines = [_line(study, row) for row in rows]
     refused = [f"{_named(study, r)}: {r.said}" for r in rows if r.refused]
     note = (
         "Swing: half of the last drum's pull from least to most over its mean, in the last quarter "
@@ -53,13 +53,13 @@ def _named(study: EventStudy, row: EventRow) -> str:
     return ", ".join(f"{field.rpartition('.')[2]} {value}" for field, value in pairs)
 
 
-def _line(study: EventStudy, row: EventRow, system: System) -> Row:
+def _line(study: EventStudy, row: EventRow) -> Row:
     if row.refused:
         return Row(_named(study, row), (*[NONE] * 6, row.word))
     values = (
-        quantity(row.peak_creep, "length", system),
-        quantity(row.peak_tension, "force", system),
-        quantity(row.least_tension, "force", system),
+        quantity(row.peak_creep, "length"),
+        quantity(row.peak_tension, "force"),
+        quantity(row.least_tension, "force"),
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
         f"{display(row.friction_energy / 1e3, 'number', digits=3)} kJ",
         f"{row.pulsates:.3g} Hz" if row.pulsates else "no",

@@ -5,32 +5,28 @@ from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.drive import Drive
-from wraparc.present.sheet import NONE, Row, Sheet, Table, named, number, percent
+from wraparc.present.sheet import NONE, Row, Sheet, Table, headed, named, number, percent
 from wraparc.present.words import alone, level_of, short
-from wraparc.units import System, display_unit
 
 
-def family_sheet(
-    drive: Drive, results: Sequence[ArcResult], title: str, system: System = "si"
-) -> Sheet:
+def family_sheet(drive: Drive, results: Sequence[ArcResult], title: str) -> Sheet:
     """Return a row for each tension ratio: tensions, creep, slip, shear and what comes of it."""
     arc = results[0].arc
     tight, slack = ("T1", "T2") if arc.side > 0.0 else ("T2", "T1")
-    held = named("tension", max(arc.entry_tension, arc.exit_tension), system)
-    force, length = (display_unit(d, system)[0] for d in ("force", "length"))
+    held = named("tension", max(arc.entry_tension, arc.exit_tension))
     heads = (
-        f"{slack} [{force}]", f"pull [{force}]", f"creep [{length}]", "of limit",
-        f"slip [{length}]", "shear angle [deg]", "answer",
+        headed(slack, "force"), headed("pull", "force"), headed("creep", "length"), "of limit",
+        headed("slip", "length"), "shear angle [deg]", "answer",
     )  # fmt: skip
     rows = tuple(
         Row(
             f"{tight}/{slack} = {named('tension_ratio', _ratio(r))}",
-            _values(alone(drive, r), r, system),
+            _values(alone(drive, r), r),
             level=level_of(alone(drive, r), r),
         )
         for r in results
     )
-    limit = named("creep_limit", arc.creep_limit, system)
+    limit = named("creep_limit", arc.creep_limit)
     note = f"{tight} held at {held}; creep at the exit against the limit of {limit}."
     return Sheet(
         title=title,
@@ -45,17 +41,17 @@ def _ratio(result: ArcResult) -> float:
     return max(arc.entry_tension, arc.exit_tension) / min(arc.entry_tension, arc.exit_tension)
 
 
-def _values(of: DriveResult, result: ArcResult, system: System) -> tuple[str, ...]:
+def _values(of: DriveResult, result: ArcResult) -> tuple[str, ...]:
     arc, solved = result.arc, result.status.solved
     texts = (
-        number("exit_creep", result.exit_creep, system),
+        number("exit_creep", result.exit_creep),
         percent(abs(result.exit_creep) / arc.creep_limit),
-        number("exit_slip", result.exit_slip, system),
-        number("peak_shear_angle", result.peak_shear_angle, system),
+        number("exit_slip", result.exit_slip),
+        number("peak_shear_angle", result.peak_shear_angle),
     )
     return (
-        number("tension", min(arc.entry_tension, arc.exit_tension), system),
-        number("effective_tension", abs(arc.effective_tension), system),
+        number("tension", min(arc.entry_tension, arc.exit_tension)),
+        number("effective_tension", abs(arc.effective_tension)),
         *(texts if solved else [NONE] * len(texts)),
         short(of, result),
     )

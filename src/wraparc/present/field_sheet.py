@@ -11,7 +11,7 @@ from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.train.turning import surface_sentence
-from wraparc.units import System
+from wraparc.units import display, either
 
 
 def field_sheet(
@@ -20,14 +20,13 @@ def field_sheet(
     title: str,
     pulley: str,
     wear_source: str = "",
-    system: System = "si",
 ) -> Sheet:
     """Return what to expect of a pulley in the field; `judged` is that of the whole drive."""
     if found is None:
         return Sheet(
             title=title,
             subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
-            verdict=in_words(judged, system, [*judged.sentences(system)]),
+            verdict=in_words(judged, [*judged.others]),
         )
     rows = [
         Row(
@@ -55,23 +54,23 @@ def field_sheet(
     return Sheet(
         title=title,
         subtitle=f"Pulley {pulley}: numbers to measure and to set.",
-        verdict=_verdict(found, judged, system),
-        tables=(speeds, _levels(found, system), *_wear(found, wear_source, system)),
+        verdict=_verdict(found, judged),
+        tables=(speeds, _levels(found), *_wear(found, wear_source)),
         remarks=tuple(_remarks(found)),
         sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
     )
 
 
-def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
+def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
     worst, governing = found.worst, judged.governing
-    why, as_is = in_short(judged, system), []
+    why, as_is = in_short(judged), []
     why += " " if why else ""
     if governing is not None and governing.missed:
-        as_is = [as_it_is(judged, system)]
-    at_once, again = [*_at_once(found, worst)], _circumference(found, system)
+        as_is = [as_it_is(judged)]
+    at_once, again = [*_at_once(found, worst)], _circumference(found)
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
     # no level that a tachometer pair is set by is an OK without the thickness of the belt
-    surface = () if found.shown else (surface_sentence(found.diameter, system),)
+    surface = () if found.shown else (surface_sentence(found.diameter),)
     open_ = not found.shown and judged.level is Level.OK
     return Verdict(
         Level.ATTENTION if open_ else judged.level,
@@ -85,13 +84,14 @@ def _verdict(found: FieldNumbers, judged: Judgement, system: System) -> Verdict:
     )
 
 
-def _circumference(found: FieldNumbers, system: System) -> str:
+def _circumference(found: FieldNumbers) -> str:
     """Say that wear of the lagging shows as a difference, and when to measure the drum again."""
-    worn, again = (quantity(share * found.wear_to_alarm, "length", system) for share in (1.0, 0.25))
+    worn, again = (quantity(share * found.wear_to_alarm, "length") for share in (1.0, 0.25))
     moved = percent(2.0 * found.depth / found.diameter)
-    depth = quantity(found.depth, "length", system)
-    step = 1e-3 if system == "si" else 0.0254 / 16.0
-    each, moved_each = quantity(step, "length", system), percent(step * found.drift)
+    depth = quantity(found.depth, "length")
+    steps = 1e-3, 0.0254 / 16.0
+    each = either(*(quantity(step, "length") for step in steps))
+    moved_each = either(*(percent(step * found.drift) for step in steps))
     return (
         f"These levels need the drum speed from a measured circumference: {worn} of wear since it "
         f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
@@ -112,14 +112,16 @@ def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
     for rule in TRIP_RULES:
         slack = 1.0 - rule.speed_share
+        healthy, trip = (
+            display(float(f"{slack / of:.2g}"), "number", digits=3) for of in (worst, found.trip)
+        )
         yield (
-            f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: "
-            f"{slack / worst:.2g} times the healthy one, {slack / found.trip:.2g} times the trip "
-            "level given here."
+            f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: {healthy} "
+            f"times the healthy one, {trip} times the trip level given here."
         )
 
 
-def _levels(found: FieldNumbers, system: System) -> Table:
+def _levels(found: FieldNumbers) -> Table:
     def row(title: str, share: float, symbol: str = "", note: str = "") -> Row:
         shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
         return Row(title, tuple(shown), symbol, note)
@@ -137,7 +139,7 @@ def _levels(found: FieldNumbers, system: System) -> Table:
         Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE))
         for rule in TRIP_RULES
     ]
-    depth = quantity(found.depth, "length", system)
+    depth = quantity(found.depth, "length")
     heads = ("circumference measured", f"{depth} worn since")
     note = (
         "The second column is what shaft speed times the circumference before the wear shows: set "
@@ -146,7 +148,7 @@ def _levels(found: FieldNumbers, system: System) -> Table:
     return Table("Alarm and trip levels", tuple(rows), heads, note, "levels")
 
 
-def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
+def _wear(found: FieldNumbers, source: str) -> Iterator[Table]:
     if found.passes_per_year <= 0.0:
         return
     rows = [
@@ -157,9 +159,7 @@ def _wear(found: FieldNumbers, source: str, system: System) -> Iterator[Table]:
         ),
     ]
     if not math.isnan(found.wear_per_year):
-        rows.append(
-            Row("Wear in a year", (quantity(found.wear_per_year, "length", system),), note=source)
-        )
+        rows.append(Row("Wear in a year", (quantity(found.wear_per_year, "length"),), note=source))
         rows.append(Row("Life of the depth allowed", (f"{found.life_years:.3g} years",)))
     yield Table("Wear of the lagging", tuple(rows), name="wear")
 

@@ -7,7 +7,6 @@ from wraparc.drive import Drive
 from wraparc.present.inputs import Input, arc_inputs
 from wraparc.present.sheet import Row, Table
 from wraparc.present.sources import Sources
-from wraparc.units import System
 
 _TENSIONS = (
     "T1 at the entry nip, T2 at the exit nip; computed from power or pull where these are given."
@@ -16,23 +15,23 @@ _TENSIONS = (
 _ABREAST = 4
 
 
-def input_table(drive: Drive, arc: WrapArc, system: System, of: Sources) -> Table:
+def input_table(drive: Drive, arc: WrapArc, of: Sources) -> Table:
     """Return what was given for one arc."""
     title = f"Inputs: pulley {arc.pulley}, load case {arc.load_case}"
-    return Table(title, input_rows(arc_inputs(drive, arc), system, of), name="inputs")
+    return Table(title, input_rows(arc_inputs(drive, arc), of), name="inputs")
 
 
-def input_rows(inputs: Iterable[Input], system: System, of: Sources) -> tuple[Row, ...]:
+def input_rows(inputs: Iterable[Input], of: Sources) -> tuple[Row, ...]:
     """Return a row for each input that is given."""
     return tuple(
-        Row(entry.title, (entry.text(system),), entry.symbol, entry.note(of), entry.name)
+        Row(entry.title, (entry.text(),), entry.symbol, entry.note(of), entry.name)
         for entry in inputs
         if entry.value is not None
     )
 
 
 def input_tables(
-    inputs: Iterable[Input], system: System, of: Sources, *, stated: bool = False
+    inputs: Iterable[Input], of: Sources, *, stated: bool = False
 ) -> tuple[Table, ...]:
     """Return tables of inputs; things alike, as two pulleys, side by side in one.
 
@@ -40,8 +39,6 @@ def input_tables(
     ----------
     inputs
         From `drive_inputs` or `train_inputs`.
-    system
-        Units to show.
     of
         Takes up the sources.
     stated
@@ -66,7 +63,7 @@ def input_tables(
             rows = tuple(
                 Row(
                     name.removeprefix("Load case "),
-                    tuple(entry.text(system) for entry in groups[name]),
+                    tuple(entry.text() for entry in groups[name]),
                     note=note(groups[name]),
                 )
                 for name in names
@@ -77,7 +74,7 @@ def input_tables(
         for start in range(0, len(names), _ABREAST):
             some = names[start : start + _ABREAST]
             rows = tuple(
-                Row(same[0].title, tuple(e.text(system) for e in same), same[0].symbol, note(same))
+                Row(same[0].title, tuple(e.text() for e in same), same[0].symbol, note(same))
                 for same in zip(*(groups[name] for name in some), strict=True)
             )
             heads = tuple(name.removeprefix(f"{kind} ") for name in some)

@@ -17,7 +17,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind, Provenance
-from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension, System
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension
 
 if TYPE_CHECKING:
     from wraparc.train import Train
@@ -64,13 +64,13 @@ class Input:
     remark: str = ""
     name: str = ""
 
-    def text(self, system: System) -> str:
+    def text(self) -> str:
         """Return the value with its unit."""
         if isinstance(self.value, float):
             if math.isinf(self.value):
                 return "rigid"
             digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
-            return quantity(self.value, self.dimension, system, digits)
+            return quantity(self.value, self.dimension, digits, self.name)
         return str(self.value)
 
     def note(self, of: Sources) -> str:
@@ -169,6 +169,8 @@ def _pulley(
 
     yield _named(group, "diameter", pulley.diameter, origin("diameter"))
     yield _named(group, "wrap_angle", pulley.wrap_angle, origin("wrap_angle"))
+    if pulley.mass is not None:
+        yield _named(group, "pulley_mass", pulley.mass, origin("mass"))
     if pulley.overrun is not None:
         yield _named(group, "overrun", pulley.overrun, origin("overrun"))
     else:

@@ -8,40 +8,43 @@ from wraparc.checks import RULES, LeastTension, Level, least_tension, margins_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
-from wraparc.units import System, on_safe_side
+from wraparc.units import RESULT_DIGITS, Cell, in_units
 
 
-def least_sentence(result: DriveResult | TrainResult, system: System = "si") -> str:
+def least_sentence(result: DriveResult | TrainResult) -> str:
     """Return the least slack-side tension in a sentence; nothing where there is none to tell."""
     found = least_tension(result)
     if found is None:
         return ""
-    least, given = at_least(found.tension, system), named("tension", found.given, system)
+    least, given = at_least(found.tension), named("tension", found.given)
     governs = found.governing
     why = RULES[governs.name].what
     if math.isinf(found.tension):
-        return _none(found, result, system)
+        return _none(found, result)
     what = least_name(result)
     as_now = ", the load divided as it is," if divides_anew(result) else ""
+    described = result.drive if isinstance(result, DriveResult) else result.train
+    if any(pulley.across for pulley in described.pulleys):
+        as_now += ", were the pulley even,"
     text = (
         f"The least {what} with which every binding check is kept{as_now} is {least}, set by "
         f"{why} ({governs.place}); given {given}"
     )
     standard = found.standard
     if standard is not None and found.tension < standard.tension * (1.0 - 1e-9):
-        asked = at_least(standard.tension, system)
+        asked = at_least(standard.tension)
         text += f"; that is below the {asked} that {standard.title} asks for"
     return f"{text}."
 
 
-def at_least(tension: float, system: System = "si") -> str:
+def at_least(tension: float) -> str:
     """Return a least tension so that it holds as it is shown: rounded upwards."""
-    return named("tension", on_safe_side(tension, "force", system), system)
+    return Cell(tension, "force", RESULT_DIGITS, "up", name="tension")
 
 
-def at_most(tension: float, system: System = "si") -> str:
+def at_most(tension: float) -> str:
     """Return a largest tension so that it holds as it is shown: rounded down."""
-    return named("tension", on_safe_side(tension, "force", system, up=False), system)
+    return Cell(tension, "force", RESULT_DIGITS, "down", name="tension")
 
 
 def divides_anew(result: DriveResult | TrainResult) -> bool:
@@ -49,7 +52,7 @@ def divides_anew(result: DriveResult | TrainResult) -> bool:
     return isinstance(result, TrainResult) and not all(c.case.pulls_given for c in result)
 
 
-def _none(found: LeastTension, result: DriveResult | TrainResult, system: System) -> str:
+def _none(found: LeastTension, result: DriveResult | TrainResult) -> str:
     governs, top = found.governing, found.highest
     if math.isinf(governs.tension) and governs.name == "design_standard":
         return (
@@ -61,7 +64,7 @@ def _none(found: LeastTension, result: DriveResult | TrainResult, system: System
             f"No {least_name(result)} with wrap pressures in the tested range keeps "
             f"{RULES[governs.name].what} ({governs.place})."
         )
-    asked, most = at_least(governs.tension, system), at_most(top.tension, system)
+    asked, most = at_least(governs.tension), at_most(top.tension)
     return (
         f"No {least_name(result)} keeps every binding check: "
         f"{RULES[governs.name].what} asks for {asked} "
@@ -69,23 +72,23 @@ def _none(found: LeastTension, result: DriveResult | TrainResult, system: System
     )
 
 
-def least_table(result: DriveResult | TrainResult, system: System = "si") -> Table | None:
+def least_table(result: DriveResult | TrainResult) -> Table | None:
     """Return what each check asks of the slack side; None where nothing is pulled."""
     found = least_tension(result)
     if found is None:
         return None
     rows, after = [], _after(result)
     if not math.isinf(found.tension):
-        weight = quantity(on_safe_side(found.counterweight, "mass", system), "mass", system)
-        given = f"given {named('tension', found.given, system)}"
-        least = at_least(found.tension, system)
+        weight = Cell(found.counterweight, "mass", RESULT_DIGITS, "up")
+        given = f"given {named('tension', found.given)}"
+        least = at_least(found.tension)
         symbol = "" if after else "T2_min"
         rows.append(Row(f"Least {least_name(result)}", (least,), symbol, given))
         rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
     for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
         bound = "at least" if figure.at_least else "at most"
         shown = at_least if figure.at_least else at_most
-        text = "none" if math.isinf(figure.tension) else shown(figure.tension, system)
+        text = "none" if math.isinf(figure.tension) else shown(figure.tension)
         governs = figure is found.governing
         note = "governs" if governs else "" if figure.binding else "not binding"
         note = ", ".join(part for part in (note, str(figure.place)) if part)
@@ -108,7 +111,7 @@ def least_name(result: DriveResult | TrainResult) -> str:
     return f"tension at the take-up behind pulley {after}" if after else "slack-side tension"
 
 
-def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") -> Table | None:
+def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:
     """Return how much more pull an arc could take until it slides, by what the take-up holds."""
     if not arc.status.solved or abs(arc.arc.effective_tension) <= 1e-6 * arc.arc.entry_tension:
         return None
@@ -123,11 +126,9 @@ def margins_table(result: DriveResult, arc: ArcResult, system: System = "si") ->
         ("Sum of both sides held (fixed take-up)", found.both_held, take_up.fixed),
         ("Tight side held", found.tight_held, False),
     ):
-        text = (
-            "never" if math.isinf(value) else f"{quantity(value, 'number', system)} times the pull"
-        )
+        text = "never" if math.isinf(value) else f"{quantity(value, 'number')} times the pull"
         rows.append(Row(title, (text,), note=f"this drive{said}" if own else ""))
-    slides = quantity(SLIDES, "length", system)
+    slides = quantity(SLIDES, "length")
     note = (
         f"Pull at which the belt slides: a creep of {slides}, the end of the tested slip or the "
         "largest friction, whichever comes first."
@@ -158,17 +159,13 @@ def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:
             }
             for f in found.figures
         ],
-        "sentence": least_sentence(result),
+        "sentence": in_units(least_sentence(result)),
     }
 
 
-def shown_least(result: DriveResult | TrainResult, system: System = "si") -> str:
+def shown_least(result: DriveResult | TrainResult) -> str:
     """Return the least slack-side tension with its unit, or that there is none."""
     found = least_tension(result)
     return (
-        NONE
-        if found is None
-        else "none"
-        if math.isinf(found.tension)
-        else at_least(found.tension, system)
+        NONE if found is None else "none" if math.isinf(found.tension) else at_least(found.tension)
     )

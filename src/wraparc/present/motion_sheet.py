@@ -16,44 +16,44 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, perce
 from wraparc.present.words import in_words, told_twice
 from wraparc.train import Train
 from wraparc.train.turning import surface_sentence
-from wraparc.units import Dimension, System, display
+from wraparc.units import GIVEN_DIGITS, Dimension, display
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
 _CALM = 0.02
 
 
-def run_sheet(run: RunResult, system: System = "si") -> Sheet:
+def run_sheet(run: RunResult) -> Sheet:
     """Return the answer of a run: the worst check first, then the numbers of every drum."""
     told = judge_run(run)
-    first, (peaks, *others) = told.sentences(system), _run_sentences(run, system)
+    first, (peaks, *others) = told.others, _run_sentences(run)
     kept = [s for s in first if s not in told_twice(told)]
     return Sheet(
         title=f"{run.station.train.title or 'Drive'}: {run.event.name}",
-        subtitle=f"{run.steps} steps of {display(run.step, 'time', digits=3)}, "
-        f"{display(float(run.time[-1]), 'time', digits=3)} followed",
-        verdict=in_words(told, system, [*first, peaks, *others], [*kept, *others]),
-        tables=(*run_tables(run, system), check_table(told, system)),
-        remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train, system)),
+        subtitle=f"{run.steps} steps of {quantity(run.step, 'time')}, "
+        f"{quantity(float(run.time[-1]), 'time')} followed",
+        verdict=in_words(told, [*first, peaks, *others], [*kept, *others]),
+        tables=(*run_tables(run), check_table(told)),
+        remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),
     )
 
 
-def run_tables(run: RunResult, system: System = "si") -> tuple[Table, ...]:
+def run_tables(run: RunResult) -> tuple[Table, ...]:
     """Return the numbers of a run: of the whole, and of every drum."""
-    return _whole_table(run, system), _drum_table(run, system)
+    return _whole_table(run), _drum_table(run)
 
 
 _LEFT_OUT = (
-    "Not in the model: belt mass on the arc, waves in the conveyor (one mass, one spring on each "
-    "side), rubber that flows, friction that depends on speed or on rest.",
+    "Not in the model: inertia of the belt on the arc, waves in the conveyor (one mass, one spring "
+    "on each side), rubber that flows, friction that depends on speed or on rest.",
 )
 
 
-def _surface(train: Train, system: System) -> Iterator[str]:
+def _surface(train: Train) -> Iterator[str]:
     """Say that the speeds of drums are without the thickness of the belt, if that is not known."""
     for pulley in train.pulleys:
         if pitch_offset(train.belt, pulley.side) is None:
-            yield surface_sentence(pulley.diameter, system)
+            yield surface_sentence(pulley.diameter)
             return
 
 
@@ -63,28 +63,28 @@ _NOT_EXCLUDED = (
 )
 
 
-def _run_sentences(run: RunResult, system: System) -> Iterator[str]:
+def _run_sentences(run: RunResult) -> Iterator[str]:
     peak, tension = run.peak_creep, run.peak_tension
-    now = named("entry_tension", tension.value, system)
+    now = named("entry_tension", tension.value)
     for of in otherwise(run):
-        taken, other = (display(v, "length", system) for v in (of.taken, of.other))
-        then = named("entry_tension", of.tension, system)
+        taken, other = (quantity(v, "length", GIVEN_DIGITS) for v in (of.taken, of.other))
+        then = named("entry_tension", of.tension)
         yield (
             f"{of.key} is not given: {taken} of belt is taken. With {other} the largest tension "
             f"is {then} instead of {now}."
         )
     yield (
-        f"The largest creep, {named('exit_creep', peak.value, system)}, comes at {peak.place} "
-        f"after {display(peak.time, 'time', digits=3)}; the largest tension, "
-        f"{named('entry_tension', tension.value, system)}, {tension.place} after "
-        f"{display(tension.time, 'time', digits=3)}."
+        f"The largest creep, {named('exit_creep', peak.value)}, comes at {peak.place} "
+        f"after {quantity(peak.time, 'time')}; the largest tension, "
+        f"{named('entry_tension', tension.value)}, {tension.place} after "
+        f"{quantity(tension.time, 'time')}."
     )
     if run.outcome.whole and not math.isnan(run.build_distance):
-        travelled = display(run.build_distance, "length", system, digits=3)
+        travelled = quantity(run.build_distance, "length")
         yield f"Creep settles within 5 % after {travelled} of belt travel."
     if run.belt_speed[-1] < 0.01 * max(run.belt_speed):
         left = ", ".join(
-            f"{name} {named('exit_creep', creep, system)}"
+            f"{name} {named('exit_creep', creep)}"
             for name, creep in zip(run.station.names, run.creep_left(), strict=True)
         )
         yield f"Creep left at rest: {left}."
@@ -93,17 +93,17 @@ def _run_sentences(run: RunResult, system: System) -> Iterator[str]:
             yield "At rest the drums pull against each other."
 
 
-def _whole_table(run: RunResult, system: System) -> Table:
+def _whole_table(run: RunResult) -> Table:
     least = run.least_tension
     rows = [
-        Row("Largest tension", (named("entry_tension", run.peak_tension.value, system),)),
-        Row("Least tension", (named("exit_tension", least.value, system),), note=least.place),
-        Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed", system),)),
+        Row("Largest tension", (named("entry_tension", run.peak_tension.value),)),
+        Row("Least tension", (named("exit_tension", least.value),), note=least.place),
+        Row("Belt speed at the end", (quantity(float(run.belt_speed[-1]), "speed"),)),
     ]
     return Table("The event", tuple(rows), name="event")
 
 
-def _drum_table(run: RunResult, system: System) -> Table:
+def _drum_table(run: RunResult) -> Table:
     drums = run.drums
 
     def row(title: str, values: list[str], note: str = "") -> Row:
@@ -111,7 +111,7 @@ def _drum_table(run: RunResult, system: System) -> Table:
 
     def largest(title: str, name: str, dimension: Dimension) -> Row:
         peaks = [getattr(d.extremes, name).value for d in drums]
-        return row(title, [quantity(peak, dimension, system) for peak in peaks])
+        return row(title, [quantity(peak, dimension) for peak in peaks])
 
     rows = [
         largest("Largest pull", "pull", "force"),
@@ -122,7 +122,7 @@ def _drum_table(run: RunResult, system: System) -> Table:
         row("Share at the end", [percent(float(d.share[-1])) for d in drums]),
         row(
             "Time over the creep limit",
-            [quantity(d.over_limit, "time", system) for d in drums],
+            [quantity(d.over_limit, "time") for d in drums],
         ),
         row(
             "Friction work on the lagging",
@@ -130,7 +130,7 @@ def _drum_table(run: RunResult, system: System) -> Table:
         ),
         row(
             "Friction work per area of shell",
-            [quantity(run.energy_per_area(d.name), "energy_per_area", system) for d in drums],
+            [quantity(run.energy_per_area(d.name), "energy_per_area") for d in drums],
         ),
     ]
     depths = [run.wear_depth(d.name) for d in drums]
@@ -142,26 +142,26 @@ def _drum_table(run: RunResult, system: System) -> Table:
     return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
 
 
-def stability_sheet(result: StabilityResult, system: System = "si") -> Sheet:
+def stability_sheet(result: StabilityResult) -> Sheet:
     """Return the answer to: will it pulsate, why, how much, and what cures it at what cost."""
     own = result.controls[0]
     return Sheet(
         title=f"{result.linear.station.train.title or 'Drive'}: will it pulsate?",
-        subtitle=f"run-out of the last drum {named('exit_creep', result.run_out, system)}",
-        verdict=_verdict(result, own, system),
+        subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
+        verdict=_verdict(result, own),
         tables=(_sensitivity_table(result), _controls_table(result)),
-        remarks=(*_LEFT_OUT, _NOT_EXCLUDED),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
     )
 
 
-def _verdict(result: StabilityResult, own: ControlAnswer, system: System) -> Verdict:
+def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
     station, run_out = result.linear.station, result.run_out
     amplitude = own.pull * run_out
     others = [c for c in result.controls[1:] if c.stable]
     calmest = least(others, lambda c: max(c.pull, c.pull_third))
     ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
-    said = named("exit_creep", run_out, system)
+    said = named("exit_creep", run_out)
     cure = (
         f"Of the usual ways to drive it, {calmest.name} is the calmest: "
         f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
@@ -177,7 +177,7 @@ def _verdict(result: StabilityResult, own: ControlAnswer, system: System) -> Ver
         double = math.log(2.0) / result.root.real
         headline = (
             f"Yes, it pulsates by itself: with {ways} a vibration of {result.frequency:.3g} Hz "
-            f"doubles every {display(double, 'time', digits=2)}."
+            f"doubles every {quantity(double, 'time', 2)}."
         )
         return Verdict(Level.FAILS, headline, (*_why(result), cure, forced))
     calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM

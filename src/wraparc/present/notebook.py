@@ -11,7 +11,7 @@ from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.present.drive_sheet import arc_sheet, drive_sheet, input_sheet
 from wraparc.present.lines import plain_text
 from wraparc.present.page import sheet_html
-from wraparc.present.sheet import Sheet
+from wraparc.present.sheet import Sheet, shown
 from wraparc.present.short import short_sheet
 from wraparc.train.result import TrainResult
 
@@ -34,7 +34,7 @@ def _(thing: ArcResult) -> Sheet:
 def _(thing: AcrossResult) -> Sheet:
     from wraparc.present.across_tables import answer_table, profile_table
 
-    tables = (answer_table(thing, "si"), profile_table(thing, "si"))
+    tables = (answer_table(thing), profile_table(thing))
     return Sheet(
         f"Pulley {thing.wide.arc.pulley} across the width", str(thing.status), None, tables
     )
@@ -74,11 +74,11 @@ def html(thing: Any) -> str:
 
 def text(thing: Any, *, full: bool = False) -> str:
     """Return the short answer of a result as text, or all there is to show of it."""
-    return plain_text(sheet_of(thing) if full else _short(thing), _WIDTH)
+    return plain_text(shown(sheet_of(thing), "si") if full else _short(thing), _WIDTH)
 
 
 def _short(thing: Any) -> Sheet:
-    return short_sheet(sheet_of(thing), rest=": .full() has them all.")
+    return short_sheet(shown(sheet_of(thing), "si"), rest=": .full() has them all.")
 
 
 @singledispatch

@@ -7,21 +7,20 @@ from typing import Any
 from wraparc.arc import DriveResult
 from wraparc.checks import judge
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import Row, Sheet, Table
-from wraparc.present.sheet import quantity as shown
+from wraparc.present.sheet import Row, Sheet, Table, named, quantity
 from wraparc.present.words import verdict
 from wraparc.study.fields import label_of
 from wraparc.study.seek import Sought
-from wraparc.units import System
+from wraparc.units import in_units
 
 
-def seek_sheet(found: Sought, title: str, system: System = "si") -> Sheet:
+def seek_sheet(found: Sought, title: str) -> Sheet:
     """Return the sheet of a search."""
     rows = tuple(
         Row(
-            value_text(found, value, system),
-            (shown(_result(found, whole), _dimension(found), system), str(judge(whole).level)),
-            note=verdict(whole, system).headline,
+            value_text(found, value),
+            (named(found.result, _result(found, whole)), str(judge(whole).level)),
+            note=verdict(whole).headline,
         )
         for value, whole in zip(found.values, found.drives, strict=True)
     )
@@ -33,51 +32,47 @@ def seek_sheet(found: Sought, title: str, system: System = "si") -> Sheet:
         tables=(Table(label_of(found.field).capitalize(), rows, heads, name="values"),)
         if rows
         else (),
-        remarks=(sentence(found, system),),
+        remarks=(sentence(found),),
     )
 
 
-def sentence(found: Sought, system: System = "si") -> str:
+def sentence(found: Sought) -> str:
     """Return the answer in one sentence."""
     what, name = label_of(found.field), GLOSSARY[found.result].title.lower()
-    wanted = shown(found.wanted, _dimension(found), system)
+    wanted = named(found.result, found.wanted)
     if found.values:
-        values = " or ".join(value_text(found, value, system) for value in found.values)
-        return f"{name.capitalize()} is {wanted} where the {what} is {values}{_now(found, system)}."
-    low, high = (value_text(found, v, system) for v in (found.tried[0], found.tried[-1]))
+        values = " or ".join(value_text(found, value) for value in found.values)
+        return f"{name.capitalize()} is {wanted} where the {what} is {values}{_now(found)}."
+    low, high = (value_text(found, v) for v in (found.tried[0], found.tried[-1]))
     return (
         f"No {what} from {low} to {high} gives {name} of {wanted}: "
-        f"{'; '.join(_reached(found, system))}{_now(found, system)}."
+        f"{'; '.join(_reached(found))}{_now(found)}."
     )
 
 
-def _reached(found: Sought, system: System) -> Iterator[str]:
+def _reached(found: Sought) -> Iterator[str]:
     """Yield how far the result goes over the range."""
     pairs = [(r, v) for v, r in zip(found.tried, found.results, strict=True) if math.isfinite(r)]
     if not pairs:
         yield "it has no value on all of the way"
         return
     for word, (result, value) in (("least", min(pairs)), ("most", max(pairs))):
-        told = shown(result, _dimension(found), system)
-        yield f"the {word} is {told}, with {value_text(found, value, system)}"
+        told = named(found.result, result)
+        yield f"the {word} is {told}, with {value_text(found, value)}"
 
 
-def _now(found: Sought, system: System) -> str:
+def _now(found: Sought) -> str:
     if math.isnan(found.now):
         return ""
-    now = value_text(found, found.now, system)
+    now = value_text(found, found.now)
     if math.isnan(found.result_now):
         return f" (now {now})"
-    return f" (now {now}: {shown(found.result_now, _dimension(found), system)})"
+    return f" (now {now}: {named(found.result, found.result_now)})"
 
 
-def value_text(found: Sought, value: float, system: System = "si") -> str:
+def value_text(found: Sought, value: float) -> str:
     """Return a value of the input with its unit, in four digits."""
-    return shown(value, found.dimension, system, 4)
-
-
-def _dimension(found: Sought) -> Any:
-    return GLOSSARY[found.result].dimension
+    return quantity(value, found.dimension, 4)
 
 
 def _result(found: Sought, whole: DriveResult) -> float:
@@ -98,7 +93,7 @@ def seek_document(found: Sought) -> dict[str, Any]:
                 "value": value,
                 "result": _result(found, whole),
                 "level": judge(whole).level.value,
-                "headline": verdict(whole).headline,
+                "headline": in_units(verdict(whole).headline),
             }
             for value, whole in zip(found.values, found.drives, strict=True)
         ],

@@ -1,20 +1,52 @@
 """What there is to show, before anybody decides how: sheets of labelled rows.
 
 Command line, notebook, web page and documents all draw the same sheets, so that a number has one
-label, one unit and one remark wherever it appears.
+label and one remark wherever it appears. Numbers stand in them as cells, in SI; `shown` gives a
+sheet in a system of units.
 """
 
-import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
+from typing import Any, TypeVar, cast
 
 from wraparc.checks import Level
 from wraparc.glossary import GLOSSARY, Quantity
 from wraparc.provenance import Kind
-from wraparc.units import RESULT_DIGITS, Dimension, System, display, display_unit
+from wraparc.units import (
+    NONE,
+    RESULT_DIGITS,
+    Cell,
+    Dimension,
+    System,
+    bare,
+    in_units,
+    percent,
+    quantity,
+    unit_of,
+)
+from wraparc.units.cell import Form
 
-#: What stands where there is no number.
-NONE = "-"
+__all__ = [
+    "NONE",
+    "WEAK",
+    "Row",
+    "Sheet",
+    "Table",
+    "Verdict",
+    "bare",
+    "between",
+    "headed",
+    "named",
+    "number",
+    "percent",
+    "quantity",
+    "row_of",
+    "shown",
+    "started",
+    "term",
+    "weak_sources",
+]  # fmt: skip
+_T = TypeVar("_T")
 
 
 @dataclass(frozen=True)
@@ -26,7 +58,7 @@ class Row:
     title
         What it is.
     values
-        One text for each column of the table, with units.
+        For each column of the table a cell (`wraparc.units.Cell`), or a text.
     symbol
         Letter of the equations.
     note
@@ -160,63 +192,61 @@ def weak_sources(sources: Iterable[str]) -> tuple[str, ...]:
     return tuple(s for s in sources if any(f": {kind}" in s for kind in WEAK))
 
 
-def quantity(
-    value: float, dimension: Dimension, system: System = "si", digits: int = RESULT_DIGITS
-) -> str:
-    """Return a value [SI] with its unit, `NONE` for nan and words for infinity."""
-    if math.isnan(value):
-        return NONE
-    if math.isinf(value):
-        return "without bound"
-    return display(value, dimension, system, digits)
-
-
 def term(name: str) -> Quantity:
     """Return what the glossary has of a quantity."""
     return GLOSSARY[name]
 
 
-def named(name: str, value: float, system: System = "si") -> str:
-    """Return the value [SI] of a quantity of the glossary with its unit."""
-    return quantity(value, term(name).dimension, system)
+def named(name: str, value: float) -> str:
+    """Return the cell of the value [SI] of a quantity of the glossary."""
+    return quantity(value, term(name).dimension, RESULT_DIGITS, name)
 
 
-def number(name: str, value: float, system: System = "si") -> str:
-    """Return the value [SI] of a quantity of the glossary in the unit of its tables, bare."""
-    _, size = display_unit(GLOSSARY[name].dimension, system)
-    return quantity(value / size, "number")
+def number(name: str, value: float) -> str:
+    """Return the same without its unit, which stands in the head: see `headed`."""
+    return bare(value, GLOSSARY[name].dimension, RESULT_DIGITS, name)
 
 
-def between(name: str, first: float, last: float, system: System = "si", by: str = " to ") -> str:
-    """Return two values [SI] of a quantity of the glossary, ``387.5 to 125.0 kPa``."""
-    texts = [named(name, value, system) for value in (first, last)]
-    if texts[0] == texts[1]:
-        return texts[0]
-    number, _, unit = texts[0].partition(" ")
-    return f"{number if texts[1].endswith(' ' + unit) else texts[0]}{by}{texts[1]}"
+def headed(words: str, dimension: Dimension) -> str:
+    """Return the head of a column of numbers without units, ``creep [mm]``."""
+    return words if dimension == "number" else f"{words} [{unit_of(dimension)}]"
+
+
+def between(name: str, first: float, last: float, form: Form = "to") -> str:
+    """Return the cell of two values [SI] of a quantity of the glossary, ``387.5 to 125.0 kPa``."""
+    return Cell(last, GLOSSARY[name].dimension, RESULT_DIGITS, form, first, name)
 
 
 def row_of(
     name: str,
     *values: float,
-    system: System = "si",
     note: str = "",
     title: str = "",
     level: Level | None = None,
 ) -> Row:
     """Return the row of a quantity of the glossary, its words taken from there."""
     entry = GLOSSARY[name]
-    texts = tuple(named(name, value, system) for value in values)
-    return Row(title or entry.title, texts, entry.symbol, note, name, level)
-
-
-def percent(share: float, digits: int = 3) -> str:
-    """Return a share as percent, `NONE` for nan."""
-    if math.isnan(share):
-        return NONE
-    return f"{display(100.0 * share, 'number', digits=digits)} %"
+    cells = tuple(named(name, value) for value in values)
+    return Row(title or entry.title, cells, entry.symbol, note, name, level)
 
 
 def started(sentence: str) -> str:
     """Return a sentence with its capital."""
     return sentence[:1].upper() + sentence[1:]
+
+
+def shown(thing: _T, system: System) -> _T:
+    """Return a text, or what is made of texts, with its cells shown in a system of units.
+
+    The only place in which an answer meets a system of units: sheets, tables, rows, verdicts and
+    tuples of them.
+    """
+    of: Any = thing
+    if isinstance(thing, str):
+        of = in_units(thing, system)
+    elif isinstance(thing, tuple):
+        of = tuple(shown(part, system) for part in thing)
+    elif isinstance(thing, Sheet | Verdict | Table | Row):
+        parts = ((f.name, getattr(thing, f.name)) for f in fields(thing))
+        of = replace(thing, **{name: shown(part, system) for name, part in parts})
+    return cast(_T, of)

@@ -16,10 +16,12 @@ from wraparc.present.sheet import (
     Row,
     Sheet,
     Table,
+    headed,
     named,
     number,
     percent,
     quantity,
+    shown,
     started,
     weak_sources,
 )
@@ -33,7 +35,7 @@ from wraparc.study.monte_carlo import (
 )
 from wraparc.study.sensitivity import Indices, Swing
 from wraparc.study.share import CONFIDENCE, Share
-from wraparc.units import Dimension, System, display_unit
+from wraparc.units import Dimension, System
 
 Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
 Global = Mapping[tuple[str, str], Mapping[str, Indices]]
@@ -46,7 +48,6 @@ BAD = (Level.FAILS, Level.ATTENTION)
 def study_sheet(
     summary: Summary,
     units: Mapping[str, Dimension | None],
-    system: System = "si",
     *,
     local: Local | None = None,
     indices: Global | None = None,
@@ -61,8 +62,6 @@ def study_sheet(
         Its results.
     units
         What the fields of its axes measure.
-    system
-        Units to show.
     local, indices
         Sensitivities, if they were asked for.
     remarks, sources
@@ -71,14 +70,14 @@ def study_sheet(
     data = summary.data
     tables: list[Table] = []
     if indices is not None:
-        tables += _index_tables(indices, names_of(data), system)
+        tables += _index_tables(indices, names_of(data))
     if local is not None:
         wanted = set(next(iter(indices.values()), {})) if indices else None
-        tables += _tornado_tables(local, units, names_of(data), system, wanted)
+        tables += _tornado_tables(local, units, names_of(data), wanted)
     if local is None and summary.groups:
-        tables += _group_tables(summary, units, system)
+        tables += _group_tables(summary, units)
     tables += varied_table(data)
-    told, said = verdict(summary, system), (*_remarks(summary), *remarks)
+    told, said = verdict(summary), (*_remarks(summary), *remarks)
     return Sheet(
         title=str(data["title"]),
         subtitle=subtitle(data),
@@ -90,9 +89,7 @@ def study_sheet(
     )
 
 
-def _group_tables(
-    summary: Summary, units: Mapping[str, Dimension | None], system: System
-) -> Iterator[Table]:
+def _group_tables(summary: Summary, units: Mapping[str, Dimension | None]) -> Iterator[Table]:
     called = names_of(summary.data)
     fields = ", ".join(called(name) for name in summary.data["levels"])
     by_case: dict[tuple[str, str], list[Group]] = {}
@@ -103,16 +100,16 @@ def _group_tables(
         where = ", ".join(part for part in (load, condition) if part)
         if summary.drawn:
             title = f"{where}: probability by {fields or 'all draws'}"
-            table = _chances(title, groups, units, system)
+            table = _chances(title, groups, units)
         else:
-            table = _values(f"{where}: by {fields}", groups, units, system)
+            table = _values(f"{where}: by {fields}", groups, units)
         short = _worst_rows(table, groups) if (load, condition) == worst else Table("", ())
         yield replace(table, short=short)
     together = over_conditions(summary) if summary.drawn else ()
     if together:
-        yield _together(together, units, system)
+        yield _together(together, units)
     if summary.drawn:
-        yield _convergence(summary, units, system)
+        yield _convergence(summary, units)
 
 
 def _badness(groups: Sequence[Group]) -> tuple[float, ...]:
@@ -128,15 +125,12 @@ def _worst_rows(table: Table, groups: Sequence[Group]) -> Table:
     return replace(table, rows=tuple(table.rows[i] for i in sorted(by_badness[:_SHORT_ROWS])))
 
 
-def _chances(
-    title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None], system: System
-) -> Table:
+def _chances(title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None]) -> Table:
     outputs = [n for n in _SHOWN[:2] if n in groups[0].percentiles]
     heads = ["fails", "attention", "breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]"]
     for name in outputs:
-        unit, _ = display_unit(GLOSSARY[name].dimension, system)
         short = {"exit_creep": "creep", "least_exit_tension": "T2 for the limit"}[name]
-        heads += [f"{short} {p:g} % [{unit}]" for p in PERCENTS[1:3]]
+        heads += [headed(f"{short} {p:g} %", GLOSSARY[name].dimension) for p in PERCENTS[1:3]]
     rows = []
     for group in groups[:_MOST_ROWS]:
         cells = [percent(group.judged.share(level).value) for level in BAD]
@@ -144,8 +138,8 @@ def _chances(
         cells.append(_with_interval(group.over_limit))
         for name in outputs:
             of = group.percentiles[name]
-            cells += [number(name, value, system) for value in of[1:3]]
-        rows.append(Row(group_name(group, units, system) or "all", tuple(cells)))
+            cells += [number(name, value) for value in of[1:3]]
+        rows.append(Row(group_name(group, units) or "all", tuple(cells)))
     lacking = any(math.isinf(v) for g in groups for n in outputs for v in g.percentiles[n][1:3])
     note = "without bound: so many draws have none within the tested pressures" if lacking else ""
     more = len(groups) - len(rows)
@@ -158,20 +152,16 @@ def _with_interval(share: Share) -> str:
     return f"{percent(share.value)} [{100 * low:.3g}-{100 * high:.3g}]"
 
 
-def _values(
-    title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None], system: System
-) -> Table:
+def _values(title: str, groups: Sequence[Group], units: Mapping[str, Dimension | None]) -> Table:
     """Results of a grid, a design a row."""
     names = [n for n in _SHOWN if n in groups[0].percentiles]
     heads = ["answer"]
-    for name in names:
-        unit, _ = display_unit(GLOSSARY[name].dimension, system)
-        heads.append(f"{GLOSSARY[name].title}{f' [{unit}]' if unit else ''}")
+    heads += [headed(GLOSSARY[name].title, GLOSSARY[name].dimension) for name in names]
     rows = []
     for group in groups[:_MOST_ROWS]:
         cells = [_answer(group)]
-        cells += [number(name, group.percentiles[name][1], system) for name in names]
-        rows.append(Row(group_name(group, units, system), tuple(cells)))
+        cells += [number(name, group.percentiles[name][1]) for name in names]
+        rows.append(Row(group_name(group, units), tuple(cells)))
     more = len(groups) - len(rows)
     note = f"{more} more designs are in the file" if more > 0 else ""
     return Table(title, tuple(rows), tuple(heads), note, "groups")
@@ -187,11 +177,10 @@ def _answer(group: Group) -> str:
 def _together(
     groups: Sequence[tuple[Group, float, float]],
     units: Mapping[str, Dimension | None],
-    system: System,
 ) -> Table:
     rows = []
     for group, away, over in groups[:_MOST_ROWS]:
-        parts = (group_name(group, units, system), group.load_case)
+        parts = (group_name(group, units), group.load_case)
         name = ", ".join(part for part in parts if part)
         rows.append(Row(name, (percent(away), percent(over))))
     note = "each condition counted by its share of the time"
@@ -199,14 +188,14 @@ def _together(
     return Table("Over all conditions", tuple(rows), heads, note, "together")
 
 
-def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system: System) -> Table:
+def _convergence(summary: Summary, units: Mapping[str, Dimension | None]) -> Table:
     """How the estimate settles, for the group that is least certain."""
     group = max(summary.groups, key=lambda g: g.over_limit.interval[1] - g.over_limit.interval[0])
     rows = [
         Row(f"{s.draws:,} draws", (percent(s.breakaway.value), _with_interval(s.over_limit)))
         for s in group.steps[-6:]
     ]
-    parts = (group_name(group, units, system), group.load_case, group.condition)
+    parts = (group_name(group, units), group.load_case, group.condition)
     where = ", ".join(part for part in parts if part)
     heads = ("breakaway", f"creep over limit [{CONFIDENCE:.0%} interval]")
     return Table(
@@ -214,12 +203,12 @@ def _convergence(summary: Summary, units: Mapping[str, Dimension | None], system
     )
 
 
-def _index_tables(indices: Global, called: Called, system: System) -> Iterator[Table]:
+def _index_tables(indices: Global, called: Called) -> Iterator[Table]:
     for (load, condition), of_case in indices.items():
         where = ", ".join(part for part in (load, condition) if part)
         for name, found in of_case.items():
             title = f"{GLOSSARY[name].title}, {where}: part of the variance (Sobol indices)"
-            spread = named(name, found.deviation, system)
+            spread = named(name, found.deviation)
             if not found.inputs:
                 lost = f"{found.lost:,} of {found.samples:,} draws lack the result"
                 note = f"no indices: {lost}; ask for creep_limit_margin, which breakaways have too"
@@ -251,7 +240,6 @@ def _tornado_tables(
     local: Local,
     units: Mapping[str, Dimension | None],
     called: Called,
-    system: System,
     wanted: set[str] | None,
 ) -> Iterator[Table]:
     for (load, condition), of_case in local.items():
@@ -263,15 +251,15 @@ def _tornado_tables(
                 Row(
                     started(called(s.field)),
                     (
-                        named(name, s.per_percent, system),
-                        _range(s, units, system),
-                        f"{named(name, s.at_low, system)} to {named(name, s.at_high, system)}",
+                        named(name, s.per_percent),
+                        _range(s, units),
+                        f"{named(name, s.at_low)} to {named(name, s.at_high)}",
                     ),
                     name=s.field,
                 )
                 for s in swings
             ]
-            base = named(name, swings[0].base, system)
+            base = named(name, swings[0].base)
             yield Table(
                 f"{GLOSSARY[name].title}, {where}: each input alone",
                 tuple(rows),
@@ -281,9 +269,9 @@ def _tornado_tables(
             )
 
 
-def _range(swing: Swing, units: Mapping[str, Dimension | None], system: System) -> str:
+def _range(swing: Swing, units: Mapping[str, Dimension | None]) -> str:
     dimension = units.get(swing.field) or "number"
-    return " to ".join(quantity(v, dimension, system) for v in (swing.low, swing.high))
+    return " to ".join(quantity(v, dimension) for v in (swing.low, swing.high))
 
 
 def _remarks(summary: Summary) -> Iterator[str]:
@@ -310,9 +298,12 @@ def _remarks(summary: Summary) -> Iterator[str]:
         yield f"{data['samples']:,} samples is no power of 2: Sobol points are then less even."
 
 
-def study_page(sheet: Sheet, pictures: Sequence[str], summary: Summary) -> str:
+def study_page(
+    sheet: Sheet, pictures: Sequence[str], summary: Summary, system: System = "si"
+) -> str:
     """Return a study as one HTML page: its sheet, pictures as SVG, and the input it rests on."""
     named_ = [(f"Picture {n}: {sheet.title}", svg) for n, svg in enumerate(pictures, start=1)]
     data = json.dumps(summary.data["input"], indent=1, ensure_ascii=False, default=str)
     program, print_ = summary.data["program"], summary.data["fingerprint"]
-    return sheet_page(sheet, named_, f"{program}, fingerprint {print_}. Input:\n{data}")
+    foot = f"{program}, fingerprint {print_}. Input:\n{data}"
+    return sheet_page(shown(sheet, system), named_, foot)

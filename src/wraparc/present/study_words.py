@@ -12,7 +12,7 @@ from wraparc.present.sheet import Row, Table, Verdict, named, percent, quantity,
 from wraparc.study.fields import names_of
 from wraparc.study.histogram import Histogram, Limit
 from wraparc.study.monte_carlo import Group, Summary
-from wraparc.units import Dimension, System
+from wraparc.units import Dimension, distinct, in_units
 
 _SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
 _NO_ANSWER = (
@@ -50,7 +50,7 @@ def _cases(data: Mapping[str, Any]) -> int:
     return len(data["load_cases"]) * max(1, len(data["conditions"]))
 
 
-def verdict(summary: Summary, system: System = "si") -> Verdict:
+def verdict(summary: Summary) -> Verdict:
     """Return the answer in words: the share beyond the creep limit, how rows end, what governs."""
     counts, judged, total = summary.counts, summary.judged, sum(summary.counts.values())
     missed = judged.missed
@@ -58,7 +58,7 @@ def verdict(summary: Summary, system: System = "si") -> Verdict:
     if judged.share(Level.FAILS).count == total:
         level = Level.FAILS
     over, what = summary.over_limit, "designs" if _cases(summary.data) == 1 else "rows"
-    beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit, system)
+    beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
     lost = ((counts["breakaway"], "in gross slip"), (_unanswered(summary), "without an answer"))
     sentences = [f"{counts['solved']:,} carry their load, {counts['breakaway']:,} break away."]
     for word, why in _NO_ANSWER:
@@ -81,7 +81,7 @@ def verdict(summary: Summary, system: System = "si") -> Verdict:
         ground = ground or ", ".join(f"without {what}" for what in left)
     weighted = _weighted(summary, lambda group: group.over_limit.value)
     if not math.isnan(weighted):
-        beyond = _over_time(weighted, summary, what, system)
+        beyond = _over_time(weighted, summary, what)
     headline = f"{beyond}{_among(lost)}; {_ends(summary)}.{leads}"
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
 
@@ -120,11 +120,11 @@ def _of_time(share: float) -> str:
     return "all" if share >= 1.0 else "none" if share <= 0.0 else told
 
 
-def _over_time(share: float, summary: Summary, what: str, system: System) -> str:
+def _over_time(share: float, summary: Summary, what: str) -> str:
     """Say how much of the time the creep limit is not kept."""
     total = summary.over_limit.total
     count = 0 if share <= 0.0 else total if share >= 1.0 else 1  # for none, all and the verb
-    text = _exceed("exit_creep", count, total, what, summary.creep_limit, system)
+    text = _exceed("exit_creep", count, total, what, summary.creep_limit)
     rest = text.partition(f" of {total:,} ")[2]
     weighted = "each condition by its share of the time"
     return f"{started(_of_time(share))} of {total:,} {rest}, {weighted}"
@@ -136,21 +136,21 @@ def part(count: int, total: int) -> str:
         return "all"
     if not count:
         return "none"
-    told = percent(count / total)
+    told = in_units(percent(count / total))
     if told in ("100 %", "0 %"):
         return f"all but {total - count:,}" if told == "100 %" else f"{count:,}"
     return told
 
 
-def _exceed(name: str, count: int, total: int, what: str, limit: Limit, system: System) -> str:
+def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
     """Say which part of the rows does not keep the limit of a result."""
     verb = "exceed" if limit.at_most else "fall short of"
     if not count:
         verb = "exceeds" if limit.at_most else "falls short of"
     words = _LIMITS[name]
     if not math.isnan(limit.least):
-        ends = [named(name, v, system) for v in (limit.least, limit.most)]
-        words += f" of {ends[0] if ends[0] == ends[1] else ' to '.join(ends)}"
+        ends = distinct(named(name, v) for v in (limit.least, limit.most))
+        words += f" of {' to '.join(ends)}"
     return f"{started(part(count, total))} of {total:,} {what} {verb} {words}"
 
 
@@ -159,14 +159,14 @@ def _among(lost: tuple[tuple[int, str], ...]) -> str:
     return f", {told} among them" if told else ""
 
 
-def histogram_sentence(name: str, found: Histogram, system: System = "si") -> str:
+def histogram_sentence(name: str, found: Histogram) -> str:
     """Say which part of the draws does not keep the limit of a result; what is drawn otherwise."""
     lost = _among(((found.away, "in gross slip"), (found.unanswered, "without an answer")))
     if math.isnan(found.limit.least):
         without = lost.removesuffix(" among them").removeprefix(", ")
         title = GLOSSARY[name].title
         return f"{title} of {found.total:,} draws{f'; {without}' if without else ''}."
-    said = _exceed(name, found.beyond, found.total, "draws", found.limit, system)
+    said = _exceed(name, found.beyond, found.total, "draws", found.limit)
     return f"{said}{lost if found.beyond else ''}."
 
 
@@ -197,17 +197,15 @@ def _spread(axis: Mapping[str, Any]) -> str:
     return ", ".join(kind + spread)
 
 
-def value_of(
-    name: str, value: float | str, units: Mapping[str, Dimension | None], system: System
-) -> str:
+def value_of(name: str, value: float | str, units: Mapping[str, Dimension | None]) -> str:
     """Return the value of a field in its unit."""
     dimension = units.get(name)
     if isinstance(value, str | bool) or dimension is None:
         return str(value)
-    return quantity(value, dimension, system)
+    return quantity(value, dimension)
 
 
-def group_name(group: Group, units: Mapping[str, Dimension | None], system: System) -> str:
+def group_name(group: Group, units: Mapping[str, Dimension | None]) -> str:
     """Return the levels of a group."""
-    parts = [value_of(name, value, units, system) for name, value in group.levels.items()]
+    parts = [value_of(name, value, units) for name, value in group.levels.items()]
     return ", ".join(parts)

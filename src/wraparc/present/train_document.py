@@ -7,6 +7,7 @@ from typing import Any
 from wraparc.checks import TRAIN_BALANCE, judge
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.least_tension import least_data
+from wraparc.present.sheet import shown
 from wraparc.present.train_words import matching_verdict
 from wraparc.train import CaseResult, Matching, MemberResult, ShareCurve, ShareMap, TrainResult
 from wraparc.version import __version__
@@ -32,7 +33,7 @@ def matching_document(
         "format": 1,
         "program": {"name": "wraparc", "version": __version__},
         "file": file,
-        "verdict": _verdict_data(matching_verdict(result, matching)),
+        "verdict": _verdict_data(shown(matching_verdict(result, matching), "si")),
         "drive": matching.case.members[matching.drive].name,
         "load_case": _case_data(matching.case),
         "equal_shares": _case_data(matching.equal),

@@ -16,6 +16,7 @@ from wraparc.present.sheet import (
     Table,
     named,
     percent,
+    quantity,
     term,
 )
 from wraparc.present.sources import Sources
@@ -32,7 +33,7 @@ from wraparc.train import (
     TrainResult,
     TrainStatus,
 )
-from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, System, display
+from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS
 
 Cell = Callable[[MemberResult], str]
 Number = Callable[[MemberResult], float]
@@ -41,7 +42,6 @@ _ROUNDING = 1e-9  # loss over power that is none
 
 def train_sheet(
     result: TrainResult,
-    system: System = "si",
     detail: Sequence[int] | None = None,
     pulleys: Sequence[DriveResult] = (),
 ) -> Sheet:
@@ -51,34 +51,32 @@ def train_sheet(
     ----------
     result
         The train.
-    system
-        Units to show.
     detail
         Positions of the arcs to show in full, see `drive_sheet`.
     pulleys
         Its pulleys by one method or several; as in the train unless given.
     """
-    arcs = drive_sheet(list(pulleys) or [result.drive_result()], system, detail, result)
+    arcs = drive_sheet(list(pulleys) or [result.drive_result()], detail, result)
     checks = 1 + bool(least_tension(result)) + bool(result.train.conditions)
-    tables = (*arcs.tables[:checks], *train_tables(result, system), *arcs.tables[checks:])
-    verdict = train_verdict(result, system)
+    tables = (*arcs.tables[:checks], *train_tables(result), *arcs.tables[checks:])
+    verdict = train_verdict(result)
     return Sheet(arcs.title, arcs.subtitle, verdict, tables, arcs.remarks, arcs.sources)
 
 
-def train_input_sheet(train: Train, system: System = "si") -> Sheet:
+def train_input_sheet(train: Train) -> Sheet:
     """Return what was read of a train, before it is solved."""
     of = Sources()
     inputs = (*drive_inputs(train, divided=True), *train_inputs(train))
-    tables = input_tables(inputs, system, of)
-    return read_sheet(train, "The drive file of the train", tables, of, system)
+    tables = input_tables(inputs, of)
+    return read_sheet(train, "The drive file of the train", tables, of)
 
 
-def train_tables(result: TrainResult, system: System = "si") -> tuple[Table, ...]:
+def train_tables(result: TrainResult) -> tuple[Table, ...]:
     """Return a table of the drives for each load case of a train."""
-    return tuple(case_table(case, system) for case in result)
+    return tuple(case_table(case) for case in result)
 
 
-def case_table(case: CaseResult, system: System) -> Table:
+def case_table(case: CaseResult) -> Table:
     """Return how the drives share one load case, and the speeds that go with it."""
     members = case.members
 
@@ -86,10 +84,10 @@ def case_table(case: CaseResult, system: System) -> Table:
         return Row(term(name).title, tuple(of(m) for m in members), term(name).symbol, note, name)
 
     def told(name: str, of: Number) -> Row:
-        return row(name, lambda m: named(name, of(m), system), "")
+        return row(name, lambda m: named(name, of(m)), "")
 
     def known(name: str, of: Number, digits: int) -> Row:
-        return row(name, lambda m: _shown(of(m), name, system, digits), "")
+        return row(name, lambda m: _shown(of(m), name, digits), "")
 
     def small(name: str, of: Number, note: str) -> Row:
         return row(name, lambda m: signed(of(m)), note)
@@ -100,12 +98,12 @@ def case_table(case: CaseResult, system: System) -> Table:
     rows = [
         row("share", _share, ""),
         told("effective_tension", lambda m: m.arc.effective_tension),
-        *_run_rows(case, system),
+        *_run_rows(case),
         told("entry_tension", lambda m: m.arc.entry_tension),
         told("exit_tension", lambda m: m.arc.exit_tension),
         known("drum_power", lambda m: m.drum_power, RESULT_DIGITS),
         known("drum_torque", lambda m: m.drum_torque, RESULT_DIGITS),
-        *_motor_rows(members, system),
+        *_motor_rows(members),
         small("speed_ratio", lambda m: m.speed_ratio - 1.0, "exactly"),
         small("contraction_term", lambda m: m.contraction_term, "to first order"),
         small("creep_term", lambda m: m.creep_term, "to first order"),
@@ -114,11 +112,11 @@ def case_table(case: CaseResult, system: System) -> Table:
         small("drum_ratio", lambda m: m.drum_ratio - 1.0, "exactly, for equal diameters"),
         known("rotation_speed", lambda m: m.rotation_speed, 6),
         row("speed_trim", lambda m: trim_text(m.speed_trim), "what a speed control is set to"),
-        _creep_row(case, system),
+        _creep_row(case),
     ]
     if not all(isnan(m.arc.capacities.creep_limit_margin) for m in members):
         rows.append(told("creep_limit_margin", lambda m: m.arc.capacities.creep_limit_margin))
-    rows.append(row("power_loss", lambda m: _lost(m, system), _loss_note(case, system)))
+    rows.append(row("power_loss", _lost, _loss_note(case)))
     rows.append(_sensitivity_row(case))
     note = _precision(case) if case.status is TrainStatus.SOLVED else case.reason
     return Table(f"Drives: load case {case.case.name}", tuple(rows), _names(case), note, "drives")
@@ -128,18 +126,18 @@ def _share(m: MemberResult) -> str:
     return "not driven" if idle(m.arc.arc) and not isnan(m.share) else percent(m.share)
 
 
-def _lost(m: MemberResult, system: System) -> str:
+def _lost(m: MemberResult) -> str:
     """Return what creep costs; of a drum that is not driven nothing but rounding is left."""
     loss = m.arc.energy.power_loss
-    return named("power_loss", 0.0 if idle(m.arc.arc) and not isnan(loss) else loss, system)
+    return named("power_loss", 0.0 if idle(m.arc.arc) and not isnan(loss) else loss)
 
 
-def _run_rows(case: CaseResult, system: System) -> list[Row]:
+def _run_rows(case: CaseResult) -> list[Row]:
     """Return the rise of tension before each pulley, where there is any."""
     if len(case.case.runs) == 0:
         return []
     entry = term("run")
-    texts = (NONE, *[named("run", run, system) for run in case.case.runs])
+    texts = (NONE, *[named("run", run) for run in case.case.runs])
     return [Row(entry.title, texts, entry.symbol, name="run")]
 
 
@@ -147,11 +145,11 @@ def _names(case: CaseResult) -> tuple[str, ...]:
     return tuple(m.name for m in case.members)
 
 
-def _shown(value: float, name: str, system: System, digits: int) -> str:
-    return NONE if isnan(value) else display(value, term(name).dimension, system, digits)
+def _shown(value: float, name: str, digits: int) -> str:
+    return quantity(value, term(name).dimension, digits)
 
 
-def _motor_rows(members: Sequence[MemberResult], system: System) -> list[Row]:
+def _motor_rows(members: Sequence[MemberResult]) -> list[Row]:
     points = [m.motor for m in members if m.motor is not None]
     if len(points) == 0:
         return []
@@ -163,13 +161,13 @@ def _motor_rows(members: Sequence[MemberResult], system: System) -> list[Row]:
         return Row(term(name).title, tuple(texts), term(name).symbol, name=name)
 
     def told(name: str) -> Row:
-        return of(name, lambda value: named(name, value, system))
+        return of(name, lambda value: named(name, value))
 
     return [
         of("motor_load", percent),
         told("motor_power"),
         told("motor_torque"),
-        of("motor_speed", lambda value: display(value, "rotation_speed", system, GIVEN_DIGITS)),
+        of("motor_speed", lambda value: quantity(value, "rotation_speed", GIVEN_DIGITS)),
         *[told(name) for name in _motor_extras(points)],
     ]
 
@@ -201,12 +199,12 @@ def trim_text(trim: float) -> str:
     return NONE if isnan(trim) else f"{100.0 * trim:.3f} %"
 
 
-def _creep_row(case: CaseResult, system: System) -> Row:
+def _creep_row(case: CaseResult) -> Row:
     texts = []
     for m in case.members:
         creep = m.arc.exit_creep
         part = f" ({percent(abs(creep) / m.arc.arc.creep_limit)})"
-        texts.append(f"{named('exit_creep', creep, system)}{'' if isnan(creep) else part}")
+        texts.append(f"{named('exit_creep', creep)}{'' if isnan(creep) else part}")
     over = any(not m.arc.within_creep_limit for m in case.members)
     entry = term("exit_creep")
     level = Level.ATTENTION if over else None
@@ -214,13 +212,13 @@ def _creep_row(case: CaseResult, system: System) -> Row:
     return Row(entry.title, tuple(texts), entry.symbol, note, "exit_creep", level)
 
 
-def _loss_note(case: CaseResult, system: System) -> str:
+def _loss_note(case: CaseResult) -> str:
     if isnan(case.loss_ratio):
         return ""
     ratio = f"{percent(case.loss_ratio)} of the power"
     if isnan(case.power_loss):
         return f"together {ratio}"
-    return f"together {named('power_loss', case.power_loss, system)}, {ratio}"
+    return f"together {named('power_loss', case.power_loss)}, {ratio}"
 
 
 def _sensitivity_row(case: CaseResult) -> Row:
@@ -237,10 +235,10 @@ def _precision(case: CaseResult) -> str:
     return f"Tensions, speeds and torques of the drives agree within {miss:.0e} of their size."
 
 
-def matching_sheet(result: TrainResult, matching: Matching, system: System = "si") -> Sheet:
+def matching_sheet(result: TrainResult, matching: Matching) -> Sheet:
     """Return how exactly the drives of a train must be matched."""
     tables = [
-        case_table(matching.case, system),
+        case_table(matching.case),
         _curve_table("trim", f"Against {_noun(matching.trim)}", matching.trim, trim_text),
         _curve_table(
             "diameter", "Against diameter, drums turning as before", matching.diameter, trim_text
@@ -248,10 +246,10 @@ def matching_sheet(result: TrainResult, matching: Matching, system: System = "si
         _curve_table(
             "load", "Against load, speeds and take-up as they are", matching.load, percent
         ),
-        _changes_table(matching, system),
+        _changes_table(matching),
     ]
-    pulleys = drive_sheet([result.drive_result()], system, [])
-    verdict = matching_verdict(result, matching, system)
+    pulleys = drive_sheet([result.drive_result()], [])
+    verdict = matching_verdict(result, matching)
     title = f"{pulleys.title}: matching of {_names(matching.case)[matching.drive]}"
     return Sheet(title, "", verdict, tuple(tables), pulleys.remarks, pulleys.sources)
 
@@ -278,11 +276,11 @@ def _place(mark: Mark) -> str:
     return "shares " + ", ".join(f"{round(100.0 * share, 1) + 0.0:.1f} %" for share in mark.shares)
 
 
-def _changes_table(matching: Matching, system: System) -> Table:
+def _changes_table(matching: Matching) -> Table:
     rows = []
     for change in matching.changes:
         lagging = change.lagging
-        what = f"{named('lagging_thickness', change.wear, system)} worn off {change.pulley}"
+        what = f"{named('lagging_thickness', change.wear)} worn off {change.pulley}"
         if lagging is not None:
             what = f"{change.pulley} {lagging.condition}"
         shares = tuple(percent(m.share) for m in change.after.members)

@@ -19,7 +19,6 @@ from wraparc.train import (
     TrainStatus,
 )
 from wraparc.train.turning import surface_sentence
-from wraparc.units import System
 
 #: Differences of shares that count as none.
 _ALIKE = 0.005
@@ -29,17 +28,17 @@ _AS_FAST = 5e-6
 _TOLERATED = 0.05
 
 
-def train_verdict(result: TrainResult, system: System = "si") -> Verdict:
+def train_verdict(result: TrainResult) -> Verdict:
     """Return the answer for a train in all its load cases, told by the one that governs."""
     worst, told = result.governing, judge(result)
-    least = least_sentence(result, system)
-    first = [*([least] if least else []), *told.sentences(system)]
-    governing = [*case_sentences(worst, result.cases, system)]
-    others = [s for case in result if case is not worst for s in short_sentences(case, system)]
+    least = least_sentence(result)
+    first = [*([least] if least else []), *told.others]
+    governing = [*case_sentences(worst, result.cases)]
+    others = [s for case in result if case is not worst for s in short_sentences(case)]
     sentences = [*first, *governing, *others]
     kept = [s for s in first if s not in told_twice(told)]
     kept += governing[: 1 + bool(worst.other_splits)]  # who carries what, and whether for sure
-    return in_words(told, system, sentences, [*kept, *others])
+    return in_words(told, sentences, [*kept, *others])
 
 
 def _fights(case: CaseResult) -> bool:
@@ -51,12 +50,12 @@ def _against(case: CaseResult) -> float:
     return pull_against([m.arc.effective_tension for m in case.members])
 
 
-def case_sentences(case: CaseResult, cases: Sequence[CaseResult], system: System) -> Iterator[str]:
+def case_sentences(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
     """Tell of the load case that governs: who carries what, how the drums turn, what is lost."""
     if case.status is not TrainStatus.SOLVED:
         yield f"Load case {case.case.name}: {case.reason}"
         return
-    yield f"Load case {case.case.name}: {_shares(case, system)}."
+    yield f"Load case {case.case.name}: {_shares(case)}."
     if len(case.other_splits) > 0:
         listed = "; ".join(", ".join(percent(s) for s in split) for split in case.other_splits)
         yield (
@@ -64,19 +63,19 @@ def case_sentences(case: CaseResult, cases: Sequence[CaseResult], system: System
             "which are unstable; the stable split is shown."
         )
     if _fights(case):
-        yield _fight(case, system)
+        yield _fight(case)
     if len(case.members) > 1:
         for m in case.members[1:]:
             yield _speed_sentence(case, m)
-        yield from surface_speeds(case, system)
+        yield from surface_speeds(case)
         yield from _matching(case, cases)
     loss = percent(case.loss_ratio)
-    power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss, system)},"
+    power = "" if isnan(case.power_loss) else f" {named('power_loss', case.power_loss)},"
     yield f"Creep costs{power} {loss} of the power."
-    yield from _motor_losses(case, system)
+    yield from _motor_losses(case)
 
 
-def _motor_losses(case: CaseResult, system: System) -> Iterator[str]:
+def _motor_losses(case: CaseResult) -> Iterator[str]:
     """Say what is lost between the mains and the drums, and what the mains give."""
     points = [m.motor for m in case.members if m.motor is not None]
     turned = sum(abs(p.motor_power) for p in points)
@@ -89,14 +88,14 @@ def _motor_losses(case: CaseResult, system: System) -> Iterator[str]:
         values = [getattr(p, name) for p in points]
         lost = sum(v for v in values if not isnan(v))
         if lost > 1e-9 * turned:
-            parts.append(f"{named(name, lost, system)} in the {what}")
+            parts.append(f"{named(name, lost)} in the {what}")
     if len(parts) == 0:
         return
     electrical = sum(p.electrical_power for p in points)
     if isnan(electrical):
         tail = "; what the motors themselves lose is not told without their motor_efficiency"
     else:
-        mains = named("electrical_power", electrical, system)
+        mains = named("electrical_power", electrical)
         tail = f"; the motors take {mains} from the mains"
     yield f"Between mains and drums {', '.join(parts)} {_are(parts)} lost{tail}."
 
@@ -105,20 +104,19 @@ def _are(parts: list[str]) -> str:
     return "is" if len(parts) == 1 else "are"
 
 
-def short_sentences(case: CaseResult, system: System) -> Iterator[str]:
+def short_sentences(case: CaseResult) -> Iterator[str]:
     """Tell of another load case who carries what."""
     if case.status is not TrainStatus.SOLVED:
         yield f"Load case {case.case.name}: {case.reason}"
         return
     tail = ", the drives working against each other" if _fights(case) else ""
-    yield f"Load case {case.case.name}: {_shares(case, system)}{tail}."
+    yield f"Load case {case.case.name}: {_shares(case)}{tail}."
 
 
-def _shares(case: CaseResult, system: System) -> str:
+def _shares(case: CaseResult) -> str:
     if any(isnan(m.share) for m in case.members):
         pulls = ", ".join(
-            f"{m.name} {named('effective_tension', m.arc.effective_tension, system)}"
-            for m in case.members
+            f"{m.name} {named('effective_tension', m.arc.effective_tension)}" for m in case.members
         )
         return f"nothing is shared; the drives pull {pulls}"
     return ", ".join(
@@ -127,7 +125,7 @@ def _shares(case: CaseResult, system: System) -> str:
     )
 
 
-def _fight(case: CaseResult, system: System) -> str:
+def _fight(case: CaseResult) -> str:
     loaded = [m for m in case.members if not idle(m.arc.arc)]
     forward = [m.name for m in loaded if m.arc.effective_tension > 0.0]
     back = [m.name for m in loaded if m.arc.effective_tension < 0.0]
@@ -136,7 +134,7 @@ def _fight(case: CaseResult, system: System) -> str:
     brake = "brakes" if len(back) == 1 else "brake"
     return (
         f"The drives fight: {' and '.join(forward)} {drive} while {' and '.join(back)} "
-        f"{brake}, {named('effective_tension', lost, system)} of pull against each other."
+        f"{brake}, {named('effective_tension', lost)} of pull against each other."
     )
 
 
@@ -164,11 +162,11 @@ def _speed_sentence(case: CaseResult, m: MemberResult) -> str:
     )
 
 
-def surface_speeds(case: CaseResult, system: System) -> Iterator[str]:
+def surface_speeds(case: CaseResult) -> Iterator[str]:
     """Say that the speeds of drums are without the thickness of the belt, if that is not known."""
     for m in case.members:
         if m.arc.arc.pitch_offset is None:
-            yield surface_sentence(m.arc.arc.diameter, system)
+            yield surface_sentence(m.arc.arc.diameter)
             return
 
 
@@ -215,7 +213,7 @@ def _matching(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
         )
 
 
-def matching_verdict(result: TrainResult, matching: Matching, system: System = "si") -> Verdict:
+def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
     """Return how exactly the drives of a train must be matched, under the verdict on it."""
     case, drive = matching.case, matching.drive
     name = case.members[drive].name
@@ -230,16 +228,16 @@ def matching_verdict(result: TrainResult, matching: Matching, system: System = "
             f"{_needed(slope)} % for a share within {percent(_TOLERATED)}"
         )
     judged = judge(result)
-    missed = in_short(judged, system)
-    as_is = [as_it_is(judged, system)] if judged.missed else []
+    missed = in_short(judged)
+    as_is = [as_it_is(judged)] if judged.missed else []
     load, losses = [*_against_load(matching.load)], [*_losses(matching)]
     sentences = [
         *as_is,
         *_who_and_why(matching),
-        *surface_speeds(case, system),
+        *surface_speeds(case),
         *_range(matching.trim, name, what.split()[-1]),
         *load,
-        *_changes(matching, system),
+        *_changes(matching),
         *losses,
     ]
     kept = (*as_is, *load, *losses)
@@ -348,14 +346,12 @@ def _against_load(curve: ShareCurve) -> Iterator[str]:
             )
 
 
-def _changes(matching: Matching, system: System) -> Iterator[str]:
+def _changes(matching: Matching) -> Iterator[str]:
     before = [m.share for m in matching.case.members]
     for change in matching.changes:
         index = [m.name for m in matching.case.members].index(change.pulley)
         if change.lagging is None:
-            what = (
-                f"With {named('lagging_thickness', change.wear, system)} worn off {change.pulley}"
-            )
+            what = f"With {named('lagging_thickness', change.wear)} worn off {change.pulley}"
         else:
             what = f"With {change.pulley} {change.lagging.condition}"
         if not change.after.status.solved:

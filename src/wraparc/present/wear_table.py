@@ -11,21 +11,21 @@ from wraparc.arc.wear import (
     WORN_SHARE,
     coefficient_of_life,
     frictional_power,
-    passes_per_hour,
     wear_life,
 )
 from wraparc.catalogue import lagging_costs
 from wraparc.drive import Lagging
+from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.sheet import NONE, Row, Table, quantity
 from wraparc.present.sources import Sources
-from wraparc.units import System
+from wraparc.units import RESULT_DIGITS, Cell
 
 #: Hours of running in a year that a life in years is counted by, where nothing else is said.
 HOURS = 6000.0
 _LIFE = "life of a lagging as its vendor states it"
 
 
-def wear_table(result: ArcResult, lagging: Lagging, system: System = "si") -> Table | None:
+def wear_table(result: ArcResult, lagging: Lagging) -> Table | None:
     """Return the frictional power by place along the wrap; None without a belt speed."""
     edges, power = frictional_power(result)
     if not result.status.solved or math.isnan(power[0]):
@@ -34,9 +34,9 @@ def wear_table(result: ArcResult, lagging: Lagging, system: System = "si") -> Ta
     rows = []
     for start, end, mean in zip(edges[:-1], edges[1:], power, strict=True):
         split = () if share is None else (share * mean, (1.0 - share) * mean)
-        values = tuple(quantity(float(v), "power_per_area", system) for v in (mean, *split))
-        ends = tuple(quantity(float(angle), "angle", system) for angle in (start, end))
-        rows.append(Row(f"{ends[0].rpartition(' ')[0]} to {ends[1]}", values))
+        values = tuple(quantity(float(v), "power_per_area") for v in (mean, *split))
+        place = Cell(float(end), "angle", RESULT_DIGITS, "to", float(start), "position")
+        rows.append(Row(place, values))
     heads = ("frictional power",) if share is None else ("frictional power", "belt", "lagging")
     split_note = (
         "How it divides between belt and lagging is not said (belt_energy_share of the lagging)."
@@ -48,23 +48,21 @@ def wear_table(result: ArcResult, lagging: Lagging, system: System = "si") -> Ta
     return Table("Wear along the wrap", tuple(rows), heads, note, "wear")
 
 
-def life_table(
-    result: ArcResult, lagging: Lagging, system: System = "si", of: Sources | None = None
-) -> Table | None:
+def life_table(result: ArcResult, lagging: Lagging, of: Sources | None = None) -> Table | None:
     """Return passes, wear and life of the lagging, beside vendors' lives; None without a speed."""
     data = life_data(result, lagging)
     if data is None:
         return None
     passes = quantity(data["passes_per_hour"], "number")
     rows = [Row("Passes of the lagging under the belt", (f"{passes} 1/h",))]
-    depth = quantity(data["depth"], "length", system)
+    depth = quantity(data["depth"], "length")
     if data["life_hours"] is not None:
-        k = quantity(data["coefficient"], "wear_coefficient", system)
+        k = quantity(data["coefficient"], "wear_coefficient")
         source = str(lagging.source_of("wear_coefficient"))
         rows.append(Row("Wear coefficient", (k,), note=source))
         life = _life(data["life_hours"])
         rows.append(Row(f"Life until {depth} is worn off", (life,), note=_years_note()))
-    rows += [_vendor_row(vendor, system, of) for vendor in data["vendors"]]
+    rows += [_vendor_row(vendor, of) for vendor in data["vendors"]]
     note = f"Depth that may be worn off: half the thickness, {depth}."
     if data["life_hours"] is None:
         note += (
@@ -74,9 +72,9 @@ def life_table(
     return Table("Life of the lagging", tuple(rows), note=note, name="life")
 
 
-def _vendor_row(vendor: dict[str, Any], system: System, of: Sources | None) -> Row:
-    low, high = (quantity(v, "wear_coefficient", system) for v in vendor["coefficient"])
-    ends = high if low == high else f"{low.partition(' ')[0]} to {high}"
+def _vendor_row(vendor: dict[str, Any], of: Sources | None) -> Row:
+    low, high = vendor["coefficient"]
+    ends = Cell(high, "wear_coefficient", RESULT_DIGITS, "to", low)
     least, most = vendor["years"]
     years = f"over {least:g}" if least == most else f"{least:g} to {most:g}"
     number = "" if of is None else of.number(f"{_LIFE}: {vendor['source']}")
@@ -90,7 +88,7 @@ def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
     energy = abs(result.energy.frictional_energy)
     if speed is None or not result.status.solved or depth <= 0.0 or not energy > 0.0:
         return None
-    passes = passes_per_hour(speed, result.arc.diameter)
+    passes = turns_an_hour(speed, result.arc.radius + result.arc.offset)
     edges, power = frictional_power(result)
     k = lagging.wear_coefficient
     return {

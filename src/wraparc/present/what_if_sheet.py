@@ -17,7 +17,6 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, perce
 from wraparc.present.words import alone, as_it_is, in_short, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
-from wraparc.units import System
 
 _SHOWN = (
     "entry_tension",
@@ -41,7 +40,7 @@ _FAILED = frozenset(_SHOWN) - _TENSIONS - {"creep_limit_capacity", "equivalent_f
 _WORTH_TELLING = 0.02
 
 
-def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
+def what_if_sheet(found: WhatIf, title: str) -> Sheet:
     """Return the table of a pulley before and after changes, with reasons."""
     results, wholes = found.results, found.wholes
     heads, first = ("before", *(c.title for c in found.changes)), found.drives[0].drive
@@ -52,24 +51,24 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         Row(f"Verdict{whole}", tuple(judge(w).word for w in wholes)),
     ]
     rows += [
-        row_of(name, *(_value(r, name) for r in results), system=system)
+        row_of(name, *(_value(r, name) for r in results))
         for name in _SHOWN
         if not all(math.isnan(_value(r, name)) for r in results)
         and not (name in _TENSIONS and alike([_value(r, name) for r in results]))
     ]
-    least = tuple(shown_least(whole, system) for whole in wholes)
+    least = tuple(shown_least(whole) for whole in wholes)
     behind = ", behind the drives" if several and not first.criteria.take_up.after else ""
     note = f"for every binding check to be kept{behind}"
     rows.append(Row(f"Least {least_name(wholes[0])}", least, note=note))
-    rows += _standards(wholes, system)
-    across = compared_table(_by_itself(found), heads, system)
+    rows += _standards(wholes)
+    across = compared_table(_by_itself(found), heads)
     as_is = judge(wholes[0])
-    wet = "" if as_is.missed else in_short(as_is, system)
-    sentences = [as_it_is(as_is, system)] if as_is.missed else []
+    wet = "" if as_is.missed else in_short(as_is)
+    sentences = [as_it_is(as_is)] if as_is.missed else []
     kept = [*sentences]
     for change, after_it, after in zip(found.changes, wholes[1:], found.after, strict=True):
-        missed = [*_missed(found, after_it, system)]
-        why = [*_reasons(found, after_it, after, system)]
+        missed = [*_missed(found, after_it)]
+        why = [*_reasons(found, after_it, after)]
         sentences += [f"{change.title}: {s}" for s in (*missed, *why)]
         kept += [f"{change.title}: {s}" for s in (*missed, *why[:1])]
     return Sheet(
@@ -77,7 +76,7 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
         subtitle=f"Pulley {found.pulley}, load case {found.load_case}, before and after.",
         verdict=Verdict(
             as_is.level,
-            f"{_headline(found, system)} {wet}".rstrip(),
+            f"{_headline(found)} {wet}".rstrip(),
             tuple(sentences),
             re.sub("^OK( dry only)?", r"\g<0> as it is", as_is.word),
             kept=tuple(kept),
@@ -91,13 +90,13 @@ def what_if_sheet(found: WhatIf, title: str, system: System = "si") -> Sheet:
     )
 
 
-def _standards(wholes: Sequence[Whole], system: System) -> Iterator[Row]:
+def _standards(wholes: Sequence[Whole]) -> Iterator[Row]:
     """Yield what a design standard that does not bind asks for beside the least tension."""
     found = [least_tension(whole) for whole in wholes]
     asked = [None if f is None else f.standard for f in found]
     some = [f for f in asked if f is not None and not f.binding]
     if some:
-        texts = (NONE if f is None else at_least(f.tension, system) for f in asked)
+        texts = (NONE if f is None else at_least(f.tension) for f in asked)
         yield Row(f"The same by {some[0].title}", tuple(texts), note="not binding")
 
 
@@ -107,25 +106,25 @@ def _value(result: ArcResult, name: str) -> float:
     return float(result.scalars()[name])
 
 
-def _missed(found: WhatIf, whole: Whole, system: System) -> Iterator[str]:
+def _missed(found: WhatIf, whole: Whole) -> Iterator[str]:
     """Yield what a change makes miss a limit that is kept before it: a new belt, a small drum."""
     already = {check.name: check.level.rank for check in judge(found.wholes[0]).missed}
     for check in judge(whole).missed:
         if check.level.rank > already.get(check.name, 0):
             here = check.place == Place(found.pulley, found.load_case)
-            yield f"{check.level}: {check.sentence(system) if here else placed(check, system)}"
+            yield f"{check.level}: {check.said if here else placed(check)}"
 
 
-def _headline(found: WhatIf, system: System) -> str:
+def _headline(found: WhatIf) -> str:
     parts = []
     after_each = zip(found.changes, found.wholes[1:], found.drives[1:], found.after, strict=True)
     for change, whole, result, after in after_each:
-        creep = named("exit_creep", after.exit_creep, system)
+        creep = named("exit_creep", after.exit_creep)
         shown = creep if after.status.solved else short(result, after)
         parts.append(f"{change.title} {shown}{_worse(found, whole)}")
     before = "gross slip"
     if found.before.status.solved:
-        before = named("exit_creep", found.before.exit_creep, system)
+        before = named("exit_creep", found.before.exit_creep)
     worst, here = judge(found.wholes[0]).governing, (found.pulley, found.load_case)
     why = of = ""
     if worst is not None and worst.missed:
@@ -147,31 +146,29 @@ def _worse(found: WhatIf, whole: Whole) -> str:
     return f" ({judged.level}: {judged.governing.short})"
 
 
-def reasons(
-    before: ArcResult, after: ArcResult, system: System = "si", several: bool = False
-) -> Iterator[str]:
+def reasons(before: ArcResult, after: ArcResult, several: bool = False) -> Iterator[str]:
     """Yield why a result differs from another, from the largest part of the creep down.
 
     `several` says that other pulleys share the load.
     """
-    yield from _tension_words(before.arc, after.arc, system, several)
+    yield from _tension_words(before.arc, after.arc, several)
     if not after.status.solved:
         yield "no creep carries its pull."
         return
     if not before.status.solved:
         yield "it carries the load, which it did not before."
         return
-    told = sorted(_parts(before, after, system), key=lambda part: -part[0])
+    told = sorted(_parts(before, after), key=lambda part: -part[0])
     floor = _WORTH_TELLING * abs(before.exit_creep)
     some = [sentence for size, sentence in told if size > floor]
     yield from some or ["nothing moves by more than 2 % of the creep."]
 
 
-def _tension_words(before: WrapArc, after: WrapArc, system: System, several: bool) -> Iterator[str]:
+def _tension_words(before: WrapArc, after: WrapArc, several: bool) -> Iterator[str]:
     """Yield what pull a change of tensions implies: a take-up alone does not change the pull."""
 
     def of(name: str, arc: WrapArc) -> str:
-        return named(name, getattr(arc, name), system)
+        return named(name, getattr(arc, name))
 
     moved = [
         n for n in ("entry_tension", "exit_tension") if getattr(before, n) != getattr(after, n)
@@ -195,40 +192,38 @@ def _tension_words(before: WrapArc, after: WrapArc, system: System, several: boo
     )
 
 
-def _parts(before: ArcResult, after: ArcResult, system: System) -> Iterator[tuple[float, str]]:
+def _parts(before: ArcResult, after: ArcResult) -> Iterator[tuple[float, str]]:
     a, b = before.arc, after.arc
     change = after.creep_shrinkage - before.creep_shrinkage
     why = _stiffness_words(a.axial_stiffness, b.axial_stiffness) or _pull_words(a, b)
     why = why or "the tension drops at a different place along the arc"
-    yield abs(change), _moved("belt shrinkage", before, after, "creep_shrinkage", why, system)
+    yield abs(change), _moved("belt shrinkage", before, after, "creep_shrinkage", why)
     change = after.creep_compression - before.creep_compression
     more = abs(after.creep_compression) > abs(before.creep_compression)  # negative on a brake
     why = f"the lagging is compressed {'more' if more else 'less'}"
     if a.compression_compliance != b.compression_compliance:
         why += f" (h/E_c times {b.compression_compliance / a.compression_compliance:.3g})"
-    text = _moved("lagging compression", before, after, "creep_compression", why, system)
+    text = _moved("lagging compression", before, after, "creep_compression", why)
     yield abs(change), text
     change = after.creep_global - before.creep_global
     yield (
         abs(change),
-        _moved("global creep", before, after, "creep_global", _global_words(before, after), system),
+        _moved("global creep", before, after, "creep_global", _global_words(before, after)),
     )
     shear = [r.exit_creep - r.exit_slip for r in (before, after)]
     if a.shear_compliance != b.shear_compliance:
-        texts = [named("exit_creep", v, system) for v in shear]
+        texts = [named("exit_creep", v) for v in shear]
         text = (
             f"of the creep the lagging shears {texts[0]} before and {texts[1]} after, as h/G goes "
             f"from {_per_stress(a.shear_compliance)} to {_per_stress(b.shear_compliance)}; the "
-            f"slip goes from {named('exit_slip', before.exit_slip, system)} to "
-            f"{named('exit_slip', after.exit_slip, system)}."
+            f"slip goes from {named('exit_slip', before.exit_slip)} to "
+            f"{named('exit_slip', after.exit_slip)}."
         )
         yield abs(shear[1] - shear[0]), text
 
 
-def _moved(
-    what: str, before: ArcResult, after: ArcResult, name: str, why: str, system: System
-) -> str:
-    first, second = (named(name, getattr(r, name), system) for r in (before, after))
+def _moved(what: str, before: ArcResult, after: ArcResult, name: str, why: str) -> str:
+    first, second = (named(name, getattr(r, name)) for r in (before, after))
     return f"{what} goes from {first} to {second}: {why}."
 
 
@@ -281,11 +276,11 @@ def _by_itself(found: WhatIf) -> list[DriveResult]:
     return [alone(w.drive, r) for w, r in zip(found.drives, found.results, strict=True)]
 
 
-def _reasons(found: WhatIf, whole: Whole, after: ArcResult, system: System = "si") -> Iterator[str]:
+def _reasons(found: WhatIf, whole: Whole, after: ArcResult) -> Iterator[str]:
     if isinstance(whole, TrainResult) and whole[found.load_case].adrift:
         yield whole[found.load_case].reason
         return
-    yield from reasons(found.before, after, system, len(found.drives[0].drive.pulleys) > 1)
+    yield from reasons(found.before, after, len(found.drives[0].drive.pulleys) > 1)
 
 
 def what_if_document(found: WhatIf) -> dict[str, Any]:

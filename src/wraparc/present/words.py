@@ -11,25 +11,24 @@ from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive, LoadCase, Tensions
 from wraparc.present.least_tension import least_sentence
 from wraparc.present.sheet import Verdict, named
-from wraparc.units import System
 
 
-def verdict(result: DriveResult, system: System = "si") -> Verdict:
+def verdict(result: DriveResult) -> Verdict:
     """Return the answer for a whole drive: the check that governs, then what else is missed."""
     told = judge(result)
     worst = result.governing
-    least = least_sentence(result, system)
-    sentences = [*([least] if least else []), *told.sentences(system)]
+    least = least_sentence(result)
+    sentences = [*([least] if least else []), *told.others]
     if worst.status is Status.BREAKAWAY:
         sentences += _breakaway(worst)
     said = (*told_twice(told), *([least] if _says_none(told) else []))
-    return in_words(told, system, sentences, [s for s in sentences if s not in said])
+    return in_words(told, sentences, [s for s in sentences if s not in said])
 
 
 def told_twice(told: Judgement) -> tuple[str, ...]:
     """Return the sentence on the data, which the remarks of a short answer tell in full."""
     weak = told.level.rank > Level.OK.rank and told.qualifier and told.data
-    return told.sentences()[-1:] if weak else ()
+    return told.others[-1:] if weak else ()
 
 
 def _says_none(told: Judgement) -> bool:
@@ -39,36 +38,27 @@ def _says_none(told: Judgement) -> bool:
 
 
 def in_words(
-    told: Judgement, system: System, sentences: Sequence[str], kept: Sequence[str] | None = None
+    told: Judgement, sentences: Sequence[str], kept: Sequence[str] | None = None
 ) -> Verdict:
     """Return a verdict with its sentences, as a sheet shows it; `kept` are those of a short one."""
     return Verdict(
         told.level,
-        told.headline(system),
+        told.lead,
         tuple(sentences),
         told.word,
-        _action(told, system),
+        told.action,
         None if kept is None else tuple(kept),
     )
 
 
-def _action(told: Judgement, system: System) -> str:
-    """Return what the headline says is to be done: the remedy of the check that governs."""
-    worst = told.governing
-    if worst is None or not worst.missed or not worst.says:
-        return ""
-    said = replace(worst, remedy="").sentence(system)
-    return worst.sentence(system).removeprefix(said).strip()
-
-
-def as_it_is(told: Judgement, system: System) -> str:
+def as_it_is(told: Judgement) -> str:
     """Return the verdict on a drive in a sentence, for an answer to another question about it."""
-    return f"As it is: {told.headline(system)}"
+    return f"As it is: {told.lead}"
 
 
-def in_short(told: Judgement, system: System) -> str:
+def in_short(told: Judgement) -> str:
     """Return what a drive misses as it is, in a few words, or what it misses wet; else nothing."""
-    worst, wet = told.governing, told.beyond_wet(system)
+    worst, wet = told.governing, told.beyond_wet()
     if worst is None or not worst.missed:
         return f"{wet}." if wet else ""
     where = f" ({worst.place})" if str(worst.place) else ""

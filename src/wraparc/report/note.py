@@ -12,7 +12,8 @@ from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.drive import Drive, Lagging
 from wraparc.drive.conditions import SCALED
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem
+from wraparc.errors import shown as quoted
 from wraparc.friction import Equation
 from wraparc.present.arc_tables import (
     answer_table,
@@ -29,7 +30,7 @@ from wraparc.present.drive_sheet import loads_table, method_remarks
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
-from wraparc.present.sheet import Row, Table, Verdict, named, percent, started
+from wraparc.present.sheet import Row, Table, Verdict, named, percent, quantity, shown, started
 from wraparc.present.sources import Sources
 from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import verdict
@@ -42,7 +43,7 @@ from wraparc.report.drawings import (
 )
 from wraparc.report.equations import equations
 from wraparc.report.note_tables import arcs_table, shares_table
-from wraparc.units import System, display
+from wraparc.units import GIVEN_DIGITS, System, distinct
 from wraparc.version import __version__
 
 if TYPE_CHECKING:
@@ -105,10 +106,10 @@ class NoteHead:
                 value = "".join(c for change in self.changes for c in change if not c.isprintable())
             if not isinstance(value, str) or len(value) > _LONGEST or not value.isprintable():
                 message = f"must be printable text of at most {_LONGEST} characters"
-                problems.append(Problem(key=f.name, value=shown(value), message=message))
+                problems.append(Problem(key=f.name, value=quoted(value), message=message))
         if self.paper not in PAPERS:
             message = f"no such paper, only {' and '.join(PAPERS)}"
-            problems.append(Problem(key="paper", value=shown(self.paper), message=message))
+            problems.append(Problem(key="paper", value=quoted(self.paper), message=message))
         if problems:
             raise InputError(problems)
 
@@ -123,6 +124,15 @@ class Section:
     drawings: tuple[Drawing, ...] = ()
     equations: tuple[Equation, ...] = ()
     numbered: bool = False
+
+    def shown(self, system: System) -> "Section":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            sentences=shown(self.sentences, system),
+            tables=shown(self.tables, system),
+            drawings=tuple(drawing.shown(system) for drawing in self.drawings),
+        )
 
 
 @dataclass(frozen=True)
@@ -155,6 +165,16 @@ class Note:
     about: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
 
+    def shown(self, system: System) -> "Note":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            told=shown(self.told, system),
+            summary=shown(self.summary, system),
+            about=shown(self.about, system),
+            sections=tuple(section.shown(system) for section in self.sections),
+        )
+
     @property
     def drawings(self) -> tuple[Drawing, ...]:
         """Every picture, in order."""
@@ -180,6 +200,16 @@ def make_note(
     train: "TrainResult | None" = None,
     in_time: "InTime | None" = None,
 ) -> Note:
+    """Return the note of a solved drive in a system of units, see `compose_note`."""
+    return compose_note(results, head, train, in_time).shown(system)
+
+
+def compose_note(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
+) -> Note:
     """Return the note of a solved drive.
 
     Parameters
@@ -188,8 +218,6 @@ def make_note(
         The drive by the main solver, then by others.
     head
         Title block.
-    system
-        Units to show.
     train
         How the drives share the load, where there are several on the belt.
     in_time
@@ -198,30 +226,30 @@ def make_note(
     first = results[0]
     of = Sources()
     judged = judge(first if train is None else train)
-    told = verdict(first, system) if train is None else _train_verdict(train, system)
+    told = verdict(first) if train is None else _train_verdict(train)
     in_time_sections: tuple[Section, ...] = ()
     if in_time is not None:
         from wraparc.report.note_in_time import judged_with, section, told_with
 
-        judged, told = judged_with(judged, in_time), told_with(told, in_time, system)
-        in_time_sections = (Section("In time: events and vibrations", *section(in_time, system)),)
-    least = [t for t in (least_table(first if train is None else train, system),) if t]
-    details = tuple(_details(results, system, of))
-    inputs = Section("Inputs and where they came from", tables=_inputs(first, system, of, train))
+        judged, told = judged_with(judged, in_time), told_with(told, in_time)
+        in_time_sections = (Section("In time: events and vibrations", *section(in_time)),)
+    least = [t for t in (least_table(first if train is None else train),) if t]
+    details = tuple(_details(results, of))
+    inputs = Section("Inputs and where they came from", tables=_inputs(first, of, train))
     assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
     sections = [
         *_in_condition(
             first.drive,
-            Section("Checks against limits", tables=(check_table(judged, system, of, ""), *least)),
-            _results_section(results, system, train),
+            Section("Checks against limits", tables=(check_table(judged, of, ""), *least)),
+            _results_section(results, train),
             *details,
         ),
-        *_across_sections(first, system),
+        *_across_sections(first),
         *in_time_sections,
         inputs,
         assumed,
         _equation_section(results, train),
-        Section("Warnings", sentences=tuple(_warnings(results, system))),
+        Section("Warnings", sentences=tuple(_warnings(results))),
         Section("Sources", sentences=of.listed(), numbered=True),
     ]
     return Note(
@@ -232,7 +260,7 @@ def make_note(
         told=told,
         judged=judged,
         summary=checks_summary(judged),
-        about=tuple(_about(first.drive, system)),
+        about=tuple(_about(first.drive)),
         sections=tuple(
             replace(s, tables=tuple(map(_worded, s.tables)))
             for s in sections
@@ -248,7 +276,7 @@ def _in_condition(drive: Drive, *sections: Section) -> Iterator[Section]:
     yield from (replace(section, title=f"{section.title}{told}") for section in sections)
 
 
-def _about(drive: Drive, system: System) -> Iterator[tuple[str, str]]:
+def _about(drive: Drive) -> Iterator[tuple[str, str]]:
     """Yield what a reader looks for in the title block: conditions, and the conveyor."""
     conditions = drive.conditions or tuple(
         dict.fromkeys(pulley.lagging.condition for pulley in drive.pulleys)
@@ -257,12 +285,12 @@ def _about(drive: Drive, system: System) -> Iterator[tuple[str, str]]:
     of = drive.conveyor
     if of is None:
         return
-    parts = [f"length {display(of.length, 'length', system)}"]
-    parts.append(f"lift {display(of.lift, 'length', system)}")
+    parts = [f"length {quantity(of.length, 'length', GIVEN_DIGITS)}"]
+    parts.append(f"lift {quantity(of.lift, 'length', GIVEN_DIGITS)}")
     if of.capacity is not None:
-        parts.append(f"capacity {display(of.capacity, 'mass_flow', system)}")
+        parts.append(f"capacity {quantity(of.capacity, 'mass_flow', GIVEN_DIGITS)}")
     elif of.material_mass is not None:
-        parts.append(f"material {display(of.material_mass, 'mass_per_length', system)}")
+        parts.append(f"material {quantity(of.material_mass, 'mass_per_length', GIVEN_DIGITS)}")
     yield "Conveyor", ", ".join(parts)
 
 
@@ -280,19 +308,17 @@ def _worded_row(row: Row, table: Table) -> Row:
     return replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
 
 
-def _train_verdict(train: "TrainResult", system: System) -> Verdict:
+def _train_verdict(train: "TrainResult") -> Verdict:
     from wraparc.present.train_words import train_verdict
 
-    return train_verdict(train, system)
+    return train_verdict(train)
 
 
-def _inputs(
-    result: DriveResult, system: System, of: Sources, train: "TrainResult | None"
-) -> tuple[Table, ...]:
-    laws = (law_table(lagging, system) for lagging in result.drive.laggings)
+def _inputs(result: DriveResult, of: Sources, train: "TrainResult | None") -> tuple[Table, ...]:
+    laws = (law_table(lagging) for lagging in result.drive.laggings)
     inputs = note_inputs(result, train)
-    conveyor = conveyor_tables(result.drive, system, of) if train is None else ()
-    return (*conveyor, *input_tables(inputs, system, of, stated=True), *laws)
+    conveyor = conveyor_tables(result.drive, of) if train is None else ()
+    return (*conveyor, *input_tables(inputs, of, stated=True), *laws)
 
 
 def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:
@@ -304,20 +330,18 @@ def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input
     return (*drive_inputs(result.drive, divided=True), *train_inputs(train.train))
 
 
-def _results_section(
-    results: Sequence[DriveResult], system: System, train: "TrainResult | None"
-) -> Section:
-    tables = [arcs_table(results, system), loads_table(results[0], system)]
+def _results_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
+    tables = [arcs_table(results), loads_table(results[0])]
     if results[0].drive.conditions:
-        tables.append(conditions_table(results[0], system))
+        tables.append(conditions_table(results[0]))
     if train is not None:
         from wraparc.present.train_sheet import case_table
 
-        tables += [shares_table(train, system), case_table(train.governing, system)]
+        tables += [shares_table(train), case_table(train.governing)]
     return Section("Results by load case", tables=tuple(tables))
 
 
-def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Iterator[Section]:
+def _details(results: Sequence[DriveResult], of: Sources) -> Iterator[Section]:
     """The arc that governs in full, with its pictures."""
     first = results[0]
     worst = first.governing
@@ -325,23 +349,23 @@ def _details(results: Sequence[DriveResult], system: System, of: Sources) -> Ite
     arcs = tuple(r.arcs[position] for r in results)
     solved = tuple(r for r in arcs if r.status.solved)
     pulleys = [r for r in first if r.arc.load_case == worst.arc.load_case]
-    pictures = [pulley_drawing(r, system) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
+    pictures = [pulley_drawing(r) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
     if worst.status.solved:
-        pictures += [budget_drawing(solved, system), profile_drawing(solved, system)]
+        pictures += [budget_drawing(solved), profile_drawing(solved)]
     yield Section(f"Governing arc: {belongs(worst)}", drawings=tuple(pictures))
     tables = []
     if solved:
-        tables += [replace(answer_table(solved, system), title=""), creep_table(solved, system)]
-    tables += [t for t in (capacity_table(worst, system), margins_table(first, worst, system)) if t]
+        tables += [replace(answer_table(solved), title=""), creep_table(solved)]
+    tables += [t for t in (capacity_table(worst), margins_table(first, worst)) if t]
     case = first.drive.load_case(worst.arc.load_case)
     lagging = first.drive.pulley(worst.arc.pulley).lagging_in(case.condition)
-    tables.append(comparison_table(worst, lagging, system, of))
-    found = (wear_table(worst, lagging, system), life_table(worst, lagging, system, of))
+    tables.append(comparison_table(worst, lagging, of))
+    found = (wear_table(worst, lagging), life_table(worst, lagging, of))
     tables += [table for table in found if table]
     yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
 
 
-def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
+def _across_sections(result: DriveResult) -> Iterator[Section]:
     """The belt across its width, where a pulley says what is uneven."""
     if not any(pulley.across for pulley in result.drive.pulleys):
         return
@@ -349,8 +373,8 @@ def _across_sections(result: DriveResult, system: System) -> Iterator[Section]:
 
     yield Section(
         "Across the width",
-        tables=tuple(across_tables(result, system)),
-        drawings=(across_drawing(worst_first(result)[0], system),),
+        tables=tuple(across_tables(result)),
+        drawings=(across_drawing(worst_first(result)[0]),),
     )
 
 
@@ -405,7 +429,7 @@ def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None
     return Section("Equations", equations=listed)
 
 
-def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
+def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
     yield from judge(results[0]).data
     for arc in results[0]:
         if arc.status.solved and arc.extrapolates:
@@ -421,8 +445,10 @@ def _warnings(results: Sequence[DriveResult], system: System) -> Iterator[str]:
             "slip; do not design by it."
         )
     yield from method_remarks(results)
-    limit = {named("creep_limit", r.arc.creep_limit, system) for r in results[0]}
+    limits = distinct(
+        named("creep_limit", limit) for limit in sorted(r.arc.creep_limit for r in results[0])
+    )
     yield (
-        f"The creep limit ({', '.join(sorted(limit))}) is a limit of practice, not of strength; "
+        f"The creep limit ({', '.join(limits)}) is a limit of practice, not of strength; "
         "this note does not check shaft, shell, or the belt's splice."
     )

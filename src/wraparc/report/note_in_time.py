@@ -1,6 +1,7 @@
 """The section of a calculation note on drives in time, and what it adds to the verdict."""
 
 from dataclasses import replace
+from functools import partial
 
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge_run
@@ -8,9 +9,8 @@ from wraparc.motion.reported import InTime
 from wraparc.motion.result import RunResult
 from wraparc.plot.motion import plot_run, plot_stability
 from wraparc.present.motion_sheet import run_sheet, run_tables, stability_sheet
-from wraparc.present.sheet import Table, Verdict, named
+from wraparc.present.sheet import Table, Verdict, named, quantity
 from wraparc.report.drawings import Drawing
-from wraparc.units import System, display
 
 
 def judged_with(before: Judgement, in_time: InTime) -> Judgement:
@@ -19,25 +19,23 @@ def judged_with(before: Judgement, in_time: InTime) -> Judgement:
     return Judgement((*before.checks, *more))
 
 
-def told_with(before: Verdict, in_time: InTime, system: System) -> Verdict:
+def told_with(before: Verdict, in_time: InTime) -> Verdict:
     """Return the answer in words; an event that is worse than everything else leads it."""
     found = [judge_run(run) for run in in_time.runs]
     worst = max(found, key=lambda v: v.level.rank, default=None)
     if worst is None:
         return before
-    said = worst.headline(system)
+    said = worst.lead
     if worst.level.rank > before.level.rank:
         sentences = (before.headline, *before.sentences)
         return Verdict(worst.level, said, sentences, worst.word)
     return replace(before, sentences=(*before.sentences, f"In time: {said}"))
 
 
-def section(
-    in_time: InTime, system: System
-) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[Drawing, ...]]:
+def section(in_time: InTime) -> tuple[tuple[str, ...], tuple[Table, ...], tuple[Drawing, ...]]:
     """Return what each event comes to, and whether the drives pulsate: words, tables, pictures."""
-    vibrations = stability_sheet(in_time.stability, system)
-    sheets = [run_sheet(run, system) for run in in_time.runs]
+    vibrations = stability_sheet(in_time.stability)
+    sheets = [run_sheet(run) for run in in_time.runs]
     sentences = []
     for name, sheet in (
         *((run.event.name, sheet) for run, sheet in zip(in_time.runs, sheets, strict=True)),
@@ -49,31 +47,31 @@ def section(
     tables = [
         replace(table, title=f"{table.title}: {run.event.name}")
         for run in in_time.runs
-        for table in run_tables(run, system)
+        for table in run_tables(run)
     ]
     drawings = (
-        *(_run_drawing(run, system) for run in in_time.runs[:1]),
-        _stability_drawing(in_time, system),
+        *(_run_drawing(run) for run in in_time.runs[:1]),
+        _stability_drawing(in_time),
     )
     return (*sentences, *vibrations.remarks), (*tables, *vibrations.tables), drawings
 
 
-def _run_drawing(run: RunResult, system: System) -> Drawing:
+def _run_drawing(run: RunResult) -> Drawing:
     peak, tension = run.peak_creep, run.peak_tension
     alt = (
         f"Speed, tensions, pulls and creep over time, and creep over the wraps. The largest creep, "
-        f"{named('exit_creep', peak.value, system)}, comes at {peak.place} after "
-        f"{display(peak.time, 'time', digits=3)}; the largest tension, "
-        f"{named('entry_tension', tension.value, system)}, {tension.place}."
+        f"{named('exit_creep', peak.value)}, comes at {peak.place} after "
+        f"{quantity(peak.time, 'time')}; the largest tension, "
+        f"{named('entry_tension', tension.value)}, {tension.place}."
     )
-    return Drawing(lambda: plot_run(run, system), f"Event {run.event.name}.", alt)
+    return Drawing(partial(plot_run, run), f"Event {run.event.name}.", alt)
 
 
-def _stability_drawing(in_time: InTime, system: System) -> Drawing:
+def _stability_drawing(in_time: InTime) -> Drawing:
     found = in_time.stability
     alt = (
         "How pull and creep answer to run-out of the last drum over frequency, and how other "
         "controls compare; the table says it in numbers."
     )
-    caption = f"Run-out of {named('exit_creep', found.run_out, system)}: answer by frequency."
-    return Drawing(lambda: plot_stability(found, system), caption, alt)
+    caption = f"Run-out of {named('exit_creep', found.run_out)}: answer by frequency."
+    return Drawing(partial(plot_stability, found), caption, alt)

@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import belongs, creep_interval_text
-from wraparc.present.sheet import NONE, Row, Table, number, percent
+from wraparc.present.sheet import NONE, Row, Table, headed, number, percent
 from wraparc.present.words import level_of, short
-from wraparc.units import System, display_unit
 
 if TYPE_CHECKING:
     from wraparc.train import TrainResult
 
 
-def arcs_table(results: Sequence[DriveResult], system: System) -> Table:
+def arcs_table(results: Sequence[DriveResult]) -> Table:
     """One line for each arc; the creep by the other methods beside that of the first."""
     columns = (
         ("entry_tension", "T1"), ("exit_tension", "T2"), ("tension_ratio", "T1/T2"),
@@ -24,12 +23,12 @@ def arcs_table(results: Sequence[DriveResult], system: System) -> Table:
         ("power_loss", "loss"),
     )  # fmt: skip
     others = ["creep, paper"] if len(results) > 1 else []
-    heads = [_head(name, words, system) for name, words in columns]
-    heads[4:4] = [_head("exit_creep", words, system) for words in others]
+    heads = [_head(name, words) for name, words in columns]
+    heads[4:4] = [_head("exit_creep", words) for words in others]
     rows = []
     for position, arc in enumerate(results[0]):
-        values = [_number(arc, name, system) for name, _ in columns]
-        values[4:4] = [_number(r.arcs[position], "exit_creep", system) for r in results[1:2]]
+        values = [_number(arc, name) for name, _ in columns]
+        values[4:4] = [_number(r.arcs[position], "exit_creep") for r in results[1:2]]
         title = arc.arc.load_case
         if len(results[0].drive.pulleys) > 1:
             title += f": {arc.arc.pulley}"
@@ -39,12 +38,12 @@ def arcs_table(results: Sequence[DriveResult], system: System) -> Table:
         "stress at their peak."
     )
     for arc in results[0]:
-        told = creep_interval_text(arc, system)
+        told = creep_interval_text(arc)
         note += f" Creep in {belongs(arc)}: {told}." if told else ""
     return Table("", tuple(rows), (*heads, "answer"), note)
 
 
-def shares_table(train: "TrainResult", system: System) -> Table:
+def shares_table(train: "TrainResult") -> Table:
     """One line for each drive of each load case: what it carries, how fast it turns."""
     from wraparc.present.train_sheet import trim_text
 
@@ -53,25 +52,24 @@ def shares_table(train: "TrainResult", system: System) -> Table:
         for m in case.members:
             values = (
                 percent(m.share),
-                number("drum_power", m.drum_power, system),
+                number("drum_power", m.drum_power),
                 NONE if math.isnan(m.speed_ratio) else f"{100.0 * (m.speed_ratio - 1.0):+.4f}",
                 trim_text(m.speed_trim),
                 percent(m.motor.motor_load) if m.motor else NONE,
             )
             rows.append(Row(f"{case.case.name}: {m.name}", values, level=level_of(pulleys, m.arc)))
     heads = (
-        "share", _head("drum_power", "power", system), "speed to the first [%]", "speed trim",
+        "share", _head("drum_power", "power"), "speed to the first [%]", "speed trim",
         "motor load",
     )  # fmt: skip
     return Table("Shares and speeds", tuple(rows), heads)
 
 
-def _head(name: str, words: str, system: System) -> str:
-    unit, _ = display_unit(GLOSSARY[name].dimension, system)
-    return f"{words} [{unit}]" if unit else words
+def _head(name: str, words: str) -> str:
+    return headed(words, GLOSSARY[name].dimension)
 
 
-def _number(result: ArcResult, name: str, system: System) -> str:
+def _number(result: ArcResult, name: str) -> str:
     if name in ("entry_tension", "exit_tension", "tension_ratio"):
         arc = result.arc
         ratio = arc.entry_tension / arc.exit_tension
@@ -80,4 +78,4 @@ def _number(result: ArcResult, name: str, system: System) -> str:
         return NONE
     else:
         value = result.scalars()[name]
-    return number(name, value, system)
+    return number(name, value)

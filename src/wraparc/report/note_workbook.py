@@ -12,11 +12,21 @@ from wraparc.errors import MissingExtraError
 from wraparc.glossary import GLOSSARY
 from wraparc.present.arc_tables import METHOD_TITLES
 from wraparc.present.inputs import Input
+from wraparc.present.sheet import Row
 from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.provenance import Provenance
-from wraparc.report.note import PROGRAM, Note, NoteHead, make_note, note_inputs
-from wraparc.units import NOTHING, SMALL, Dimension, System, display_unit
+from wraparc.report.note import PROGRAM, Note, NoteHead, compose_note, note_inputs
+from wraparc.units import (
+    NOTHING,
+    SMALL,
+    Dimension,
+    System,
+    cell_of,
+    display_unit,
+    in_units,
+    on_safe_side,
+)
 
 if TYPE_CHECKING:
     from wraparc.motion.reported import InTime
@@ -24,7 +34,7 @@ if TYPE_CHECKING:
 
 Cell = str | float
 #: Titles of the sheets, in order.
-SHEETS = ("Summary", "Inputs", "Results", "Profile", "All profiles", "Sources")
+SHEETS = ("Summary", "Inputs", "Results", "Tables", "Profile", "All profiles", "Sources")
 _WIDEST = 60
 _BLUE, _ORANGE, _RED = "#0072B2", "#D55E00", "#A50F15"
 
@@ -51,9 +61,10 @@ def note_workbook(
     # no text of the user's may become a formula or a link
     options = {"in_memory": True, "strings_to_formulas": False, "strings_to_urls": False}
     with xlsxwriter.Workbook(data, options) as book:
-        note = make_note(results, head, system, train, in_time)
+        told = compose_note(results, head, train, in_time)
+        note = told.shown(system)
         book.set_properties(_properties(note))
-        _Workbook(book, note, results, system, train).write()
+        _Workbook(book, note, results, system, train).write(told)
     return data.getvalue()
 
 
@@ -90,12 +101,13 @@ class _Workbook:
         )
         self.wrapped = book.add_format({"text_wrap": True, "valign": "top"})
 
-    def write(self) -> None:
-        """Write every sheet, in the order of `SHEETS`."""
+    def write(self, told: Note) -> None:
+        """Write every sheet, in the order of `SHEETS`; the tables from the cells of a note."""
         self._summary()
         inputs = note_inputs(self.results[0], self.train)
         self._table("Inputs", _INPUT_HEADS, (self._input(e) for e in inputs if e.value is not None))
         self._results()
+        self._tables(told)
         self._profile()
         self._all_profiles()
         self._sources(inputs)
@@ -184,7 +196,7 @@ class _Workbook:
         unit, size = self._unit(check.dimension)
         bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
         # what is below its accuracy is told so, as everywhere
-        value: Cell = check.texts()[0] if check.below else check.value / size
+        value: Cell = in_units(check.texts()[0], self.system) if check.below else check.value / size
         margin: Cell = "-" if check.below else 100.0 * check.margin
         return (
             check.title, bound, check.limit / size, value, unit or "-",
@@ -192,7 +204,7 @@ class _Workbook:
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
-        value: Cell = entry.text(self.system)
+        value: Cell = in_units(entry.text(), self.system)
         unit = ""
         if isinstance(entry.value, float) and math.isfinite(entry.value):
             unit, size = self._unit(entry.dimension)
@@ -221,6 +233,37 @@ class _Workbook:
             for arc in result
         ]
         self._table("Results", heads, rows, frozen=4)
+
+    def _tables(self, told: Note) -> None:
+        """Write every number of the tables of a note on a line of its own, as it is filtered by."""
+
+        def line(title: str, row: Row, head: str, value: str) -> list[Cell]:
+            where = [in_units(text, self.system) for text in (title, row.title, row.symbol, head)]
+            number, unit = self._number(value)
+            return [*where, number, unit, str(row.level or ""), in_units(row.note, self.system)]
+
+        rows = (
+            line(table.title or section.title, row, head, value)
+            for section in told.sections
+            for table in section.tables
+            for row in table.rows
+            for head, value in zip(table.heads, row.values, strict=True)
+        )
+        self._table("Tables", _TABLE_HEADS, rows)
+
+    def _number(self, text: str) -> tuple[Cell, str]:
+        """Return the number of a cell and its unit; what is more than one number stays a text."""
+        cell = cell_of(text)
+        ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
+        if cell is None or cell.form == "unit" or ends:
+            return in_units(text, self.system), ""
+        if cell.form == "percent":
+            return 100.0 * cell.value, "%"
+        unit, size = self._unit(cell.dimension)
+        value = cell.value
+        if cell.form in ("up", "bare up", "down"):
+            value = on_safe_side(value, cell.dimension, self.system, up=cell.form != "down")
+        return value / size, unit
 
     def _member(self, arc: ArcResult, names: Sequence[str]) -> Sequence[float]:
         """Return what a train adds to an arc; nothing for other methods, which know no speeds."""
@@ -330,6 +373,7 @@ class _Workbook:
 
 
 _INPUT_HEADS = ("Of", "Quantity", "Symbol", "Value", "Unit", "Kind", "Source", "Note")
+_TABLE_HEADS = ("Table", "Row", "Symbol", "Column", "Value", "Unit", "Answer", "Note")
 _CHECK_HEADS = (
     "Check", "Bound", "Limit", "Found", "Unit", "Margin [%]", "Answer", "Where it comes off worst",
     "Source of the limit",

@@ -9,7 +9,7 @@ from typing import Any
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
 from wraparc.present.page import sheet_page
-from wraparc.present.sheet import Row, Sheet, Table
+from wraparc.present.sheet import Row, Sheet, Table, shown
 from wraparc.report.drawings import Drawing
 from wraparc.report.note import PROGRAM, Section
 from wraparc.report.note_pdf import sections_data
@@ -93,7 +93,7 @@ def make_report(result: PlanResult, system: System = "si", *, laws: bool = False
     laws
         As in `plan_sheet`.
     """
-    sheet = plan_sheet(result, system, laws=laws)
+    sheet = shown(plan_sheet(result, laws=laws), system)
     sheet = replace(sheet, tables=(*sheet.tables, digests_table(result)))
     return Report(result, sheet, tuple(_drawings(result)))
 

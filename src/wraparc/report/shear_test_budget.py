@@ -6,7 +6,7 @@ from wraparc.present.sheet import NONE, Row, Table
 from wraparc.report.shear_test_numbers import number
 from wraparc.shear_test.analysis import ConditionResult
 from wraparc.shear_test.budget import Common
-from wraparc.units import System, display_unit
+from wraparc.units import in_unit, unit_of
 
 _FROM = {
     "repeatability": "from the readings",
@@ -15,7 +15,7 @@ _FROM = {
 }
 
 
-def budget_table(condition: ConditionResult, system: System, name: str) -> Table | None:
+def budget_table(condition: ConditionResult, name: str) -> Table | None:
     """Return the budget at the middle of the tested pressures; None for a single pressure."""
     fit = condition.fit
     if fit is None:
@@ -37,9 +37,9 @@ def budget_table(condition: ConditionResult, system: System, name: str) -> Table
         ),
     ]
     none = [part for part, each in budget.parts.items() if not each[middle].any()]
-    unit, size = display_unit("pressure", system)
     note = (
-        f"At {number(budget.pressure[middle] / size)} {unit}. Standard uncertainties of peak "
+        f"At {in_unit('pressure', lambda kpa: number(budget.pressure[middle] / kpa))} "
+        f"{unit_of('pressure')}. Standard uncertainties of peak "
         "friction and peak slip, relative, and their shares of the variance; after the GUM (JCGM "
         "100). Errors of what was measured with are common to all tests: repeats do not lessen "
         "them."
@@ -71,6 +71,9 @@ def _origin(part: str, common: Common | None) -> str:
     if part == "compliance of the rig":
         stated = "as stated" if of.compliance is not None else "assumed: the plan says nothing"
         return f"at most {1e6 * common.compliance:.3g} mm/kN, {stated}"
+    if part == "modulus of the belt cover":
+        stated = "as stated" if of.cover_shear_modulus is not None else "assumed: 5 Shore A"
+        return f"at most {100.0 * of.cover_modulus_error:.3g} %, {stated}"
     relative = {
         "pulling force": of.force, "normal force": of.normal_force, "sample area": of.area,
         "travel": of.travel, "temperature": of.temperature,

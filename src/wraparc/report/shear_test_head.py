@@ -9,7 +9,7 @@ from wraparc.present.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.plan import PlannedTest, TestPlan
-from wraparc.units import Dimension, System, display
+from wraparc.units import GIVEN_DIGITS, Dimension, distinct, either, quantity
 
 NOT_STATED = "not stated"
 #: Who signs a test report.
@@ -42,27 +42,28 @@ def signature_table(result: PlanResult) -> Table:
     return Table("Signatures", tuple(rows), _ROW)
 
 
-def circumstances_table(result: PlanResult, system: System) -> Table:
+def circumstances_table(result: PlanResult) -> Table:
     """Specimen, rig and conditions; what a report on friction must say is there even if unstated.
 
     ISO 8295 and ASTM D1894 ask for what is marked as not stated: specimen and counterface,
     conditioning, temperature, humidity, speed, area, apparatus, operator and date.
     """
     plan = result.plan
-    rows = [Row(title, (value or NOT_STATED,)) for title, value in _asked_for(result, system)]
+    rows = [Row(title, (value or NOT_STATED,)) for title, value in _asked_for(result)]
     known = {
-        "Shear modulus G": plan.shear_modulus and display(plan.shear_modulus, "pressure", system),
+        "Shear modulus G": plan.shear_modulus
+        and quantity(plan.shear_modulus, "pressure", GIVEN_DIGITS),
         "Elastic modulus E": plan.elastic_modulus
-        and display(plan.elastic_modulus, "pressure", system),
+        and quantity(plan.elastic_modulus, "pressure", GIVEN_DIGITS),
         "Compression modulus E_c": plan.compression_modulus
-        and display(plan.compression_modulus, "pressure", system),
-        "Roughness": plan.roughness and display(plan.roughness, "length", system),
+        and quantity(plan.compression_modulus, "pressure", GIVEN_DIGITS),
+        "Roughness": plan.roughness and quantity(plan.roughness, "length", GIVEN_DIGITS),
     }
     rows += [Row(title, (value,)) for title, value in known.items() if value]
     return Table("Specimen, rig and conditions", tuple(rows), name="rig")
 
 
-def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
+def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
     plan, rig = result.plan, result.plan.rig
     if plan.digitised is not None:
         return (
@@ -81,14 +82,14 @@ def _asked_for(result: PlanResult, system: System) -> Iterable[tuple[str, str]]:
         ("Date of the tests", _dates(tests)),
         ("Order of the tests", _order(tests)),
         ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
-        ("Temperature", _span([t.temperature for t in tests], "temperature", system)),
+        ("Temperature", _span([t.temperature for t in tests], "temperature")),
         ("Humidity", _percents([t.humidity for t in tests])),
-        ("Test speed", _speeds([t.speed for t in tests], system)),
-        ("Area of a face", display(rig.area, "area", system)),
+        ("Test speed", _speeds([t.speed for t in tests])),
+        ("Area of a face", quantity(rig.area, "area", GIVEN_DIGITS)),
         ("Faces that slide", str(rig.faces)),
         (
             "Thickness that shears",
-            "" if thickness is None else display(thickness, "length", system),
+            "" if thickness is None else quantity(thickness, "length", GIVEN_DIGITS),
         ),
         ("Slip includes", _slip_includes(plan)),
         ("Rig", rig.name),
@@ -161,21 +162,25 @@ def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:
     known = [value for value in values if value is not None]
     if not known:
         return ""
-    ends = dict.fromkeys(shown(value) for value in (min(known), max(known)))
+    ends = distinct(shown(value) for value in (min(known), max(known)))
     return _stated(values, " to ".join(ends))
 
 
-def _span(values: list[float | None], dimension: Dimension, system: System) -> str:
-    return _ends(values, lambda value: display(value, dimension, system))
+def _span(values: list[float | None], dimension: Dimension) -> str:
+    return _ends(values, lambda value: quantity(value, dimension, GIVEN_DIGITS))
 
 
 def _percents(values: list[float | None]) -> str:
     return _ends(values, lambda value: f"{100.0 * value:.3g} %")
 
 
-def _speeds(values: list[float | None], system: System) -> str:
-    size, unit = (25.4e-3 / 60.0, "in/min") if system == "us" else (1e-3 / 60.0, "mm/min")
-    return _ends(values, lambda value: f"{value / size:.4g} {unit}")
+def _speeds(values: list[float | None]) -> str:
+    def shown(value: float) -> str:
+        return either(
+            f"{value / (1e-3 / 60.0):.4g} mm/min", f"{value / (25.4e-3 / 60.0):.4g} in/min"
+        )
+
+    return _ends(values, shown)
 
 
 def digests_table(result: PlanResult) -> Table:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from wraparc.present.sheet import NONE, Row, Table
+from wraparc.present.sheet import NONE, Row, Table, headed
 from wraparc.report.shear_test_numbers import with_error
 from wraparc.shear_test.alternatives import alternative_laws
 from wraparc.shear_test.analysis import ConditionResult
@@ -15,26 +15,24 @@ from wraparc.shear_test.standard_values import (
     law_at_slips,
     standard_values,
 )
-from wraparc.units import System, display_unit
+from wraparc.units import in_unit, unit_of
 
 _DEVIATION = "s: standard deviation between tests."
 
 
-def standard_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
+def standard_tables(condition: ConditionResult, name: str) -> list[Table]:
     """Return static and kinetic friction, and friction at standard slips, by pressure."""
     values = standard_values(condition)
     return [
-        _static_table(values, system, name),
-        _slips_table(values, system, name),
-        _law_table(condition, system, name),
+        _static_table(values, name),
+        _slips_table(values, name),
+        _law_table(condition, name),
     ]
 
 
-def _law_table(condition: ConditionResult, system: System, name: str) -> Table:
+def _law_table(condition: ConditionResult, name: str) -> Table:
     """The law at the standard slips, with its expanded uncertainty."""
-    unit, size = display_unit("length", system)
     found = condition.found
-    pressure_unit, pressure_size = display_unit("pressure", system)
     rows = []
     for k, (friction, expanded) in enumerate(zip(*law_at_slips(condition), strict=True)):
         reached = max(
@@ -48,51 +46,49 @@ def _law_table(condition: ConditionResult, system: System, name: str) -> Table:
                 STANDARD_SLIPS, map(with_error, friction, np.nan_to_num(expanded)), strict=True
             )
         ]
-        rows.append(Row(f"{found.level_pressures()[k] / pressure_size:.4g}", tuple(cells)))
+        rows.append(Row(_pressure(found.level_pressures()[k]), tuple(cells)))
     note = (
-        f"First column: pressure [{pressure_unit}]. \u00b1: expanded uncertainty, every part of "
-        "the budget included. In brackets: beyond the slip of the tests."
+        f"First column: pressure [{unit_of('pressure')}]. \u00b1: expanded uncertainty, every part "
+        "of the budget included. In brackets: beyond the slip of the tests."
     )
-    heads = tuple(f"{slip / size:.3g} {unit}" for slip in STANDARD_SLIPS)
+    heads = tuple(map(_slip, STANDARD_SLIPS))
     title, some = f"Law at standard slips{name}", {0, len(rows) // 2, len(rows) - 1}
     picked = [Row(rows[k].title, rows[k].values[1::2]) for k in sorted(some)]
     brief = Table(title, tuple(picked), heads[1::2], note)
     return Table(title, tuple(rows), heads, note, "slips", brief)
 
 
-def _static_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
-    unit, size = display_unit("length", system)
+def _static_table(values: tuple[StandardValues, ...], name: str) -> Table:
     rows = []
     for of in values:
         first, last = of.kinetic_slip
         more = f"still rising at the end of {of.rising} of {of.tests}" if of.rising else ""
         rows.append(
             Row(
-                title=_pressure(of, system),
+                title=_pressure(of.pressure),
                 values=(
                     str(of.tests),
                     f"> {of.static.mean:.3f}" if of.rising == of.tests else _mean(of.static),
                     _deviation(of.static),
                     _mean(of.kinetic),
                     _deviation(of.kinetic),
-                    NONE if math.isnan(first) else f"{first / size:.3g} to {last / size:.3g}",
+                    _slips(first, last),
                 ),
                 note=more,
             )
         )
     note = (
-        f"First column: pressure [{display_unit('pressure', system)[0]}]. Mean of the tests; "
+        f"First column: pressure [{unit_of('pressure')}]. Mean of the tests; "
         f"{_DEVIATION} Static: the highest friction of each test. Kinetic: its mean over the slip "
         "stated, from 1.25 peak slips on; - where no test goes that far. After ISO 8295 and ASTM "
         "D1894, but for two things: the peak comes after millimetres of creep, not at the start, "
         "and the lagging shears between belt covers instead of under a sled."
     )
-    heads = ("tests", "static", "s", "kinetic", "s", f"over slip [{unit}]")
+    heads = ("tests", "static", "s", "kinetic", "s", headed("over slip", "length"))
     return Table(f"Static and kinetic friction{name}", tuple(rows), heads, note, "static")
 
 
-def _slips_table(values: tuple[StandardValues, ...], system: System, name: str) -> Table:
-    unit, size = display_unit("length", system)
+def _slips_table(values: tuple[StandardValues, ...], name: str) -> Table:
     rows = []
     for of in values:
         cells = [str(of.tests)]
@@ -102,20 +98,30 @@ def _slips_table(values: tuple[StandardValues, ...], system: System, name: str) 
                 f"[{law:.3f}]" if not known.count else f"{_mean(known)}{fewer}",
                 _deviation(known),
             ]
-        rows.append(Row(_pressure(of, system), tuple(cells)))
+        rows.append(Row(_pressure(of.pressure), tuple(cells)))
     heads = ["tests"]
     for slip in STANDARD_SLIPS:
-        heads += [f"{slip / size:.3g} {unit}", "s"]
+        heads += [_slip(slip), "s"]
     note = (
-        f"First column: pressure [{display_unit('pressure', system)[0]}]. Mean of the measured "
+        f"First column: pressure [{unit_of('pressure')}]. Mean of the measured "
         f"friction at that slip; {_DEVIATION} In brackets [ ]: no test reached that slip, and the "
         "number is the law, extrapolated. A number in ( ): how many tests reached it, if not all."
     )
     return Table(f"Friction at standard slips{name}", tuple(rows), tuple(heads), note, "measured")
 
 
-def _pressure(of: StandardValues, system: System) -> str:
-    return f"{of.pressure / display_unit('pressure', system)[1]:.4g}"
+def _pressure(pressure: float) -> str:
+    return in_unit("pressure", lambda kpa: f"{pressure / kpa:.4g}")
+
+
+def _slip(slip: float) -> str:
+    return f"{in_unit('length', lambda mm: f'{slip / mm:.3g}')} {unit_of('length')}"
+
+
+def _slips(first: float, last: float) -> str:
+    if math.isnan(first):
+        return NONE
+    return in_unit("length", lambda mm: f"{first / mm:.3g} to {last / mm:.3g}")
 
 
 def _mean(of: Statistic) -> str:

@@ -1,7 +1,7 @@
 """Tables of a fitted test plan, for console, page and paper alike."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,28 +27,26 @@ from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
-from wraparc.units import System, display_unit
+from wraparc.units import in_unit, unit_of
 
 Array = NDArray[np.float64]
 
 
-def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False) -> Sheet:
+def plan_sheet(result: PlanResult, *, laws: bool = False) -> Sheet:
     """Return everything to show of a fitted plan.
 
     Parameters
     ----------
     result
         From `fit_plan`.
-    system
-        Units to show; A and b stay per millimetre of slip, as printed by the paper.
     laws
         Whether to fit other laws to the same curves and show them side by side.
     """
-    tables = plan_tables(result, system)
+    tables = plan_tables(result)
     for condition in result.conditions:
         several = len(result.conditions) > 1
         name = f" ({condition.condition})" if several else ""
-        tables += condition_tables(condition, system, name)
+        tables += condition_tables(condition, name)
         tables += [laws_table(condition, name)] if laws else []
     remarks = _remarks(result)
     plan = result.plan
@@ -64,12 +62,12 @@ def plan_sheet(result: PlanResult, system: System = "si", *, laws: bool = False)
     )
 
 
-def plan_tables(result: PlanResult, system: System = "si") -> list[Table]:
+def plan_tables(result: PlanResult) -> list[Table]:
     """Tables of the whole plan: what was not used, and under what circumstances was tested."""
     tables = [left_out_table(result)] if result.left_out else []
     if result.plan.unused_tests:
         tables.append(unused_table(result))
-    return [*tables, circumstances_table(result, system)]
+    return [*tables, circumstances_table(result)]
 
 
 def _remarks(result: PlanResult) -> list[str]:
@@ -152,15 +150,15 @@ def counted(remarks: Sequence[str]) -> str:
     return "1 remark" if len(remarks) == 1 else f"{len(remarks)} remarks"
 
 
-def condition_tables(condition: ConditionResult, system: System, name: str) -> list[Table]:
+def condition_tables(condition: ConditionResult, name: str) -> list[Table]:
     """Tables of one condition."""
     tables = [
-        curves_table(condition, system, name),
-        coefficients_table(condition, system, name),
-        law_table(condition, system, name),
-        *standard_tables(condition, system, name),
+        curves_table(condition, name),
+        coefficients_table(condition, name),
+        law_table(condition, name),
+        *standard_tables(condition, name),
     ]
-    budget = budget_table(condition, system, name)
+    budget = budget_table(condition, name)
     if budget is not None:
         tables.append(budget)
     if condition.fit is not None and condition.found.choice is not None:
@@ -169,18 +167,18 @@ def condition_tables(condition: ConditionResult, system: System, name: str) -> l
         tables.append(Table(f"Equations over pressure{name}", rows, (), name="equations"))
         tables.append(forms_table(condition, name))
     if condition.found.left_out:
-        tables.append(prediction_table(condition, system, name))
+        tables.append(prediction_table(condition, name))
     if any(test.other is not None for test in condition.tests):
-        tables.append(shear_table(condition, system, name))
+        tables.append(shear_table(condition, name))
     single = remarks_table(condition, name)
     return [*tables, files_table(condition, name), *([single] if single else [])]
 
 
-def curves_table(condition: ConditionResult, system: System, name: str) -> Table:
+def curves_table(condition: ConditionResult, name: str) -> Table:
     """One line a test: the peak of its own curve, lash, quality."""
-    unit, size = display_unit("length", system)
+    unit = unit_of("length")
     heads = (
-        _pressure_head(system),
+        _pressure_head(),
         f"peak slip [{unit}]",
         "peak friction",
         f"lash [{unit}]",
@@ -190,7 +188,7 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     rows = tuple(
         Row(
             title=test.test.label,
-            values=_curve_values(test, system, size),
+            values=_curve_values(test),
             note="outlier"
             if condition.found.flagged[k]
             else ("misfit" if test.judged.misfit else ""),
@@ -206,18 +204,19 @@ def curves_table(condition: ConditionResult, system: System, name: str) -> Table
     return Table(f"Tests{name}", rows, heads, note, "tests")
 
 
-def _curve_values(test: TestResult, system: System, size: float) -> tuple[str, ...]:
+def _curve_values(test: TestResult) -> tuple[str, ...]:
     fit, q, spread = test.fit, test.fit.parameters, _spread(test)
-    held = f"{q.lash / size:.3g} (held)"
-    lash = with_error(q.lash / size, spread * fit.error("lash") / size)
+    lash = in_unit("length", lambda mm: f"{q.lash / mm:.3g} (held)")
+    if "lash" in fit.free:
+        lash = _length(q.lash, spread * fit.error("lash"))
     peak = with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
     if fit.held.peak_friction is not None:
         peak = f"{q.peak_friction:.3g} (held)"
     return (
-        number(test.curve.pressure / display_unit("pressure", system)[1]),
-        _peak_slip(test, size),
+        _pressure(test.curve.pressure),
+        in_unit("length", lambda mm: _peak_slip(test, mm)),
         peak,
-        lash if "lash" in fit.free else held,
+        lash,
         f"{fit.r_squared:.4f}",
         f"{test.curve.noise:.4f}",
     )
@@ -243,18 +242,17 @@ def _spread(test: TestResult) -> float:
     return 0.0 if any(s.about != OTHER_PRESSURE for s in test.judged.misfit) else Z95
 
 
-def coefficients_table(condition: ConditionResult, system: System, name: str) -> Table:
+def coefficients_table(condition: ConditionResult, name: str) -> Table:
     """One line a test: the paper's A and b, and what follows the peak."""
-    unit, size = display_unit("length", system)
     rows = []
     for test in condition.tests:
         fit, q = test.fit, test.fit.parameters
         (a, b), (by_a, by_b) = fit.coefficients(), fit.coefficient_errors()
         spread = _spread(test)
-        falls = slope(
-            q.post_peak_slope * size,
-            spread * fit.error("post_peak_slope") * size,
-            q.peak_friction / q.peak_slip * size,
+        of = (
+            q.post_peak_slope,
+            spread * fit.error("post_peak_slope"),
+            q.peak_friction / q.peak_slip,
         )
         level = with_error(q.residual_friction, spread * fit.error("residual_friction"))
         check = derivative_check(fit)
@@ -264,7 +262,7 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
                 values=(
                     with_error(a, spread * by_a),
                     with_error(b, spread * by_b),
-                    falls if "post_peak_slope" in fit.free else NONE,
+                    _slope(*of) if "post_peak_slope" in fit.free else NONE,
                     level if "residual_friction" in fit.free else NONE,
                     number(check.a, 3) if check else NONE,
                     number(check.b, 3) if check else NONE,
@@ -274,7 +272,7 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
     heads = (
         "A [1/mm]",
         "b [1/mm]",
-        f"slope [1/{unit}]",
+        f"slope [1/{unit_of('length')}]",
         "residual",
         "A of derivative",
         "b of derivative",
@@ -287,9 +285,9 @@ def coefficients_table(condition: ConditionResult, system: System, name: str) ->
     return without_empty(Table(title, tuple(rows), heads, note, "coefficients"))
 
 
-def law_table(condition: ConditionResult, system: System, name: str) -> Table:
+def law_table(condition: ConditionResult, name: str) -> Table:
     """The law at the tested pressures, with 95 % intervals and the paper's A and b."""
-    unit, size = display_unit("length", system)
+    unit = unit_of("length")
     pressures = condition.found.level_pressures()
     slip, friction, error = condition.peaks_at(pressures)
     slopes, ratio = condition.found.tails.at(pressures)
@@ -299,13 +297,13 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
         falls = slopes[k] < 0.0
         rows.append(
             Row(
-                title=number(pressure / display_unit("pressure", system)[1]),
+                title=_pressure(pressure),
                 values=(
-                    with_error(slip[k] / size, error[k, 0] * slip[k] / size),
+                    _length(float(slip[k]), float(error[k, 0] * slip[k])),
                     with_error(friction[k], error[k, 1] * friction[k]),
                     number(a),
                     number(b),
-                    slope(slopes[k] * size, 0.0, friction[k] / slip[k] * size) if falls else NONE,
+                    _slope(slopes[k], 0.0, friction[k] / slip[k]) if falls else NONE,
                     f"{ratio[k] * friction[k]:.3f}" if falls else NONE,
                 ),
             )
@@ -319,7 +317,7 @@ def law_table(condition: ConditionResult, system: System, name: str) -> Table:
         "residual",
     )
     note = (
-        f"First column: {_pressure_head(system)}. \u00b1 is half the 95 % interval of the law, "
+        f"First column: {_pressure_head()}. \u00b1 is half the 95 % interval of the law, "
         "every part of the budget included. A and b hold for slip in mm."
     )
     return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note, "law"))
@@ -349,18 +347,18 @@ def forms_table(condition: ConditionResult, name: str) -> Table:
     return Table(f"Forms of the pressure dependence{name}", rows, heads, note, "forms")
 
 
-def prediction_table(condition: ConditionResult, system: System, name: str) -> Table:
+def prediction_table(condition: ConditionResult, name: str) -> Table:
     """Each pressure predicted by the law of the others."""
     rows = tuple(
         Row(
-            title=number(item.pressure / display_unit("pressure", system)[1]),
+            title=_pressure(item.pressure),
             values=(f"{item.error:.4f}", f"{item.noise_levels:.2f}", f"{item.scatter:.4f}"),
             note="" if item.inside else "outside the others: extrapolated",
         )
         for item in condition.found.left_out
     )
     note = (
-        f"First column: {_pressure_head(system)}. Root mean square of predicted less measured "
+        f"First column: {_pressure_head()}. Root mean square of predicted less measured "
         "friction over the curve, alone and in noise levels of one reading; scatter between "
         "samples for comparison."
     )
@@ -368,9 +366,9 @@ def prediction_table(condition: ConditionResult, system: System, name: str) -> T
     return Table(f"Pressures left out in turn{name}", rows, heads, note, "prediction")
 
 
-def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
+def shear_table(condition: ConditionResult, name: str) -> Table:
     """Each curve with the sample's own shear taken off, and left in."""
-    unit, size = display_unit("length", system)
+    unit = unit_of("length")
     rows = []
     for test in condition.tests:
         if test.other is None:
@@ -380,8 +378,8 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
             Row(
                 title=test.test.label,
                 values=(
-                    f"{test.curve.bending * _top(test) / size:.3f}",
-                    *(number(fit.parameters.peak_slip / size) for fit in both),
+                    _bent(test.curve.bending * _top(test)),
+                    *(_bent(fit.parameters.peak_slip, number) for fit in both),
                     *(f"{fit.parameters.peak_friction:.3f}" for fit in both),
                 ),
             )
@@ -397,9 +395,25 @@ def shear_table(condition: ConditionResult, system: System, name: str) -> Table:
     return Table(f"The sample's own shear{name}", tuple(rows), heads, note, "shear")
 
 
+def _pressure(pressure: float) -> str:
+    return in_unit("pressure", lambda kpa: number(pressure / kpa))
+
+
+def _length(value: float, error: float) -> str:
+    return in_unit("length", lambda mm: with_error(value / mm, error / mm))
+
+
+def _slope(*of: float) -> str:
+    return in_unit("length", lambda mm: slope(*(part * mm for part in of)))
+
+
+def _bent(length: float, shown: Callable[[float], str] = "{:.3f}".format) -> str:
+    return in_unit("length", lambda mm: shown(length / mm))
+
+
 def _top(test: TestResult) -> float:
     return float(np.max(test.fit.fitted))
 
 
-def _pressure_head(system: System) -> str:
-    return f"pressure [{display_unit('pressure', system)[0]}]"
+def _pressure_head() -> str:
+    return f"pressure [{unit_of('pressure')}]"

@@ -14,7 +14,7 @@ from wraparc.schema.shared_keys import FORMAT
 
 #: Largest file that is read [bytes].
 LARGEST = 5_000_000
-_POSITION = re.compile(r" ?\(at (?:line (\d+), column (\d+)|end of document)\)$")
+_POSITION = re.compile(r"\(at line (\d+), column \d+\)$")
 
 Document = dict[str, Any]
 
@@ -85,7 +85,9 @@ def parse(text: str, file: str = "") -> Document:
     except RecursionError:
         raise _file_problem(file, "is nested too deeply", "Is it the right file?") from None
     except tomllib.TOMLDecodeError as error:
-        raise _syntax_error(text, str(error), file) from None
+        position = _POSITION.search(str(error))
+        line = int(position[1]) if position else text.count("\n") + 1
+        raise InputError(syntax_problem(text, line, file)) from None
     except ValueError:  # of int(), beyond the digits it converts
         message = "holds a whole number of thousands of digits"
         raise _file_problem(file, message, "Is it the right file?") from None
@@ -123,25 +125,34 @@ def read_tables(table: Kind, document: Document, file: str) -> tuple[Any, Report
     return table.read(document, (), report), report
 
 
-def _syntax_error(text: str, message: str, file: str) -> InputError:
-    position = _POSITION.search(message)
-    line = int(position[1]) if position and position[1] else None
-    if position and line is None:
-        line = text.count("\n") + 1
-    sentence = _POSITION.sub("", message)
-    sentence = f"{sentence[:1].lower()}{sentence[1:]}"
-    column = f" at column {position[2]}" if position and position[2] else ""
+def syntax_problem(text: str, line: int, file: str = "") -> Problem:
+    """Return what is said of a text that is no TOML, by the line that reading it stops at.
+
+    In words of our own: every reader of TOML has others, and the page reads with another.
+    """
+    lines = text.split("\n")
+    written = lines[line - 1].strip() if 0 < line <= len(lines) else ""
+    message = "not valid TOML"
     remedy = 'Text needs quotes, and so does a quantity: width = "1200 mm".'
-    if sentence.startswith(("unescaped", "invalid hex value")):  # of "C:\drives", "C:\users"
+    if not "".join(lines[line - 1 :]).strip():
+        message, remedy = "ends too early", "Close the bracket or the quotes that are left open."
+    elif _stands_before(written, lines[: line - 1]):
+        message, remedy = "is there twice", "Leave one of them out."
+    elif "\\" in written:  # of "C:\drives", "C:\users"
         remedy = "Write paths with / , or in single quotes: 'C:\\drives\\lagging.toml'."
-    return InputError(
-        Problem(
-            message=f"not valid TOML: {sentence}{column}",
-            remedy=remedy,
-            file=file,
-            line=line,
-        )
-    )
+    value = shown(written) if written else ""
+    return Problem(message=message, remedy=remedy, value=value, file=file, line=line)
+
+
+def _stands_before(written: str, lines: list[str]) -> bool:
+    """Whether a key stands in its table already, or a table in its file."""
+    key = written.partition("=")[0].strip()
+    if written.startswith("["):
+        return written in [before.strip() for before in lines]
+    keys: list[str] = []
+    for before in lines:
+        keys = [] if before.startswith("[") else [*keys, before.partition("=")[0].strip()]
+    return key != "" and key in keys
 
 
 def _file_problem(file: str, message: str, remedy: str) -> InputError:

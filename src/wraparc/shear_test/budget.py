@@ -21,6 +21,9 @@ from wraparc.shear_test.record import Array
 #: over it [-].
 UNKNOWN_COMPLIANCE = 0.05e-6
 MEASURED_COMPLIANCE = 0.2
+#: Largest error of the modulus of a belt cover, assumed: what 5 degrees of Shore A hardness make,
+#: +23 and -18 % at 60 Shore A (A. N. Gent, Rubber Chem. Technol. 31, 1958).
+COVER_MODULUS = 0.2
 _STEP = 0.02  # of ln p, for slopes over pressure
 
 
@@ -90,6 +93,8 @@ class Uncertainty:
         Of the rig's compliance [m/N]; None for 20 % of it, or 0.05 mm/kN where it is not known.
     temperature
         What the temperature of the tests may change in the friction [-].
+    cover_shear_modulus
+        Of the modulus of the test belt's cover [-]; None for `COVER_MODULUS`.
     stated
         Whether the plan says them, or they are those of a usual rig.
     read_off
@@ -103,6 +108,7 @@ class Uncertainty:
     zero: float = 0.0
     compliance: float | None = None
     temperature: float = 0.0
+    cover_shear_modulus: float | None = None
     stated: bool = False
     read_off: ReadOff | None = None
 
@@ -111,6 +117,11 @@ class Uncertainty:
         if self.compliance is not None:
             return self.compliance
         return MEASURED_COMPLIANCE * compliance if compliance else UNKNOWN_COMPLIANCE
+
+    @property
+    def cover_modulus_error(self) -> float:
+        """Largest error of the modulus of the test belt's cover [-]."""
+        return COVER_MODULUS if self.cover_shear_modulus is None else self.cover_shear_modulus
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,6 +138,8 @@ class Common:
         Largest error of the rig's compliance [m/N].
     shear_compliance
         h/G of the shear of sample and belt cover that is taken off the travel [m/Pa].
+    cover_compliance
+        That of the belt cover in it [m/Pa].
     weighed
         Whether the normal force was given or measured; else the pressure, which the area turns
         into the normal force.
@@ -139,6 +152,7 @@ class Common:
     force_at: float
     compliance: float
     shear_compliance: float
+    cover_compliance: float
     weighed: bool
     bent: Array
 
@@ -176,6 +190,9 @@ class Common:
             "compliance of the rig": self.compliance * pull[:, None] * over_slip,
             "temperature": of.temperature * friction,
         }
+        if self.cover_compliance > 0.0:
+            cover = self.cover_compliance * stress[:, None] * over_slip
+            found["modulus of the belt cover"] = of.cover_modulus_error * cover
         if of.read_off is not None:
             found |= of.read_off.effects(at)
         return {name: effect / math.sqrt(3.0) for name, effect in found.items()}

@@ -48,10 +48,10 @@ class Column(Kind):
         return {"type": ["string", "integer"], "minimum": 1}
 
 
-_PRESSURE = Quantity("pressure", Limit("pressure", open=True))
-_FORCE = Quantity("force", Limit("force", open=True))
+_PRESSURE = Quantity("pressure", Limit("pressure", least=500.0, most=2e7))
+_FORCE = Quantity("force", Limit("force", least=5.0, most=1e6))
 _FORCE_OR_NONE = Quantity("force", Limit("force"))
-_LENGTH = Quantity("length", Limit("length", open=True))
+_LENGTH = Quantity("length", Limit("length", open=True, most=1.0))
 _MODULUS = Quantity("pressure", Limit("pressure", 1.0))
 _FRICTION = Quantity("number", Limit("number", least=1e-4, most=1e4))
 _HUMIDITY = Percent()
@@ -126,7 +126,7 @@ RIG = Table(
     need(
         "sample_area",
         "Area of one face of the sample.",
-        Quantity("area", Limit("area", open=True)),
+        Quantity("area", Limit("area", least=1e-4, most=2.0)),
         attribute="area",
     ),
     Entry("faces", "Faces of the sample that slide, 2 if left out.", Count(1, 2)),
@@ -183,6 +183,11 @@ UNCERTAINTY = Table(
         "What the temperature of the tests may change in friction; 0 if left out.",
         _PART,
     ),
+    Entry(
+        "cover_shear_modulus",
+        "Of the modulus of the test belt's cover; 20 % if left out.",
+        _PART,
+    ),
     of=Uncertainty,
 )
 
@@ -232,7 +237,11 @@ FIT_OPTIONS = Table(
 _CIRCUMSTANCES = (
     Entry("temperature", kind=Quantity("temperature", Limit("temperature"))),
     Entry("humidity", 'Relative humidity of the air, such as "50 %".', _HUMIDITY),
-    Entry("speed", kind=Quantity("speed", Limit("speed", open=True)), title="Crosshead speed"),
+    Entry(
+        "speed",
+        kind=Quantity("speed", Limit("speed", least=1e-7, most=1.0)),
+        title="Crosshead speed",
+    ),
     Entry("date", kind=Text(60)),
     Entry("operator", "Who tested, if not the operator of the rig.", Text()),
     Entry("lot", "Lot of the specimen.", Text()),

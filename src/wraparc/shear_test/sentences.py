@@ -297,7 +297,7 @@ def _cover_sentence(plan: TestPlan) -> str:
     if plan.cover_compliance > 0.0:
         return (
             f"the shear of the test belt's cover, h/G = {plan.cover_compliance * 1e9:.3g} mm/MPa "
-            "times the shear stress, is taken off the travel"
+            f"times the shear stress, is taken off the travel{_cover_error(plan)}"
         )
     if plan.cover_thickness is not None:
         return "the test belt has no cover that shears, as the plan says"
@@ -307,6 +307,14 @@ def _cover_sentence(plan: TestPlan) -> str:
         "the shear of the test belt's cover is in the slip, for its thickness and modulus were not "
         "given ([test_belt])"
     )
+
+
+def _cover_error(plan: TestPlan) -> str:
+    """Say what the modulus of the cover may be wrong by, and whether that was stated."""
+    if plan.uncertainty is None:
+        return ""
+    assumed = "" if plan.uncertainty.cover_shear_modulus is not None else " (assumed)"
+    return f"; its modulus is within {100.0 * plan.uncertainty.cover_modulus_error:.3g} %{assumed}"
 
 
 def _shear_sentence(plan: TestPlan) -> str:

@@ -31,7 +31,7 @@ from wraparc.study.file_axes import Axis, field_of, read_axis, read_condition
 from wraparc.study.fitted import DrawnFit
 from wraparc.study.keys import STUDY
 from wraparc.study.parameter_study import (
-    BELT_SAFETY,
+    LOADS,
     OUTPUTS,
     TRAIN_OUTPUTS,
     Condition,
@@ -247,7 +247,7 @@ def output_names() -> tuple[str, ...]:
     """Return the results that a study can keep."""
     nothing: Any = None
     even = (name for name in BatchResult(nothing, nothing) if name not in _NO_OUTPUTS)
-    return (*even, BELT_SAFETY, *ACROSS_OUTPUTS, *TRAIN_OUTPUTS)
+    return (*even, *LOADS, *ACROSS_OUTPUTS, *TRAIN_OUTPUTS)
 
 
 def _sensitivity(record: Record, report: Report) -> tuple[str, ...]:

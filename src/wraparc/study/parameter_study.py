@@ -17,7 +17,7 @@ from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
 from wraparc.checks.rules import NO_GRIP
-from wraparc.drive import Drive
+from wraparc.drive import GRAVITY, Drive
 from wraparc.provenance import Provenance
 from wraparc.study.across_rows import solve_rows
 from wraparc.study.distributions import Distribution
@@ -63,9 +63,10 @@ OUTPUTS = (
     "power_loss",
 )
 #: Results that a pulley has within a train; not a number where the study does not divide its load.
-TRAIN_OUTPUTS = ("share", "speed_trim")
-#: Strength of the belt over its larger tension at the pulley; not a number without a strength.
-BELT_SAFETY = "belt_safety"
+TRAIN_OUTPUTS = ("share", "speed_trim", "motor_load", "motor_torque")
+#: Strength of the belt over its larger tension at the pulley, and bounds of the load of its shaft
+#: with the weight of the pulley; not a number without a strength, without a mass.
+LOADS = ("belt_safety", "most_shaft_load", "least_shaft_load")
 #: Results that need the capacities.
 CAPACITY_OUTPUTS = frozenset(f.name for f in fields(Capacities))
 
@@ -335,7 +336,10 @@ class Study:
             }
             tension = np.maximum(part.entry_tension, part.exit_tension)
             safety = rows.held.strength[some] * part.belt_width / tension
-            more = {**uneven, **whole, BELT_SAFETY: safety}
+            masses = np.array([d.pulley(rows.pulley).mass or np.nan for d in rows.drives])
+            weight, force = masses[rows.which[some]] * GRAVITY, solved["resultant_force"]
+            loads = (safety, force + weight, np.abs(force - weight))
+            more = {**uneven, **whole, **dict(zip(LOADS, loads, strict=True))}
             kept = {n: more[n] if n in more else solved[n] for n in wanted}
             found.append(kept | dict(zip(JUDGED, judged[:2], strict=True)))
         return {name: np.concatenate([part[name] for part in found]) for name in found[0]}

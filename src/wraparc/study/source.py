@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
-from wraparc.checks.of_rows import held_by
+from wraparc.checks.of_rows import Held, held_by
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.drive.tension_rules import LoadGiven
@@ -26,13 +26,14 @@ from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
 from wraparc.study.fields import DRUM_KEYS, FRICTION_FACTOR, SLIP_FACTOR
 from wraparc.study.fitted import DrawnFit
-from wraparc.study.parameter_study import Rows
+from wraparc.study.parameter_study import TRAIN_OUTPUTS, Rows
 from wraparc.study.plan import Levels, Values
 from wraparc.study.train_columns import Divided, TrainColumns
+from wraparc.train import Motor, Motors
 from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.turning import surface_sentence
-from wraparc.units import DIMENSION_TEXT, Dimension
+from wraparc.units import DIMENSION_TEXT, Dimension, in_units
 
 Array = NDArray[np.float64]
 
@@ -197,7 +198,7 @@ class DriveSource:
                 )
             for pulley in drive.pulleys:
                 if pitch_offset(drive.belt, pulley.side) is None:
-                    yield surface_sentence(pulley.diameter, "si")
+                    yield in_units(surface_sentence(pulley.diameter))
                     break
         take_up = drive.criteria.take_up
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
@@ -245,11 +246,16 @@ class DriveSource:
         columns["entry_tension"] = np.where(valid, entry, lift + 2.0)
         columns["exit_tension"] = np.where(valid, leaving, lift + 1.0)
         laws, law = self._laws([b.law for b in known], which, values, size)
+        of_train = self._of_train(divided, entries, exits)
         arcs = Arcs(laws=LawBank.of(laws), law=law, **columns)
         ones = np.ones(size)
         return Rows(
             arcs=arcs,
-            held=held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
+            held=self._with_motors(
+                held_by(drives, which, self.pulley, load_case, arcs, (entries, exits)),
+                of_train,
+                load_case,
+            ),
             valid=valid,
             friction_factor=values.get(self._scaling.get(FRICTION_FACTOR, ""), ones),
             slip_factor=values.get(self._scaling.get(SLIP_FACTOR, ""), ones),
@@ -258,8 +264,21 @@ class DriveSource:
             pulley=self.pulley,
             load_case=load_case,
             lost=divided.lost if divided else np.zeros(size, dtype=np.int8),
-            of_train=self._of_train(divided, entries, exits),
+            of_train=of_train,
         )
+
+    def _with_motors(self, held: Held, of_train: Mapping[str, Array], load_case: str) -> Held:
+        """Return what rows are held against, with load of the motors and what they bear."""
+        division = None if self.divides is None else self.divides.train.case(load_case).division
+        if not isinstance(division, Motors) or "motor_load" not in of_train:
+            return held
+        motor = division.motors[self._names.index(self.pulley)]
+        load = np.abs(of_train["motor_load"])
+        if not isinstance(motor, Motor):
+            return held
+        if self.drive.load_case(load_case).kind == "running":
+            return replace(held, motor=load, motor_load=np.full(len(load), motor.bears(False)))
+        return replace(held, motor=load, momentary_load=np.full(len(load), motor.bears(True)))
 
     def _of_train(self, divided: Divided | None, entries: Array, exits: Array) -> dict[str, Array]:
         """What the pulley has within the whole drive."""
@@ -271,7 +290,8 @@ class DriveSource:
         )
         found = {"share": share}
         if divided is not None:
-            found["speed_trim"] = divided.solved[self.pulley]["speed_trim"]
+            drum = divided.solved[self.pulley].of_train
+            found |= {name: drum[name] for name in TRAIN_OUTPUTS if name in drum}
         return found
 
     def _laws(

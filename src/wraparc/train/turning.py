@@ -16,8 +16,7 @@ from wraparc.train.newton import linearized
 from wraparc.train.result import MotorPoint
 from wraparc.train.system import Line, System
 from wraparc.train.train import Pair, along
-from wraparc.units import GIVEN_DIGITS, display
-from wraparc.units import System as Units
+from wraparc.units import GIVEN_DIGITS, display, quantity
 
 #: Pull over tension that is rounding only.
 _IDLE = 1e-11
@@ -123,10 +122,10 @@ def turning(first: Nip, at: Nip, stiffness: float, total: float, belt_speed: flo
     )
 
 
-def surface_sentence(diameter: float, system: Units) -> str:
+def surface_sentence(diameter: float) -> str:
     """Return what the speed of a drum [m] misses without the thickness of the belt."""
     shift = 100.0 * USUAL_OFFSET / (0.5 * diameter)
-    belt, drum = (display(d, "length", system, 3) for d in (2.0 * USUAL_OFFSET, diameter))
+    belt, drum = (quantity(d, "length") for d in (2.0 * USUAL_OFFSET, diameter))
     return (
         f"Drum speeds are those at the lagging surface: {belt} of belt on a drum of {drum} would "
         f"lower them by {shift:.2f} %."

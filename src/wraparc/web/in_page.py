@@ -9,6 +9,7 @@ from __future__ import annotations
 from math import inf, nan
 from typing import NamedTuple
 
+from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
 from wraparc.arc.constant_friction import wrap_factor
 from wraparc.arc.gross_slip import Line
@@ -38,7 +39,6 @@ from wraparc.checks.numbers import (
     balance_miss,
     idles,
     largest,
-    passes_an_hour,
     rise_alone,
     steepest,
     usual_sizes,
@@ -62,7 +62,7 @@ from wraparc.drive.load_case import (
     pull_of_torque,
     resultant,
 )
-from wraparc.drive.pitch import centrifugal_force
+from wraparc.drive.pitch import centrifugal_force, turns_an_hour
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -129,6 +129,7 @@ def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
         entry=entry,
         leaving=leaving,
         pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
+        mass=given.mass,
     )
 
 
@@ -199,7 +200,7 @@ def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
         return True
     if arc.centrifugal >= min(entry, leaving):
         return True
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     pressure = pressure_of(arc, entry)
     return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
 
@@ -219,7 +220,7 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     arc = description_of(given)
     if refused(law, arc, given.steepest_fall):
         return None
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     load = load_of(given, arc, None)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
@@ -228,6 +229,23 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     outside, stretches = stretches_outside(tested, profile, count)
     summary = summary_of(geometry, arc, tested, found)
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
+
+
+def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
+    """Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m].
+
+    Parameters
+    ----------
+    law, given
+        The arc.
+    cover
+        Compliance of the cover [m/Pa].
+    """
+    arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
+    load = load_of(given, arc, None)
+    geometry = geometry_of(arc, law.onset_compliance)
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
+    return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 
 
 class Judged(NamedTuple):
@@ -285,7 +303,7 @@ def judged(
         return None
     if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
-    geometry, load = geometry_of(arc, law.onset_compliance), load_of(given, arc, tested)
+    geometry, load = geometry_of(arc), load_of(given, arc, tested)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
@@ -295,6 +313,7 @@ def judged(
     solved = found.outcome == SOLVED
     limits = limits_of(given, arc, tested, criteria)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
+    pitch = 0.5 * arc.diameter + arc.pitch_offset
     tight, slack = max(entry, leaving) - arc.centrifugal, min(entry, leaving) - arc.centrifugal
     line, begin = Line(tight, slack, others.tight_rise, others.slack_rise), at_limits(loaded)
     sliding = pull_at_sliding(loaded, line, begin)
@@ -314,8 +333,7 @@ def judged(
         tested_slip=largest(profile.slip, count),
         tested_slip_speed=arc.belt_speed
         * steepest(
-            profile.position, profile.slip, count, 0.5 * arc.diameter,
-            0.5 * arc.diameter * arc.wrap_angle,
+            profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle,
         ),
         balance=balance_miss(
             summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
@@ -324,7 +342,7 @@ def judged(
         sag=others.sagging,
         pulley_diameter=arc.diameter,
         share=100.0 * max(entry, leaving) / (criteria.rating * arc.width),
-        passes=passes_an_hour(arc.belt_speed, arc.diameter),
+        passes=turns_an_hour(arc.belt_speed, pitch),
     )  # fmt: skip
     return Judged(
         solved,
@@ -343,7 +361,9 @@ def judged(
             criteria.safety,
             others,
         ),
-        resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+        resultant(
+            entry, leaving, arc.wrap_angle, criteria.strength * arc.width, criteria.pulley_mass
+        ),
         sliding.cause,
         wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
     )

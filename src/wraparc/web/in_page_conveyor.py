@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from wraparc.checks.numbers import usual
-from wraparc.conveyor import FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor, State
+from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor, State
 from wraparc.errors import Problem
 
 
@@ -19,7 +19,7 @@ def unusual(of: Conveyor, width: float) -> str:
     for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
         if not usual(value, least, most):
             return key
-    if of.material > FULLEST * width**2:
+    if not usual(of.material, EMPTIEST * width**2, FULLEST * width**2):
         return "material_mass" if of.capacity is None else "capacity"
     return "lift" if abs(of.lift) > STEEPEST * of.length else ""
 

@@ -71,7 +71,7 @@ def member_of(law: CompactLaw, given: Given) -> Member:
     """A pulley of a train, by its numbers."""
     arc = description_of(given)
     squeeze = 2.0 * (arc.thickness / arc.compression_modulus) / (arc.width * arc.diameter)
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal)
     e = arc.pitch_offset
     return Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e)

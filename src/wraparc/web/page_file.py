@@ -8,21 +8,19 @@ import base64
 import hashlib
 import html
 import json
-import math
 import re
 import zlib
 from collections.abc import Callable, Iterator
-from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from wraparc.checks.numbers import idles
-from wraparc.checks.of_drive import usual_sizes
+from wraparc.checks.usual import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
-from wraparc.train import Motor, Motors, Train
+from wraparc.train import Train
 from wraparc.train.as_drive import as_drive
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
@@ -44,8 +42,8 @@ _SECTIONS = (
     "drive", "belt", "pulley", "tensions", "lagging", "load_case", "take_up", "design_standard",
     "safety_factor", "sag", "train", "conveyor",
 )  # fmt: skip
-#: Keys of a lagging table in a pulley that the page reads.
-_LAGGING = ("preset", "thickness", "shear_modulus", "compression_modulus")
+#: Keys of a lagging table in a pulley whose law the page was not made with.
+_OTHER_LAW = ("law", "condition_factor", "slip_speed", "temperature")
 _PLACE = re.compile(r"\{\{(\w+)\}\}")
 _UNIT = re.compile(r"\s*[-+]?[\d.]+(?:[eE][-+]?\d+)?\s*(\S.*?)\s*")
 _SOLVES = "wraparc solve and wraparc serve solve it."
@@ -70,18 +68,20 @@ def page_file(document: Document, name: str, text: str) -> str:
     """
     _check(document)
     data = json.dumps(_data(document, name, text), ensure_ascii=False, separators=(",", ":"))
-    style, solver, program = map(_built, ("page.css", "solver.js", "page.js"))
+    style, start = _built("page.css"), _built("start.js")
+    solver, program = _built("solver.js"), _built("page.js")
     icon = base64.b64encode((_STATIC / "built" / "icon.svg").read_bytes()).decode("ascii")
     parts = {
         "licences": "\n".join(path.read_text("utf-8") for path in _LICENCES),
-        "policy": _policy(style, (solver, program)),
+        "policy": _policy(style, (start, solver, program)),
         "version": __version__,
         "title": html.escape(str(document.get("title") or name)),
         "icon": f"data:image/svg+xml;base64,{icon}",
         "style": style,
         "data": packed(data),
-        "solver": solver,
-        "program": program,
+        "start": start,
+        "solver": packed(solver),
+        "program": packed(program),
     }
     frame = (_FOLDER / "page.html").read_text("utf-8")
     return _PLACE.sub(lambda found: parts[found[1]], frame)
@@ -134,12 +134,7 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
             "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
             "neighbours": compare.NEIGHBOURS,
         },
-        "trains": {
-            "words": {k: [_plain(w) for w in of] for k, of in train_words().items()},
-            "motors": [
-                m for d in (document, *(e.document for e in found.values())) for m in _motors(d)
-            ],
-        },
+        "trains": {"words": {k: [_plain(w) for w in of] for k, of in train_words().items()}},
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()
@@ -210,33 +205,9 @@ def _pulley_problems(
         yield beyond(f"{place}.across", "the load across the width is not solved in", remedy)
     lagging = table["lagging"]
     for key in lagging if isinstance(lagging, dict) else ():
-        if key not in _LAGGING:
+        if key in _OTHER_LAW:
             remedy = "Put the lagging into a [lagging.NAME] table of the drive file."
             yield beyond(f"{place}.lagging.{key}", "a lagging is read so by none but", remedy)
-
-
-def _motors(document: Document) -> Iterator[dict[str, Any]]:
-    """Yield every motor of a train as the page finds it: by its table."""
-    train = read(document)
-    if not isinstance(train, Train):
-        return
-    for case in train.cases:
-        if not isinstance(case.division, Motors):
-            continue
-        tables = document["train"]["motor"]
-        for pulley, motor in zip(train.pulleys, case.division.motors, strict=True):
-            table = json_like(tables[pulley.name])
-            if isinstance(motor, Motor):
-                plain = {k: _word(v) for k, v in asdict(motor).items()}
-                yield {"table": table, "kind": type(motor).__name__, "fields": plain}
-            else:
-                yield {"table": table, "master": motor.master, "ratio": motor.ratio}
-        return
-
-
-def _word(value: Any) -> Any:
-    """Return a number, as a word where JSON has none for it."""
-    return str(value).replace("inf", "Infinity") if value in (math.inf, -math.inf) else value
 
 
 def not_judged(document: Document) -> str:

@@ -174,7 +174,7 @@ class Parent:
 
         Raises
         ------
-        OSError
+        OSError, EOFError
             If there is none to be had.
         """
         again = True
@@ -182,7 +182,7 @@ class Parent:
             while True:
                 try:
                     return self._split()
-                except OSError:
+                except (OSError, EOFError):  # EOFError: what starts processes is just ending
                     self._forget()
                     if self._ended.is_set() or not again:
                         raise

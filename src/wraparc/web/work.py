@@ -82,6 +82,8 @@ class Workers:
         except asyncio.CancelledError:
             starting.add_done_callback(_end)
             raise
+        except (OSError, EOFError):
+            raise busy("no process could be started to work on this", "Try again.") from None
         self._all = {one for one in self._all if not one.ended} | {worker}
         if self._stopped:
             worker.end()
@@ -116,7 +118,7 @@ class Workers:
         InputError
             As the function raises it.
         ApiError
-            503 if too many wait, if it takes too long, or its process died.
+            503 if too many wait, if it takes too long, or its process died or did not start.
         """
         if not self._count:
             return await asyncio.to_thread(answer, function, *asked)

@@ -37,7 +37,7 @@ from wraparc.present.across_tables import (
 from wraparc.present.checks_table import check_table
 from wraparc.present.words import verdict
 from wraparc.train import Train, solve_train
-from wraparc.units import Dimension, System, display, parse_quantity
+from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import (
     Answer,
@@ -157,9 +157,9 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
         load_case=case.name,
         even=pulley.across is None,
         solved=solved,
-        status_text=both(lambda s: slack_words(found, s) or str(found.status)),
-        verdict=Verdict.both(lambda system: verdict(result, system)),
-        remarks=texts(lambda _: judge(result).data),
+        status_text=both(slack_words(found) or str(found.status)),
+        verdict=Verdict.both(verdict(result)),
+        remarks=texts(judge(result).data),
         checks=_checks(result, pulley, case),
         tables=_tables(drive, found, solved),
         numbers=numbers(found.scalars()) if solved else {},
@@ -188,17 +188,14 @@ def _checks(result: DriveResult, pulley: Pulley, case: LoadCase) -> Table | None
     )
     if not own:
         return None
-    return tables(lambda system: [check_table(replace(told, checks=own), system)], ["checks"])[0]
+    return tables([check_table(replace(told, checks=own))], ["checks"])[0]
 
 
 def _tables(drive: Drive, found: AcrossResult, solved: bool) -> list[Table]:
-    def made(system: System) -> list[object]:
-        first = [answer_table(found, system)]
-        if not solved:
-            return [*first]
-        return [*first, shares_table(drive, found, system), profile_table(found, system)]
-
-    return tables(made, ("answer", "shares", "profile")[: 3 if solved else 1])  # type: ignore[arg-type]
+    made = [answer_table(found)]
+    if solved:
+        made += [shares_table(drive, found), profile_table(found)]
+    return tables(made, ("answer", "shares", "profile")[: len(made)])
 
 
 def _map(found: AcrossResult) -> WidthMap:
@@ -260,8 +257,8 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
         per_depth=_PER_DEPTH,
     )
     return AcrossWearAnswer(
-        verdict=Verdict.both(lambda system: wear_verdict(now, history, least, system)),
-        table=tables(lambda system: [wear_table(history, system)], ["wear"])[0],
+        verdict=Verdict.both(wear_verdict(now, history, least)),
+        table=tables([wear_table(history)], ["wear"])[0],
         heals=history.heals,
         grows=now.wear_grows,
         relag_hours=finite(history.hours_to(least)),
@@ -278,8 +275,8 @@ def thickness_width(asked: AcrossThicknessRequest) -> AcrossThicknessAnswer:
     drive, pulley, case = _asked(asked)
     found = cushion(drive, wanted, pulley.name, case.name, strips=_WEAR_STRIPS)
     return AcrossThicknessAnswer(
-        verdict=Verdict.both(lambda system: cushion_verdict(found, system)),
-        table=tables(lambda system: [cushion_table(found, system)], ["thickness"])[0],
+        verdict=Verdict.both(cushion_verdict(found)),
+        table=tables([cushion_table(found)], ["thickness"])[0],
     )
 
 
@@ -290,22 +287,17 @@ def read_profile(data: bytes, name: str, width: str, unit: str, new: str) -> Pro
     rows = found.profile if across is None else within(found, across)
     kind = next(e.kind for e in ACROSS.entries if e.key == found.key)
 
-    def told(system: System) -> list[str]:
-        first, last = found.position[0], found.position[-1]
-        ends = " to ".join(display(float(y), "length", system) for y in (first, last))
-        lines = [f"{len(found.position)} readings of {found.reading} from {ends}."]
-        if found.order:
-            scatter = display(found.scatter, "length", system, 3)
-            lines.append(
-                f"Smoothed by a polynomial of order {found.order}; they scatter by {scatter}."
-            )
-        return lines
-
+    ends = (float(found.position[place]) for place in (0, -1))
+    told = " to ".join(quantity(y, "length", GIVEN_DIGITS) for y in ends)
+    lines = [f"{len(found.position)} readings of {found.reading} from {told}."]
+    if found.order:
+        scatter = quantity(found.scatter, "length")
+        lines.append(f"Smoothed by a polynomial of order {found.order}; they scatter by {scatter}.")
     return ProfileAnswer(
         key=found.key,
         profile=kind.written(rows),
         readings=len(found.position),
-        told=texts(told),
+        told=texts(lines),
     )
 
 

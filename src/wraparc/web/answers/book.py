@@ -8,7 +8,7 @@ left open in the texts (``⟦pulley⟧``, ``⟦case⟧`` ...), and the numbers a
 import json
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cache
 from typing import Any
 
@@ -19,12 +19,12 @@ from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
+from wraparc.checks.usual import USUAL
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import (
     CASE_KINDS,
     CREEP_LIMIT,
     DESIGN,
-    Belt,
     DesignStandard,
     Lagging,
     SafetyFactors,
@@ -38,11 +38,10 @@ from wraparc.files import drive_from_document
 from wraparc.friction import LAGGING_SHEAR
 from wraparc.present.checks_table import check_table
 from wraparc.present.least_tension import least_name, least_table
-from wraparc.schema.source import Document
+from wraparc.schema.source import Document, parse
 from wraparc.web.answers.book_parts import (
     Book,
-    BookBelt,
-    BookBlock,
+    BookCatalogue,
     BookLagging,
     BookLaw,
     BookTested,
@@ -50,7 +49,6 @@ from wraparc.web.answers.book_parts import (
     Heads,
     ManualRow,
     Standards,
-    Weak,
 )
 from wraparc.web.answers.book_words import (
     CASE,
@@ -61,6 +59,7 @@ from wraparc.web.answers.book_words import (
     with_criteria,
     words_by_key,
 )
+from wraparc.web.answers.documents import json_like
 from wraparc.web.answers.judging import Ask, Words, words_of
 from wraparc.web.answers.prepared import Law
 from wraparc.web.answers.shown import tables
@@ -100,7 +99,7 @@ def _whole() -> Book:
             name: _lagging(name, {}, dict.fromkeys(CONDITIONS))
             for name in catalogue.lagging_names()
         },
-        belts={belt.name: _belt(belt) for belt in catalogue.belts()},
+        catalogue=_catalogue(),
         words={key: [_bare(w) for w in found] for key, found in words_by_key()},
         asks=_asks(),
         standards=_standards(result.drive.pulleys[0].lagging),
@@ -119,7 +118,7 @@ def _whole() -> Book:
             "share": Sag.share,
             **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
         },
-        belt_keys=list(Belt.LIMITS),
+        sizes={name: dict(ends) for name, ends in USUAL.items()},
         design=DESIGN,
         own={},
     )
@@ -160,16 +159,8 @@ def _lagging(name: str, own: Document, conditions: Mapping[str, Any]) -> BookLag
             continue
     return BookLagging(
         name=first.name,
-        surface=first.surface,
         first=first.condition,
-        thickness=first.thickness,
-        shear_modulus=first.shear_modulus,
-        compression_modulus=first.compression_modulus,
-        wear_coefficient=_number(first.wear_coefficient),
-        bond_strength=_number(first.bond_strength),
-        fatigue_limit=_number(first.fatigue_limit),
         wet=of_data.wet_factor(first),
-        block=_block(first),
         laws=laws,
     )
 
@@ -203,11 +194,6 @@ def _law(lagging: Lagging) -> BookLaw:
     fitted = lagging.fit is not None and bool(lagging.fit.knots)
     drive = probe().drive
     at = drive.load_cases[-1], replace(drive.pulleys[0], lagging=lagging)
-    weak = (
-        Weak(key=k, what=f"{k.replace('_', ' ')} of {lagging.name}", kinds=[*of_data.weaknesses(v)])
-        for k, v in lagging.sources.items()
-        if k != "law"
-    )
     return BookLaw(
         condition=lagging.condition,
         law=Law(
@@ -229,7 +215,6 @@ def _law(lagging: Lagging) -> BookLaw:
         ),
         grounds=grounds,
         told=[*told, _NO_INTERVAL.format(lagging.name)] if fitted else told,
-        weak=[w for w in weak if w.kinds],
         checks=[
             *(words_of(check) for of in (of_data.condition, of_data.fit) for check in of(*at)),
             *([words_of(_interval_left())] if fitted else []),
@@ -237,27 +222,14 @@ def _law(lagging: Lagging) -> BookLaw:
     )
 
 
-def _block(lagging: Lagging) -> BookBlock | None:
-    block, young = lagging.block, lagging.elastic_modulus
-    if block is None:
-        return None
-    return BookBlock(
-        elastic_modulus=3.0 * lagging.shear_modulus if young is None else young,
-        square=block.shape == "square",
-        width=block.width,
-        height=math.nan if block.height == lagging.thickness else block.height,
-        stiffening=block.stiffening,
-        contact_fraction=block.contact_fraction,
-    )
-
-
-def _belt(belt: catalogue.CatalogueBelt) -> BookBelt:
-    return BookBelt(
-        kind=belt.kind,
-        modulus=belt.modulus,
-        rating=belt.rating,
-        least_pulley_diameter=_number(belt.least_pulley_diameter),
-        weak=[*of_data.weaknesses(belt.provenance)],
+def _catalogue() -> BookCatalogue:
+    """Return belts and lagging files, as documents are read with them."""
+    return BookCatalogue(
+        belts=[asdict(belt) for belt in catalogue.belts()],
+        laggings={
+            name: json_like(parse(catalogue.lagging_text(name)))
+            for name in catalogue.lagging_names()
+        },
     )
 
 
@@ -329,13 +301,13 @@ def _standards(lagging: Lagging) -> Standards:
 
 
 def _heads() -> Heads:
-    checks = tables(lambda system: [check_table(judge(probe()), system)], ["checks"])[0]
+    checks = tables([check_table(judge(probe()))], ["checks"])[0]
     notes = {text: text.split(" Not checked: ")[0] for text in (checks.note.si, checks.note.us)}
     bare = checks.note.model_copy(update={"si": notes[checks.note.si], "us": notes[checks.note.us]})
     least = {}
     for held, take_up in HELD.items():
         of = with_criteria(probe(), take_up=take_up)
-        found = tables(lambda system, of=of: [least_table(of, system)], ["least"])[0]  # type: ignore[misc]
+        found = tables([least_table(of)], ["least"])[0]
         least[held] = found.model_copy(update={"rows": []})
     return Heads(checks=checks.model_copy(update={"rows": [], "note": bare}), least=least)
 

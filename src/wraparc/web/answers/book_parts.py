@@ -8,22 +8,11 @@ from wraparc.web.answers.prepared import Law, Plain
 from wraparc.web.answers.shown import Table
 
 
-class Weak(Plain):
-    """A number that an answer does not safely rest on, and in what ways it is weak."""
+class BookCatalogue(Plain):
+    """What documents may name: belts, and lagging files by name."""
 
-    key: str
-    what: str
-    kinds: list[str]
-
-
-class BookBelt(Plain):
-    """A belt of the catalogue [SI]."""
-
-    kind: str
-    modulus: float
-    rating: float
-    least_pulley_diameter: float
-    weak: list[str]
+    belts: list[dict[str, Any]]
+    laggings: dict[str, dict[str, Any]]
 
 
 class BookTested(Plain):
@@ -45,19 +34,7 @@ class BookLaw(Plain):
     tested: BookTested | None
     grounds: list[str]
     told: list[str]
-    weak: list[Weak]
     checks: list[Words]
-
-
-class BookBlock(Plain):
-    """Blocks that the compression modulus follows from; without a height they are as thick."""
-
-    elastic_modulus: float
-    square: bool
-    width: float
-    height: float
-    stiffening: float
-    contact_fraction: float
 
 
 class BookLagging(Plain):
@@ -67,16 +44,8 @@ class BookLagging(Plain):
     """
 
     name: str
-    surface: str
     first: str
-    thickness: float
-    shear_modulus: float
-    compression_modulus: float
-    wear_coefficient: float
-    bond_strength: float
-    fatigue_limit: float
     wet: float
-    block: BookBlock | None
     laws: dict[str, BookLaw]
 
 
@@ -119,7 +88,7 @@ class Book(Plain):
 
     levels: list[Level]
     laggings: dict[str, BookLagging]
-    belts: dict[str, BookBelt]
+    catalogue: BookCatalogue
     words: dict[str, list[Words]]
     asks: dict[str, Ask]
     standards: Standards
@@ -130,6 +99,6 @@ class Book(Plain):
     held: dict[str, str]
     heads: Heads
     usual: dict[str, float]
-    belt_keys: list[str]
+    sizes: dict[str, dict[str, tuple[float, float]]]
     design: str
     own: dict[str, Any]

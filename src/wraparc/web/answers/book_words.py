@@ -22,6 +22,7 @@ from wraparc.checks.judge import (
     unrated,
 )
 from wraparc.checks.of_arc import held_words
+from wraparc.checks.usual import usual_sizes
 from wraparc.drive import (
     TAKE_UPS,
     Criteria,
@@ -82,6 +83,7 @@ def words_by_key() -> Found:
     yield from _grip(drive, case, arc)
     yield from _standard(drive, case, arc)
     yield from _creep(drive, arc)
+    yield "cover_creep", _cover_creep(arc)
     yield from _belt_tension(drive, case)
     yield from _sizes(drive, case)
     yield from _stresses(drive, arc)
@@ -90,7 +92,7 @@ def words_by_key() -> Found:
     yield "balance", _some(of_arc.balance(arc), "solved")
     yield "sense", _some(of_drive.sense(case, drive.pulleys[0]), BRAKES)
     yield "data", _some(of_data.data(drive, drive.pulleys[0]))
-    yield "usual_sizes", map(words_of, of_drive.usual_sizes(drive))
+    yield "usual_sizes", map(words_of, usual_sizes(drive))
 
 
 def _some(check: Check | None, when: str = "", **open_: str) -> list[Words]:
@@ -168,6 +170,14 @@ def _creep(drive: Drive, arc: ArcResult) -> Found:
         yield f"creep:{key}", _ends(partial(of_arc.creep, replace(drive, belt=belt)), arc)
     other = replace(arc, arc=replace(arc.arc, creep_limit=0.01))
     yield "creep:given", _ends(partial(of_arc.creep, drive), other)
+
+
+def _cover_creep(arc: ArcResult) -> Iterator[Words]:
+    """Yield the words of the creep with the cover, which friction carries or not."""
+    for end, cover in {"carried": 1e-12, "through": 1.0}.items():
+        of = replace(arc, arc=replace(arc.arc, cover_left_out=cover))
+        yield from _some(of_arc.cover_creep(of), f"solved:{end}")
+    yield from _some(of_arc.cover_creep(replace(of, status=Status.BREAKAWAY)), "breakaway")
 
 
 def _belt_tension(drive: Drive, case: LoadCase) -> Found:

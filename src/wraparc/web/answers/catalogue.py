@@ -1,5 +1,6 @@
 """The catalogue as plain data."""
 
+import math
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,7 @@ from wraparc.files.lagging_file import load_lagging_conditions, pick_condition
 from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.provenance import Kind
 from wraparc.schema.source import parse
-from wraparc.units import Dimension
+from wraparc.units import Dimension, quantity
 from wraparc.web.answers.shown import (
     Answer,
     Both,
@@ -19,7 +20,7 @@ from wraparc.web.answers.shown import (
     DriveKind,
     Numbers,
     Sheet,
-    quantity,
+    both,
     rounded,
     sheet,
 )
@@ -146,9 +147,9 @@ def _belt(belt: catalogue.CatalogueBelt) -> CatalogueBelt:
     return CatalogueBelt(
         name=belt.name,
         kind=belt.kind,
-        rating=quantity(belt.rating, "force_per_width"),
-        modulus=quantity(belt.modulus, "force_per_width"),
-        least_pulley_diameter=None if least is None else quantity(least, "length"),
+        rating=both(quantity(belt.rating, "force_per_width")),
+        modulus=both(quantity(belt.modulus, "force_per_width")),
+        least_pulley_diameter=None if least is None else both(quantity(least, "length")),
         source=str(belt.provenance),
     )
 
@@ -177,13 +178,13 @@ def _tested(lagging: Lagging) -> TestedTexts | None:
     if tested is None:
         return None
     low, high = (quantity(p, "pressure") for p in (tested.pressure_min, tested.pressure_max))
-    pressure = Both(si=f"{low.si} to {high.si}", us=f"{low.us} to {high.us}")
-    return TestedTexts(pressure=pressure, slip=quantity(tested.slip_max, "length"))
+    return TestedTexts(
+        pressure=both(f"{low} to {high}"), slip=both(quantity(tested.slip_max, "length"))
+    )
 
 
 def _or_rigid(value: float, dimension: Dimension) -> Both:
-    rigid = value == float("inf")
-    return Both(si="rigid", us="rigid") if rigid else quantity(value, dimension)
+    return both("rigid" if value == math.inf else quantity(value, dimension))
 
 
 def lagging(name: str, condition: str | None) -> LaggingAnswer:
@@ -197,7 +198,7 @@ def lagging(name: str, condition: str | None) -> LaggingAnswer:
         condition=one.condition,
         document=table,
         law=_curves(one),
-        **sheet(lambda system: lagging_sheet(conditions, system)),
+        **sheet(lagging_sheet(conditions)),
     )
 
 

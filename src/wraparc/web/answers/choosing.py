@@ -24,7 +24,7 @@ _LISTS = ("laggings", "belts", "thicknesses", "diameters", "wrap_angles")
 def chosen(asked: ChooseRequest) -> Sheet:
     """Every combination of the candidates, solved, judged and priced; the cheapest first."""
     selection = choose(_search(asked))
-    return Sheet(**sheet(lambda system: choose_sheet(selection, system)))
+    return Sheet(**sheet(choose_sheet(selection)))
 
 
 def _search(asked: ChooseRequest) -> Search:

@@ -21,7 +21,7 @@ from wraparc.present.words import short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.web.answers.documents import asked_for, divided, read
-from wraparc.web.answers.shown import Answer, Both, finite, texts
+from wraparc.web.answers.shown import Answer, Both, both, finite, texts
 from wraparc.web.asked import CompareRequest
 from wraparc.web.errors import ToldProblem, told
 
@@ -144,7 +144,7 @@ def compare(asked: CompareRequest) -> CompareAnswer:
         present=present,
         columns=columns(),
         rows=rows,
-        remarks=texts(lambda _: remarks(asked, case)),
+        remarks=texts(remarks(asked, case)),
         not_possible=impossible,
     )
 
@@ -295,11 +295,11 @@ def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str
 def _cell(name: str, value: float) -> Cell:
     if math.isinf(value):
         return Cell(value=None, si=NOT_ANY, us=NOT_ANY)
-    return Cell(value=finite(value), si=named(name, value, "si"), us=named(name, value, "us"))
+    return Cell(value=finite(value), **both(named(name, value)).model_dump())
 
 
 def _share(value: float) -> Cell:
-    return Cell(value=finite(value), si=percent(value), us=percent(value))
+    return Cell(value=finite(value), **both(percent(value)).model_dump())
 
 
 def _cost(

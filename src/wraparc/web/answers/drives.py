@@ -21,7 +21,6 @@ from wraparc.present.least_tension import (
     shown_least,
 )
 from wraparc.present.sheet import Table as SheetTable
-from wraparc.present.sheet import Verdict as Words
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
 from wraparc.present.wear_table import life_table, wear_table
@@ -29,7 +28,6 @@ from wraparc.present.words import alone_of, in_words, short, verdict
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
 from wraparc.train.whole import Whole
-from wraparc.units import System
 from wraparc.web.answers.documents import asked_for, case_only, read
 from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
@@ -57,7 +55,6 @@ from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
-SYSTEMS: tuple[System, ...] = ("si", "us")
 TABLES = (
     "answer", "creep", "capacity", "margins", "comparison", "energy", "loads", "wear", "life",
     "inputs",
@@ -201,20 +198,18 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
         result = solver.solve(WrapArc.of(drive, pulley, load))
     answered = DriveResult(drive, (result,))
 
-    def told(system: System) -> Words:
-        if whole is None:
-            return verdict(answered, system)
+    if whole is None:
+        told = verdict(answered)
+    else:
         own = judge(whole).at(pulley.name, load.name)
-        return in_words(own, system, [*own.sentences(system)])
-
-    def first_tables(system: System) -> list[SheetTable]:
-        return [answer_table((result,), system), creep_table((result,), system)]
-
+        told = in_words(own, own.others)
+    wanted = asked.tables and result.status.solved
+    made = [answer_table((result,)), creep_table((result,))] if wanted else []
     return FastAnswer(
         sequence=asked.sequence,
         kind="train" if isinstance(thing, Train) else "drive",
         verdict=Verdict.both(told),
-        tables=tables(first_tables, TABLES[:2]) if asked.tables and result.status.solved else [],
+        tables=tables(made, TABLES[: len(made)]),
         remarks=_remarks(answered),
         prepared=prepared(asked.document, drive, pulley, load)
         if asked.prepared and drive is thing
@@ -241,7 +236,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
     drive, governing = first.drive, first.governing.arc
     second = solve(drive, method=PaperMarch(), raise_on_failure=False)
     sources = [Source(**source) for source in sources_of(drive)]
-    summary = tables(lambda system: [summary_table((first, second), system)], ["summary"])
+    summary = tables([summary_table((first, second))], ["summary"])
     return SolveAnswer(
         sequence=asked.sequence,
         kind="drive" if train is None else "train",
@@ -250,10 +245,10 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         solved=first.solved,
         within_creep_limit=first.within_creep_limit,
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
-        verdict=(train and train.verdict) or Verdict.both(lambda system: verdict(first, system)),
+        verdict=(train and train.verdict) or Verdict.both(verdict(first)),
         remarks=_remarks(first),
         conditions=_conditions(first),
-        checks=tables(lambda system: [check_table(judge(whole), system)], ["checks"])[0],
+        checks=tables([check_table(judge(whole))], ["checks"])[0],
         bars=_bars(whole),
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
@@ -274,7 +269,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
 def _conditions(result: DriveResult) -> Table | None:
     if not result.drive.conditions:
         return None
-    return tables(lambda system: [conditions_table(result, system)], ["conditions"])[0]
+    return tables([conditions_table(result)], ["conditions"])[0]
 
 
 def _bars(result: DriveResult | TrainResult) -> list[Bar]:
@@ -292,8 +287,8 @@ def _bars(result: DriveResult | TrainResult) -> list[Bar]:
                 place=str(check.place),
                 at_most=check.at_most,
                 share=share,
-                found=Both.model_validate({s: check.texts(s)[0] for s in SYSTEMS}),
-                limit=Both.model_validate({s: check.bound(s) for s in SYSTEMS}),
+                found=both(check.texts()[0]),
+                limit=both(check.bound()),
             )
         )
     return made
@@ -308,9 +303,9 @@ def _least(result: DriveResult | TrainResult) -> LeastTension | None:
         governing=found["governing"],
         level=found["level"],
         raise_to=raise_to(result),
-        shown=both(lambda system: shown_least(result, system)),
-        sentence=both(lambda system: least_sentence(result, system)),
-        table=tables(lambda system: [least_table(result, system)], ["least"])[0],
+        shown=both(shown_least(result)),
+        sentence=both(least_sentence(result)),
+        table=tables([least_table(result)], ["least"])[0],
     )
 
 
@@ -335,8 +330,8 @@ def check(asked: CheckRequest) -> SheetAnswer:
     """What is read of a drive; solves nothing."""
     thing = read(parse(asked.toml) if asked.toml is not None else asked.document or {})
     if isinstance(thing, Drive):
-        return SheetAnswer(kind="drive", **sheet(lambda system: input_sheet(thing, system)))
-    return SheetAnswer(kind="train", **sheet(lambda system: train_input_sheet(thing, system)))
+        return SheetAnswer(kind="drive", **sheet(input_sheet(thing)))
+    return SheetAnswer(kind="train", **sheet(train_input_sheet(thing)))
 
 
 def _whole_arc(
@@ -348,12 +343,7 @@ def _whole_arc(
         short=short(answered, result),
         raise_to=_alone(answered, result),
         unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
-        tables=tables(
-            lambda system: _tables(
-                answered, result, paper, system, Sources() if system == "us" else of
-            ),
-            TABLES,
-        ),
+        tables=tables(_tables(answered, result, paper, of), TABLES),
         table_sources=list(of.listed()),
         paper=Paper(
             status=status_of(paper),
@@ -381,7 +371,7 @@ def _arc(whole: Whole, result: ArcResult) -> Data:
 
 
 def _tables(
-    answered: DriveResult, result: ArcResult, paper: ArcResult, system: System, of: Sources
+    answered: DriveResult, result: ArcResult, paper: ArcResult, of: Sources
 ) -> list[SheetTable | None]:
     drive = answered.drive
     case = drive.load_case(result.arc.load_case)
@@ -389,14 +379,14 @@ def _tables(
     solved = tuple(r for r in (result, paper) if r.status.solved)
     carried = result.status.solved
     return [
-        answer_table(solved, system) if solved else None,
-        creep_table(solved, system) if solved else None,
-        capacity_table(result, system),
-        margins_table(answered, result, system),
-        comparison_table(result, lagging, system, of),
-        energy_table(result, system) if carried else None,
-        loads_table(DriveResult(answered.drive, (result,)), system),
-        wear_table(result, lagging, system),
-        life_table(result, lagging, system, of),
-        input_table(drive, result.arc, system, of),
+        answer_table(solved) if solved else None,
+        creep_table(solved) if solved else None,
+        capacity_table(result),
+        margins_table(answered, result),
+        comparison_table(result, lagging, of),
+        energy_table(result) if carried else None,
+        loads_table(DriveResult(answered.drive, (result,))),
+        wear_table(result, lagging),
+        life_table(result, lagging, of),
+        input_table(drive, result.arc, of),
     ]

@@ -122,8 +122,8 @@ def _motion(asked: EventRequest) -> Motion:
 
 def _result(motion: Motion, followed: Any, told: Any, drawn: dict[str, Any]) -> EventResult:
     return EventResult(
-        run=followed and Sheet(**sheet(lambda system: run_sheet(followed, system))),
-        stability=told and Sheet(**sheet(lambda system: stability_sheet(told, system))),
+        run=followed and Sheet(**sheet(run_sheet(followed))),
+        stability=told and Sheet(**sheet(stability_sheet(told))),
         note=_USUAL if motion.assumed else "",
         played=followed and played(followed),
         pictures={f"{n}.svg": p.to_bytes("svg").decode("utf-8") for n, p in drawn.items()},

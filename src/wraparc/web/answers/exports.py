@@ -4,8 +4,11 @@ from typing import Literal
 
 from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.drive import Drive
-from wraparc.present.document import solved_json
+from wraparc.present.answer_data import answer_json
+from wraparc.present.document import solved_document
+from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.profile_csv import profile_csv
+from wraparc.present.train_sheet import train_sheet
 from wraparc.train import TrainResult, solve_train
 from wraparc.web.answers.documents import read
 from wraparc.web.asked import ExportRequest
@@ -25,4 +28,6 @@ def export(asked: ExportRequest, kind: ExportKind) -> bytes:
         result = train.drive_result()
     if kind == "csv":
         return profile_csv(list(result), asked.units).encode("utf-8")
-    return solved_json([result], train, file=f"{asked.name}.toml").encode("utf-8")
+    document = solved_document([result], train, file=f"{asked.name}.toml")
+    sheet = drive_sheet([result]) if train is None else train_sheet(train)
+    return answer_json(document, sheet).encode("utf-8")

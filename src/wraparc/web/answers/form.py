@@ -30,7 +30,11 @@ _IN_GLOSSARY = {
     "width": "belt_width", "modulus": "belt_modulus", "speed": "belt_speed",
     "thickness": "belt_thickness", "mass": "belt_mass",
 }  # fmt: skip
-_IN_LAGGING = {"thickness": "lagging_thickness"}
+_IN_KEYS = {
+    "belt": _IN_GLOSSARY,
+    "lagging": {"thickness": "lagging_thickness"},
+    "pulley": {"mass": "pulley_mass"},
+}
 #: Keys of a lagging that a form has a field for; the others come with the lagging.
 _OF_LAGGING = (
     "thickness",
@@ -224,7 +228,7 @@ _CHOICES: dict[str, tuple[str, ...]] = {
 def _section(
     key: str, title: str, prefix: str, entries: Iterable[Entry], *, repeated: bool = False
 ) -> Section:
-    names = _IN_GLOSSARY if key == "belt" else _IN_LAGGING if key == "lagging" else {}
+    names = _IN_KEYS.get(key, {})
     in_time = prefix.startswith("motion.")  # a run is a length there, and no rise of tension
     fields = [
         _field(entry, prefix, "" if in_time else names.get(entry.key, entry.key))

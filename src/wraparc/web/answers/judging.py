@@ -271,6 +271,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         printed=prints(criteria.standard, pulley.lagging.surface),
         customary=drive.creep_limit_of(pulley) == CREEP_LIMIT,
         wrap_angle=pulley.wrap_angle if table else math.nan,
+        pulley_mass=_number(pulley.mass),
         wet=wet_factor(pulley.lagging),
     )
 

@@ -18,10 +18,8 @@ from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.files import lagging_text
 from wraparc.plot.overlay import plot_overlay
 from wraparc.present.calibrate_sheet import calibrate_sheet, overlay_sheet
-from wraparc.present.sheet import Sheet as Told
 from wraparc.schema.emit import document_text
 from wraparc.schema.source import decoded, parse
-from wraparc.units import System
 from wraparc.web.answers.documents import json_like, read, without_none
 from wraparc.web.answers.shown import Data, Sheet, sheet
 from wraparc.web.asked import MeasuredFile, MeasuredRequest
@@ -44,16 +42,13 @@ def compare_measured(asked: MeasuredRequest) -> MeasuredAnswer:
     predicted = overlays(measured)
     found = calibrate(measured.problem) if measured.problem.parameters else None
 
-    def told(system: System) -> Told:
-        problem, title = measured.problem, measured.title
-        seen = overlay_sheet(problem, measured.folded, predicted, title, system)
-        if found is None:
-            return seen
+    problem, title = measured.problem, measured.title
+    told = overlay_sheet(problem, measured.folded, predicted, title)
+    if found is not None:
         sources = tuple(map(str, measured.sources))
-        fit = calibrate_sheet(found, problem, title, measured.description, sources, system)
-        return replace(
-            fit, tables=(*fit.tables, *seen.tables), remarks=(*seen.remarks, *fit.remarks)
-        )
+        fit = calibrate_sheet(found, problem, title, measured.description, sources)
+        tables, remarks = (*fit.tables, *told.tables), (*told.remarks, *fit.remarks)
+        told = replace(fit, tables=tables, remarks=remarks)
 
     text = _lagging(found, measured) if found is not None and found.told else ""
     return MeasuredAnswer(

@@ -37,7 +37,7 @@ def changed(asked: WhatIfRequest) -> Sheet:
         raise InputError(Problem(message="nothing is to be changed", remedy="Name a change."))
     found = what_if(thing, pulley.name, case.name, changes, method=Distributed())
     title = drive.title or "What if"
-    return Sheet(**sheet(lambda system: what_if_sheet(found, title, system)))
+    return Sheet(**sheet(what_if_sheet(found, title)))
 
 
 def expected(asked: OnSiteRequest) -> Sheet:
@@ -48,6 +48,4 @@ def expected(asked: OnSiteRequest) -> Sheet:
     known = OnSite(**asked.model_dump(exclude={"document", "pulley"}))
     found, source = on_site(whole, pulley.name, known)
     judged, title = judge(whole), drive.title or "Drive"
-    return Sheet(
-        **sheet(lambda system: field_sheet(found, judged, title, pulley.name, source, system))
-    )
+    return Sheet(**sheet(field_sheet(found, judged, title, pulley.name, source)))

@@ -35,7 +35,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
     found = seek(document, Goal(**asked.model_dump(exclude={"document"})), method=Distributed())
     data = seek_document(found)
     return SeekAnswer(
-        sentence=both(lambda system: sentence(found, system)),
+        sentence=both(sentence(found)),
         found=[_value(found, *pair) for pair in zip(found.values, found.drives, strict=True)],
         tried=rounded(data["tried"]["value"]),
         results=rounded(data["tried"]["result"]),
@@ -45,7 +45,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
 def _value(found: Sought, value: float, whole: DriveResult) -> FoundValue:
     return FoundValue(
         value=value,
-        shown=both(lambda system: value_text(found, value, system)),
+        shown=both(value_text(found, value)),
         level=judge(whole).level,
-        headline=both(lambda system: verdict(whole, system).headline),
+        headline=both(verdict(whole).headline),
     )

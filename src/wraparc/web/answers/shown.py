@@ -4,7 +4,7 @@ An answer states its form once: the framework reads it, checks it and writes the
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from types import UnionType
 from typing import Any, Literal, Self, cast, get_args, get_origin
 
@@ -16,7 +16,7 @@ from wraparc.arc import Profile as ArcProfile
 from wraparc.checks import Level
 from wraparc.present import sheet as present
 from wraparc.provenance import Kind
-from wraparc.units import RESULT_DIGITS, Dimension, System, display
+from wraparc.units import in_units
 
 Data = dict[str, Any]
 Numbers = list[float | None]
@@ -34,9 +34,9 @@ class Answer(BaseModel):
     )
 
     @classmethod
-    def both(cls, make: Callable[[System], Any]) -> Self:
-        """Return what a function gives for each system of units, side by side."""
-        return cls.model_validate(_paired(cls, make("si"), make("us")))
+    def both(cls, told: Any) -> Self:
+        """Return a part of a sheet in each system of units, side by side."""
+        return cls.model_validate(_paired(cls, *_in_each(told)))
 
 
 class Both(Answer):
@@ -157,37 +157,33 @@ def _paired(kind: Any, si: Any, us: Any) -> Any:
     return si
 
 
-def both(make: Callable[[System], str]) -> Both:
-    """Return the text that a function gives for each system of units."""
-    return Both(si=make("si"), us=make("us"))
+def _in_each(told: Any) -> tuple[Any, Any]:
+    return present.shown(told, "si"), present.shown(told, "us")
 
 
-def quantity(value: float, dimension: Dimension) -> Both:
-    """Return a value [SI] as text in both systems."""
-    return both(lambda system: display(value, dimension, system, RESULT_DIGITS))
+def both(text: str) -> Both:
+    """Return a text in each system of units."""
+    return Both(si=in_units(text, "si"), us=in_units(text, "us"))
 
 
-def texts(make: Callable[[System], Iterable[str]]) -> list[Both]:
+def texts(sentences: Iterable[str]) -> list[Both]:
     """Return sentences."""
-    return [Both(si=a, us=b) for a, b in zip(make("si"), make("us"), strict=True)]
+    return [both(sentence) for sentence in sentences]
 
 
-def tables(
-    make: Callable[[System], Sequence[present.Table | None]], keys: Iterable[str] = ()
-) -> list[Table]:
-    """Return tables made in both systems, those that are there; keys by position."""
-    si, us = make("si"), make("us")
-    names = [*keys] or [f"table{number}" for number in range(1, len(si) + 1)]
+def tables(made: Sequence[present.Table | None], keys: Iterable[str] = ()) -> list[Table]:
+    """Return tables in both systems, those that are there; keys by position."""
+    names = [*keys] or [f"table{number}" for number in range(1, len(made) + 1)]
     return [
-        Table.model_validate({**_paired(Table, a, b), "key": key})
-        for key, a, b in zip(names, si, us, strict=True)
-        if a is not None
+        Table.model_validate({**_paired(Table, *_in_each(table)), "key": key})
+        for key, table in zip(names, made, strict=True)
+        if table is not None
     ]
 
 
-def sheet(make: Callable[[System], present.Sheet]) -> Data:
+def sheet(told: present.Sheet) -> Data:
     """Return the fields of a whole sheet."""
-    si, us = make("si"), make("us")
+    si, us = _in_each(told)
     fields: Data = _paired(Sheet, si, us)
     for number, table in enumerate(fields["tables"], start=1):
         table["key"] = f"table{number}"
@@ -233,6 +229,8 @@ def plain(value: Any) -> Any:
         if value and all(isinstance(item, float) for item in value):
             return rounded(value, 7)
         return [plain(item) for item in value]
+    if isinstance(value, str):
+        return in_units(value)
     return finite(value) if isinstance(value, float) else value
 
 

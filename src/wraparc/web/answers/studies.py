@@ -2,7 +2,6 @@
 
 import os
 from collections.abc import Iterator
-from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -20,7 +19,7 @@ from wraparc.study.keys import STUDY
 from wraparc.study.monte_carlo import Group, Summary, summarise
 from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities
-from wraparc.units import DIMENSIONS, Dimension, System, parse_quantity
+from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Answer, Both, Data, Sheet, both, plain, sheet
 from wraparc.web.answers.texts import PlanAnswer, file_stem, plan_text
@@ -151,13 +150,10 @@ def _result(asked: StudyFile, path: str) -> StudyResult:
     summary = summarise(path)
     local, indices = sensitivities(path, asked.study, asked.sensitivity)
     dimensions = asked.study.plan.quantities
-    sheets = {
-        system: study_sheet(
-            summary, dimensions, system, local=local, indices=indices,
-            remarks=asked.remarks, sources=asked.sources,
-        )
-        for system in ("si", "us")
-    }  # fmt: skip
+    told = study_sheet(
+        summary, dimensions, local=local, indices=indices,
+        remarks=asked.remarks, sources=asked.sources,
+    )  # fmt: skip
     pictures = _pictures(asked, summary, local, indices, dimensions)
     kept = list(pictures.values())
     if indices is None and summary.drawn:
@@ -168,9 +164,9 @@ def _result(asked: StudyFile, path: str) -> StudyResult:
         summary=plain(study_document(summary, local=local, indices=indices)),
         spreads=list(_spreads(summary, dimensions)),
         pictures=pictures,
-        html=study_page(sheets["si"], kept, summary),
+        html=study_page(told, kept, summary),
         parquet=Path(path).read_bytes() if os.path.getsize(path) <= _MOST_BYTES else b"",
-        **sheet(lambda system: sheets[system]),
+        **sheet(told),
     )
 
 
@@ -183,19 +179,19 @@ def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[S
                 continue
             yield Spread(
                 result=name,
-                where=both(partial(_where, group, units)),
+                where=both(_where(group, units)),
                 edges=list(found.edges),
                 counts=list(found.counts),
                 limit=found.limit.least if found.limit.one else None,
                 at_most=found.limit.at_most,
                 beyond=found.beyond,
                 without=found.total - sum(found.counts),
-                told=both(partial(histogram_sentence, name, found)),
+                told=both(histogram_sentence(name, found)),
             )
 
 
-def _where(group: Group, units: dict[str, Dimension | None], system: System) -> str:
-    parts = (group_name(group, units, system), group.load_case, group.condition)
+def _where(group: Group, units: dict[str, Dimension | None]) -> str:
+    parts = (group_name(group, units), group.load_case, group.condition)
     return ", ".join(part for part in parts if part)
 
 

@@ -12,7 +12,15 @@ from wraparc.schema.shared_keys import FORMAT
 from wraparc.schema.source import Document, parse
 from wraparc.schema.tables import Table
 from wraparc.train.keys import TRAIN_FILE
-from wraparc.units import DIMENSIONS, Dimension, System, display, display_unit, parse_quantity
+from wraparc.units import (
+    DIMENSIONS,
+    GIVEN_DIGITS,
+    Dimension,
+    System,
+    display_unit,
+    parse_quantity,
+    quantity,
+)
 from wraparc.web.answers.documents import json_like, kind_of, read, without_none
 from wraparc.web.answers.shown import Answer, Both, Data, DriveKind, both
 from wraparc.web.asked import DocumentRequest, LaggingRequest, QuantitiesRequest, TomlRequest
@@ -140,8 +148,8 @@ def _quantity(text: str, dimension: str) -> Quantity:
         return Quantity(problem=told([problem])[0])
     return Quantity(
         value=value,
-        text=both(lambda system: display(value, of, system)),
-        exact=both(lambda system: exact_text(value, of, system)),
+        text=both(quantity(value, of, GIVEN_DIGITS)),
+        exact=Both(si=exact_text(value, of, "si"), us=exact_text(value, of, "us")),
     )
 
 

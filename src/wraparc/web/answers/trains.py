@@ -91,7 +91,7 @@ def train(asked: TrainRequest) -> TrainAnswer:
 
 def train_part(result: TrainResult) -> TrainPart:
     """Return what a solved train has to say beside its arcs."""
-    told = {**plain(train_document(result)), **sheet(lambda system: train_sheet(result, system))}
+    told = {**plain(train_document(result)), **sheet(train_sheet(result))}
     return TrainPart(**told, sources=[Source(**s) for s in sources_of(result.drive_result().drive)])
 
 
@@ -121,7 +121,7 @@ def _matching(thing: Train, result: TrainResult, asked: TrainRequest) -> Matchin
 
 
 def _sheet(result: TrainResult, matching: Matching) -> Data:
-    return sheet(lambda system: matching_sheet(result, matching, system))
+    return sheet(matching_sheet(result, matching))
 
 
 def _drive(thing: Train, name: str | None) -> int:

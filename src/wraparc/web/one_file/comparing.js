@@ -6,7 +6,7 @@ import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { leastOf } from "../static/pages/drive/least.js";
 import { inBoth } from "../static/pages/drive/whole.js";
 import { quantity, verdictOf, worstOf } from "../static/pages/drive/words.js";
-import { assembled } from "./plain_drive.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 
 /** @import { Design, Judging } from "../static/types.d.ts" */
 /** @typedef {{path: string, value: any}[]} Change */
@@ -25,7 +25,7 @@ export async function compared({ document: doc, load_case, what }, data) {
   const not_possible = [];
   const arcs = [];
   for (const { name, changed, change } of what === "belts" ? belts(doc, data) : laggings(doc)) {
-    const { judging, problems } = assembled(changed, data.book);
+    const { judging, problems } = assemble(changed, data.book);
     if (judging) arcs.push({ name, changed, change, judging });
     else not_possible.push({ name, problems });
   }
@@ -74,12 +74,13 @@ function* belts(doc, data) {
 /** Belts of each carcass whose rating is nearest, in the order of rating. @param {Design} doc
  * @param {any} data @returns {string[]} */
 function neighbours(doc, data) {
-  const { judging } = assembled(doc, data.book);
+  const { judging } = assemble(doc, data.book);
   if (!judging) return [];
   const [{ criteria, prepared }] = judging.cases;
   const tight = judging.cases.map((c) => Math.max(.../** @type {any} */ (c).tensions));
   const rating = +criteria.rating || Math.max(...tight) / +prepared.given.width;
-  const all = Object.entries(/** @type {Record<string, any>} */ (data.book.belts));
+  const belts = /** @type {any[]} */ (data.book.catalogue.belts);
+  const all = belts.map((b) => /** @type {[string, any]} */ ([b.name, b]));
   return [...new Set(all.map(([, b]) => b.kind))].flatMap((kind) => {
     const near = all.filter(([, b]) => b.kind === kind);
     near.sort(([, a], [, b]) => far(a, rating) - far(b, rating));

@@ -1,7 +1,8 @@
 // What the server answers, answered in the file: by the same modules and from the same data.
 import { Advice, Refused } from "../static/base/server.js";
-import { documentOf, textOf } from "../static/base/toml.js";
+import { textOf } from "../static/base/toml.js";
 import { in_page__quick as quick } from "../static/kernel.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
@@ -9,10 +10,11 @@ import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
-import { assembled } from "./plain_drive.js";
 import { profilesOf } from "./profiles.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
+import { documentOf } from "./texts.js";
 import { isTrain } from "./trains.js";
+import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
 
 export * from "../static/base/server.js";
@@ -21,16 +23,13 @@ export * from "../static/base/server.js";
 
 /** What the file knows, unpacked. @type {any} */
 let data = null;
-const unpacked = (async () => {
-  const letters = atob(document.getElementById("data")?.textContent ?? "");
-  const bytes = Uint8Array.from(letters, (letter) => letter.charCodeAt(0));
-  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  data = JSON.parse(await new Response(plain).text());
-})();
+const ready = unpacked("data").then((text) => {
+  data = JSON.parse(text);
+});
 
 /** @param {Design} doc @returns {Judging} */
 function prepared(doc) {
-  const { judging, problems } = assembled(doc, data.book);
+  const { judging, problems } = assemble(doc, data.book);
   if (!judging) throw new Refused(problems, 422);
   return judging;
 }
@@ -87,7 +86,7 @@ const ANSWERS = {
 /** As of the server. @param {string} path @param {any} [asked] @param {any} [_how]
  * @returns {Promise<any>} */
 export async function ask(path, asked, _how) {
-  await unpacked;
+  await ready;
   const [first, name] = path.split("/");
   if (first === "examples") return structuredClone(data.examples[name]);
   if (!ANSWERS[path]) throw new Advice("This needs the calculator of wraparc serve.");
@@ -96,7 +95,7 @@ export async function ask(path, asked, _how) {
 /** Profiles; results and reports are left to the program. @param {string} path @param {any} asked
  * @returns {Promise<[Blob, string]>} */
 export async function askFile(path, asked) {
-  await unpacked;
+  await ready;
   if (path !== "results/csv")
     throw new Advice("Reports are made by wraparc report, or in wraparc serve.");
   const { document, units, name } = asked;

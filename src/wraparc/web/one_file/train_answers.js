@@ -24,7 +24,7 @@ let last = { doc: "", found: /** @type {any} */ (null) };
 async function judgedTrain(doc, data) {
   const key = JSON.stringify(doc);
   if (last.doc === key) return last.found;
-  const { problems, judging, cases } = trainOf(doc, data.book, data.trains);
+  const { problems, judging, cases } = trainOf(doc, data.book, data.trains.words);
   if (!judging || !cases) throw new Refused(problems, 422);
   const all = await beside(arcsOf(judging));
   const quicks = cases.flatMap((c) => c.quicks);
@@ -148,8 +148,8 @@ function wholeTrain({ judged, judging, results }, book) {
   const worst = governingOf(results);
   const others = results.filter((/** @type {any} */ r) => r !== worst);
   whole.verdict.sentences.push(
-    ...K.train_words__case_sentences(worst, results, app.units),
-    ...others.flatMap((/** @type {any} */ r) => [...K.train_words__short_sentences(r, app.units)]),
+    ...K.train_words__case_sentences(worst, results),
+    ...others.flatMap((/** @type {any} */ r) => [...K.train_words__short_sentences(r)]),
   );
   return { ...whole, kind: "train" };
 }
@@ -165,7 +165,7 @@ export async function trainAnswer(doc, data) {
   const told = inBoth(() => {
     const { verdict, remarks, checks, least_tension, summary } = wholeTrain(found, data.book);
     const least = least_tension ? [least_tension.table] : [];
-    const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r, app.units));
+    const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r));
     const tables = [
       checks,
       ...least,

@@ -16,7 +16,7 @@ import {
   collocation__overrun_at,
   collocation__ratio_behind_rest,
   collocation__solved,
-  collocation__solved_or_eased,
+  collocation__solved_or_softened,
   collocation__start_at,
   in_page__description_of,
   meet__all_sliding,
@@ -29,11 +29,12 @@ import {
   numbers__usual,
   profile__entry_ratio,
   profile__traction_of,
+  quantities__counted,
   quantities__jumps,
   summary__geometry_of,
   traction__held_stress,
 } from "../static/kernel.js";
-import { display, term } from "./told.js";
+import { display, percent, quantity, term } from "./told.js";
 const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
@@ -1376,17 +1377,19 @@ const USUAL_CONVEYOR = [
   ["take_up_tension", 300.0, 2000000.0],
   ["counterweight", 30.0, 200000.0],
 ];
+const EMPTIEST = 0.7;
 const FULLEST = 700.0;
 const STEEPEST = 0.5;
-const NONE = "-";
+const RESULT_DIGITS = 3;
 const _AS_FAST = 5e-6;
 const _TOLERATED = 0.05;
-const RESULT_DIGITS = 3;
+const NONE = "-";
 const _ROUNDING = 1e-9;
 const ATTENTION = "ATTENTION";
 const TRAIN_BALANCE = 1e-5;
 const _LEAST_RISE = 1e-9;
 const REST_SCALE = 0.001;
+const POINT_STEPS = 15000.0;
 const CREEP = 1;
 const NO_MESH = Infinity;
 const COARSELY = 0.0001;
@@ -1483,7 +1486,7 @@ export function in_page_train__least_of(pairs) {
 export function in_page_train__member_of(law, given) {
   let arc = in_page__description_of(given);
   let squeeze = (2.0 * (arc.thickness / arc.compression_modulus)) / (arc.width * arc.diameter);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let stretch = 1.0 / (arc.axial_stiffness + arc.centrifugal);
   let e = arc.pitch_offset;
   return new Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e);
@@ -2413,7 +2416,7 @@ export function in_page_conveyor__unusual(of, width) {
       return key;
     }
   }
-  if (of.material > FULLEST * width ** 2) {
+  if (!numbers__usual(of.material, EMPTIEST * width ** 2, FULLEST * width ** 2)) {
     return of.capacity === null ? "material_mass" : "capacity";
   }
   return Math.abs(of.lift) > STEEPEST * of.length ? "lift" : "";
@@ -2469,20 +2472,9 @@ export function belt_path__overlaps(before, pulley, after) {
   return problems;
 }
 
-/** Return a value [SI] with its unit, `NONE` for nan and words for infinity. */
-export function sheet__quantity(value, dimension, system = "si", digits = 3) {
-  if (Number.isNaN(value)) {
-    return NONE;
-  }
-  if (Math.abs(value) === Infinity) {
-    return "without bound";
-  }
-  return display(value, dimension, system, digits);
-}
-
-/** Return the value [SI] of a quantity of the glossary with its unit. */
-export function sheet__named(name, value, system = "si") {
-  return sheet__quantity(value, term(name).dimension, system);
+/** Return the cell of the value [SI] of a quantity of the glossary. */
+export function sheet__named(name, value) {
+  return quantity(value, term(name).dimension, RESULT_DIGITS, name);
 }
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
@@ -2490,15 +2482,7 @@ export function rules__idle(arc) {
   return numbers__idles(arc.entry_tension, arc.exit_tension);
 }
 
-/** Return a share as percent, `NONE` for nan. */
-export function sheet__percent(share, digits = 3) {
-  if (Number.isNaN(share)) {
-    return NONE;
-  }
-  return "" + $text(display(100.0 * share, "number", undefined, digits)) + " %";
-}
-
-export function train_words___shares(case_, system) {
+export function train_words___shares(case_) {
   let pulls;
   if ([...case_.members].some((m) => Number.isNaN(m.share))) {
     pulls = [...case_.members]
@@ -2507,7 +2491,7 @@ export function train_words___shares(case_, system) {
           "" +
           $text(m.name) +
           " " +
-          $text(sheet__named("effective_tension", m.arc.effective_tension, system)),
+          $text(sheet__named("effective_tension", m.arc.effective_tension)),
       )
       .join(", ");
     return "" + "nothing is shared; the drives pull " + $text(pulls);
@@ -2516,7 +2500,7 @@ export function train_words___shares(case_, system) {
     .map((m) =>
       rules__idle(m.arc.arc)
         ? "" + $text(m.name) + " is not driven"
-        : "" + $text(m.name) + " carries " + $text(sheet__percent(m.share)),
+        : "" + $text(m.name) + " carries " + $text(percent(m.share)),
     )
     .join(", ");
 }
@@ -2530,7 +2514,7 @@ export function train_words___fights(case_) {
   return train_words___against(case_) > 0.0;
 }
 
-export function train_words___fight(case_, system) {
+export function train_words___fight(case_) {
   let loaded = [...case_.members].filter((m) => !rules__idle(m.arc.arc));
   let forward = [...loaded].filter((m) => m.arc.effective_tension > 0.0).map((m) => m.name);
   let back = [...loaded].filter((m) => m.arc.effective_tension < 0.0).map((m) => m.name);
@@ -2548,7 +2532,7 @@ export function train_words___fight(case_, system) {
     " " +
     $text(brake) +
     ", " +
-    $text(sheet__named("effective_tension", lost, system)) +
+    $text(sheet__named("effective_tension", lost)) +
     " of pull against each other."
   );
 }
@@ -2642,11 +2626,9 @@ export function train_words___speed_sentence(case_, m) {
 }
 
 /** Return what the speed of a drum [m] misses without the thickness of the belt. */
-export function turning__surface_sentence(diameter, system) {
+export function turning__surface_sentence(diameter) {
   let shift = (100.0 * USUAL_OFFSET) / (0.5 * diameter);
-  let [belt, drum] = [...[2.0 * USUAL_OFFSET, diameter]].map((d) =>
-    display(d, "length", system, 3),
-  );
+  let [belt, drum] = [...[2.0 * USUAL_OFFSET, diameter]].map((d) => quantity(d, "length"));
   return (
     "" +
     "Drum speeds are those at the lagging surface: " +
@@ -2660,12 +2642,12 @@ export function turning__surface_sentence(diameter, system) {
 }
 
 /** Say that the speeds of drums are without the thickness of the belt, if that is not known. */
-export function* train_words__surface_speeds(case_, system) {
+export function* train_words__surface_speeds(case_) {
   let m;
   for (const each1 of case_.members) {
     m = each1;
     if (m.arc.arc.pitch_offset === null) {
-      yield turning__surface_sentence(m.arc.arc.diameter, system);
+      yield turning__surface_sentence(m.arc.arc.diameter);
       return;
     }
   }
@@ -2719,11 +2701,11 @@ export function* train_words___matching(case_, cases) {
       "A trim of 0.1 % on " +
       $text(m.name) +
       " moves " +
-      $text(sheet__percent(slope, 2)) +
+      $text(percent(slope, 2)) +
       " of the load" +
       $text(how) +
       ": to keep its share within " +
-      $text(sheet__percent(_TOLERATED)) +
+      $text(percent(_TOLERATED)) +
       ", speeds and diameters must match within " +
       $text(train_words___needed(slope)) +
       " %.";
@@ -2735,7 +2717,7 @@ export function train_words___are(parts) {
 }
 
 /** Say what is lost between the mains and the drums, and what the mains give. */
-export function* train_words___motor_losses(case_, system) {
+export function* train_words___motor_losses(case_) {
   let lost, mains, name, tail, values, what;
   let points = [...case_.members].filter((m) => m.motor !== null).map((m) => m.motor);
   let turned = $sum([...points].map((p) => Math.abs(p.motor_power)));
@@ -2749,7 +2731,7 @@ export function* train_words___motor_losses(case_, system) {
     values = [...points].map((p) => p[name]);
     lost = $sum([...values].filter((v) => !Number.isNaN(v)));
     if (lost > 1e-9 * turned) {
-      parts.push("" + $text(sheet__named(name, lost, system)) + " in the " + $text(what));
+      parts.push("" + $text(sheet__named(name, lost)) + " in the " + $text(what));
     }
   }
   if (parts.length === 0) {
@@ -2759,7 +2741,7 @@ export function* train_words___motor_losses(case_, system) {
   if (Number.isNaN(electrical)) {
     tail = "; what the motors themselves lose is not told without their motor_efficiency";
   } else {
-    mains = sheet__named("electrical_power", electrical, system);
+    mains = sheet__named("electrical_power", electrical);
     tail = "" + "; the motors take " + $text(mains) + " from the mains";
   }
   yield "" +
@@ -2773,7 +2755,7 @@ export function* train_words___motor_losses(case_, system) {
 }
 
 /** Tell of the load case that governs: who carries what, how the drums turn, what is lost. */
-export function* train_words__case_sentences(case_, cases, system) {
+export function* train_words__case_sentences(case_, cases) {
   let listed, m;
   if (case_.status !== SOLVED) {
     yield "" + "Load case " + $text(case_.case.name) + ": " + $text(case_.reason);
@@ -2783,11 +2765,11 @@ export function* train_words__case_sentences(case_, cases, system) {
     "Load case " +
     $text(case_.case.name) +
     ": " +
-    $text(train_words___shares(case_, system)) +
+    $text(train_words___shares(case_)) +
     ".";
   if (case_.other_splits.length > 0) {
     listed = [...case_.other_splits]
-      .map((split) => [...split].map((s) => sheet__percent(s)).join(", "))
+      .map((split) => [...split].map((s) => percent(s)).join(", "))
       .join("; ");
     yield "" +
       "Friction falls with slip here: the same speeds are also met by the shares " +
@@ -2795,26 +2777,26 @@ export function* train_words__case_sentences(case_, cases, system) {
       ", which are unstable; the stable split is shown.";
   }
   if (train_words___fights(case_)) {
-    yield train_words___fight(case_, system);
+    yield train_words___fight(case_);
   }
   if (case_.members.length > 1) {
     for (const each1 of case_.members.slice(1)) {
       m = each1;
       yield train_words___speed_sentence(case_, m);
     }
-    yield* train_words__surface_speeds(case_, system);
+    yield* train_words__surface_speeds(case_);
     yield* train_words___matching(case_, cases);
   }
-  let loss = sheet__percent(case_.loss_ratio);
+  let loss = percent(case_.loss_ratio);
   let power = Number.isNaN(case_.power_loss)
     ? ""
-    : "" + " " + $text(sheet__named("power_loss", case_.power_loss, system)) + ",";
+    : "" + " " + $text(sheet__named("power_loss", case_.power_loss)) + ",";
   yield "" + "Creep costs" + $text(power) + " " + $text(loss) + " of the power.";
-  yield* train_words___motor_losses(case_, system);
+  yield* train_words___motor_losses(case_);
 }
 
 /** Tell of another load case who carries what. */
-export function* train_words__short_sentences(case_, system) {
+export function* train_words__short_sentences(case_) {
   if (case_.status !== SOLVED) {
     yield "" + "Load case " + $text(case_.case.name) + ": " + $text(case_.reason);
     return;
@@ -2824,13 +2806,13 @@ export function* train_words__short_sentences(case_, system) {
     "Load case " +
     $text(case_.case.name) +
     ": " +
-    $text(train_words___shares(case_, system)) +
+    $text(train_words___shares(case_)) +
     $text(tail) +
     ".";
 }
 
-export function train_sheet___shown(value, name, system, digits) {
-  return Number.isNaN(value) ? NONE : display(value, term(name).dimension, system, digits);
+export function train_sheet___shown(value, name, digits) {
+  return quantity(value, term(name).dimension, digits);
 }
 
 /** Return a small ratio as percent with its sign: ``-0.3121 %``. */
@@ -2843,16 +2825,16 @@ export function train_sheet__signed(ratio) {
 }
 
 export function train_sheet___share(m) {
-  return rules__idle(m.arc.arc) && !Number.isNaN(m.share) ? "not driven" : sheet__percent(m.share);
+  return rules__idle(m.arc.arc) && !Number.isNaN(m.share) ? "not driven" : percent(m.share);
 }
 
 /** Return the rise of tension before each pulley, where there is any. */
-export function train_sheet___run_rows(case_, system) {
+export function train_sheet___run_rows(case_) {
   if (case_.case.runs.length === 0) {
     return [];
   }
   let entry = term("run");
-  let texts = [NONE, ...[...case_.case.runs].map((run) => sheet__named("run", run, system))];
+  let texts = [NONE, ...[...case_.case.runs].map((run) => sheet__named("run", run))];
   return [new Row(entry.title, texts, entry.symbol, undefined, "run")];
 }
 
@@ -2873,7 +2855,7 @@ export function train_sheet___motor_extras(points) {
   return names;
 }
 
-export function train_sheet___motor_rows(members, system) {
+export function train_sheet___motor_rows(members) {
   let points = [...members].filter((m) => m.motor !== null).map((m) => m.motor);
   if (points.length === 0) {
     return [];
@@ -2883,13 +2865,13 @@ export function train_sheet___motor_rows(members, system) {
     return new Row(term(name).title, [...texts], term(name).symbol, undefined, name);
   };
   const told = (name) => {
-    return of(name, (value) => sheet__named(name, value, system));
+    return of(name, (value) => sheet__named(name, value));
   };
   return [
-    of("motor_load", sheet__percent),
+    of("motor_load", percent),
     told("motor_power"),
     told("motor_torque"),
-    of("motor_speed", (value) => display(value, "rotation_speed", system, GIVEN_DIGITS)),
+    of("motor_speed", (value) => quantity(value, "rotation_speed", GIVEN_DIGITS)),
     ...[...train_sheet___motor_extras(points)].map((name) => told(name)),
   ];
 }
@@ -2899,17 +2881,15 @@ export function train_sheet__trim_text(trim) {
   return Number.isNaN(trim) ? NONE : "" + $told(100.0 * trim, false, 3, "f") + " %";
 }
 
-export function train_sheet___creep_row(case_, system) {
+export function train_sheet___creep_row(case_) {
   let creep, m, part;
   let texts = [];
   for (const each1 of case_.members) {
     m = each1;
     creep = m.arc.exit_creep;
-    part = "" + " (" + $text(sheet__percent(Math.abs(creep) / m.arc.arc.creep_limit)) + ")";
+    part = "" + " (" + $text(percent(Math.abs(creep) / m.arc.arc.creep_limit)) + ")";
     texts.push(
-      "" +
-        $text(sheet__named("exit_creep", creep, system)) +
-        $text(Number.isNaN(creep) ? "" : part),
+      "" + $text(sheet__named("exit_creep", creep)) + $text(Number.isNaN(creep) ? "" : part),
     );
   }
   let over = [...case_.members].some((m) => !m.arc.within_creep_limit);
@@ -2920,35 +2900,27 @@ export function train_sheet___creep_row(case_, system) {
 }
 
 /** Return what creep costs; of a drum that is not driven nothing but rounding is left. */
-export function train_sheet___lost(m, system) {
+export function train_sheet___lost(m) {
   let loss = m.arc.energy.power_loss;
-  return sheet__named(
-    "power_loss",
-    rules__idle(m.arc.arc) && !Number.isNaN(loss) ? 0.0 : loss,
-    system,
-  );
+  return sheet__named("power_loss", rules__idle(m.arc.arc) && !Number.isNaN(loss) ? 0.0 : loss);
 }
 
-export function train_sheet___loss_note(case_, system) {
+export function train_sheet___loss_note(case_) {
   if (Number.isNaN(case_.loss_ratio)) {
     return "";
   }
-  let ratio = "" + $text(sheet__percent(case_.loss_ratio)) + " of the power";
+  let ratio = "" + $text(percent(case_.loss_ratio)) + " of the power";
   if (Number.isNaN(case_.power_loss)) {
     return "" + "together " + $text(ratio);
   }
   return (
-    "" +
-    "together " +
-    $text(sheet__named("power_loss", case_.power_loss, system)) +
-    ", " +
-    $text(ratio)
+    "" + "together " + $text(sheet__named("power_loss", case_.power_loss)) + ", " + $text(ratio)
   );
 }
 
 export function train_sheet___sensitivity_row(case_) {
   let texts = [...$range(case_.members.length)].map((i) =>
-    case_.sensitivity[i][i] !== 0.0 ? sheet__percent(case_.share_per_trim(i), 2) : NONE,
+    case_.sensitivity[i][i] !== 0.0 ? percent(case_.share_per_trim(i), 2) : NONE,
   );
   let entry = term("share_sensitivity");
   return new Row(entry.title, [...texts], entry.symbol, "of the load", "share_sensitivity");
@@ -2969,7 +2941,7 @@ export function train_sheet___names(case_) {
 }
 
 /** Return how the drives share one load case, and the speeds that go with it. */
-export function train_sheet__case_table(case_, system) {
+export function train_sheet__case_table(case_) {
   let members = case_.members;
   const row = (name, of, note) => {
     return new Row(
@@ -2981,10 +2953,10 @@ export function train_sheet__case_table(case_, system) {
     );
   };
   const told = (name, of) => {
-    return row(name, (m) => sheet__named(name, of(m), system), "");
+    return row(name, (m) => sheet__named(name, of(m)), "");
   };
   const known = (name, of, digits) => {
-    return row(name, (m) => train_sheet___shown(of(m), name, system, digits), "");
+    return row(name, (m) => train_sheet___shown(of(m), name, digits), "");
   };
   const small = (name, of, note) => {
     return row(name, (m) => train_sheet__signed(of(m)), note);
@@ -2996,12 +2968,12 @@ export function train_sheet__case_table(case_, system) {
   let rows = [
     row("share", train_sheet___share, ""),
     told("effective_tension", (m) => m.arc.effective_tension),
-    ...train_sheet___run_rows(case_, system),
+    ...train_sheet___run_rows(case_),
     told("entry_tension", (m) => m.arc.entry_tension),
     told("exit_tension", (m) => m.arc.exit_tension),
     known("drum_power", (m) => m.drum_power, RESULT_DIGITS),
     known("drum_torque", (m) => m.drum_torque, RESULT_DIGITS),
-    ...train_sheet___motor_rows(members, system),
+    ...train_sheet___motor_rows(members),
     small("speed_ratio", (m) => m.speed_ratio - 1.0, "exactly"),
     small("contraction_term", (m) => m.contraction_term, "to first order"),
     small("creep_term", (m) => m.creep_term, "to first order"),
@@ -3014,14 +2986,12 @@ export function train_sheet__case_table(case_, system) {
       (m) => train_sheet__trim_text(m.speed_trim),
       "what a speed control is set to",
     ),
-    train_sheet___creep_row(case_, system),
+    train_sheet___creep_row(case_),
   ];
   if (![...members].every((m) => Number.isNaN(m.arc.capacities.creep_limit_margin))) {
     rows.push(told("creep_limit_margin", (m) => m.arc.capacities.creep_limit_margin));
   }
-  rows.push(
-    row("power_loss", (m) => train_sheet___lost(m, system), train_sheet___loss_note(case_, system)),
-  );
+  rows.push(row("power_loss", train_sheet___lost, train_sheet___loss_note(case_)));
   rows.push(train_sheet___sensitivity_row(case_));
   let note = case_.status === SOLVED ? train_sheet___precision(case_) : case_.reason;
   return new Table(
@@ -3033,37 +3003,29 @@ export function train_sheet__case_table(case_, system) {
   );
 }
 
-export function arc_tables___gross_note(plain, creep, system) {
+export function arc_tables___gross_note(plain, creep) {
   if (plain) {
     return "the whole wrap slips";
   }
   if (Math.abs(creep) === Infinity) {
     return "extrapolated, approached as creep grows without bound";
   }
-  return (
-    "" + "extrapolated, at " + $text(sheet__named("gross_slip_creep", creep, system)) + " of creep"
-  );
+  return "" + "extrapolated, at " + $text(sheet__named("gross_slip_creep", creep)) + " of creep";
 }
 
 /** Return the table of the capacities of an arc. */
-export function arc_tables__capacity_rows(c, of, system) {
+export function arc_tables__capacity_rows(c, of) {
   let note, slip;
   let [tight, slack] = of.driving ? ["T1", "T2"] : ["T2", "T1"];
-  let held = sheet__named("tension", max(of.entry, of.exit), system);
+  let held = sheet__named("tension", max(of.entry, of.exit));
   let actual = max(of.entry / of.exit, of.exit / of.entry);
   const row = (name, value, note) => {
-    return new Row(
-      term(name).title,
-      [sheet__named(name, value, system)],
-      term(name).symbol,
-      note,
-      name,
-    );
+    return new Row(term(name).title, [sheet__named(name, value)], term(name).symbol, note, name);
   };
   const ratio = (name, value, margin, note) => {
     let shown = Number.isNaN(margin)
       ? ""
-      : "" + "margin " + $text(sheet__named("tension_ratio", margin, system)) + "; ";
+      : "" + "margin " + $text(sheet__named("tension_ratio", margin)) + "; ";
     return row(name, value, "" + $text(shown) + $text(note));
   };
   let rows = [
@@ -3076,11 +3038,11 @@ export function arc_tables__capacity_rows(c, of, system) {
     row("equivalent_friction", c.equivalent_friction, "compare with design values"),
   ];
   if (!Number.isNaN(of.tested_slip)) {
-    slip = sheet__named("slip", of.tested_slip, system);
+    slip = sheet__named("slip", of.tested_slip);
     note = "" + "slip at the largest tested, " + $text(slip);
     rows.push(ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note));
   }
-  let gross = arc_tables___gross_note(of.plain, c.gross_slip_creep, system);
+  let gross = arc_tables___gross_note(of.plain, c.gross_slip_creep);
   rows.push(row("gross_slip_capacity", c.gross_slip_capacity, gross));
   note =
     "" +
@@ -3093,7 +3055,7 @@ export function arc_tables__capacity_rows(c, of, system) {
     " held at " +
     $text(held) +
     "; margin is the capacity over the actual ratio, " +
-    $text(sheet__named("tension_ratio", actual, system)) +
+    $text(sheet__named("tension_ratio", actual)) +
     ".";
   return new Table("Capacity", [...rows], undefined, note, "capacity");
 }
@@ -3227,7 +3189,7 @@ export function passage___afresh(law, arc, ends, tol) {
     guess.leaving,
     guess.creep,
   );
-  let found = collocation__solved_or_eased(face, arc, ends, first, tol);
+  let found = collocation__solved_or_softened(face, arc, ends, first, tol);
   let met = meet__all_sliding(face, found);
   if (!met.done) {
     met = meet__by_growth(law, arc, ends, guess, tol);
@@ -3273,8 +3235,8 @@ export function passage___told(arc, met) {
 
 /** Pass an arc with an entry tension [N] and an exit creep [m]. */
 export function passage__passed(law, arc, entry, creep, near, tol) {
-  let held;
-  let ends = new Ends(1.0, 0.0, entry, CREEP, creep);
+  let ends, held;
+  [arc, ends] = [quantities__counted(arc, POINT_STEPS), new Ends(1.0, 0.0, entry, CREEP, creep)];
   if (arc.shear > 0.0 && meet__may_rest(law, arc)) {
     held = passage___held(law, arc, ends);
     if (held !== null) {

@@ -1,114 +1,63 @@
-// Several drives on one belt: read here, solved and judged by the functions of wraparc solve.
-import { si } from "../static/base/units.js";
+// Several drives on one belt: read, solved and judged by the functions of wraparc solve.
 import { in_page__quick as quick } from "../static/kernel.js";
 import {
-  acrossOf,
+  beyond,
   caseOf,
   judgingOf,
   lawOf,
+  left,
   NOT_HERE,
-  read,
-  thickOf,
+  oddOf,
+  readIn,
+  saidOf,
   unjudgedOf,
+  unknownLaw,
 } from "../static/pages/drive/assemble.js";
 import { numbersOf } from "../static/pages/drive/own.js";
-import { Reader } from "../static/pages/drive/reading.js";
-import { checkShape } from "../static/pages/drive/shape.js";
 import { dataWords, general, named, put } from "../static/pages/drive/wording.js";
-import { TENSIONS } from "../static/parts/problems.js";
-import { plainDrive } from "./plain_drive.js";
 import * as K from "./train_kernel.js";
-import { TrainReader } from "./train_reading.js";
 
 /** @import { Book, Design, Judging, Problem } from "../static/types.d.ts" */
-/** @import { TrainCase } from "./train_reading.js" */
 
 const none = Number.NaN;
 const POINTS = 180;
 /** Whether a document is a train of this page. @param {Design} doc */
-export const isTrain = (doc) => Boolean(doc.train) && doc.pulley.length > 1;
+export const isTrain = (doc) => doc.train != null;
 
-/** One of the pulleys as a drive of its own. @param {any} doc @param {number} i */
-function alone({ train, load_case, ...doc }, i) {
-  const pulley = { ...doc.pulley[i] };
-  if (Array.isArray(train.diameters)) pulley.diameter = train.diameters[i];
-  const names = doc.pulley.map((/** @type {any} */ p) => p.name);
-  const takeUp = doc.take_up;
-  const after = names.includes(takeUp?.after) ? pulley.name : takeUp?.after;
-  return { ...doc, pulley: [pulley], ...(takeUp && { take_up: { ...takeUp, after } }) };
+/**
+ * What divides the load: parts of it, or what turns the drums.
+ * @typedef {{parts?: number[], speeds?: number[], absolute?: boolean, motors?: any[]}} Division
+ */
+/** A load case in numbers. @param {any} c as read @param {string[]} names */
+function caseAs(c, names) {
+  const { fractions, rotation_speeds: speeds, absolute, motors } = c.division;
+  const division = /** @type {Division} */ ({ parts: fractions, speeds, absolute, motors });
+  const runs = names.map((_, i) => c.runs[i] ?? 0);
+  const { name, kind, condition, entry_tension: entry, exit_tension: exit } = c;
+  return { name, kind, condition, entry, exit, runs, division };
 }
-/** What of a train is left to the program; empty for nothing. @param {any} doc */
-export function beyondTrain(doc) {
-  const uneven = doc.pulley.find((/** @type {any} */ p) => p.across);
-  return uneven ? acrossOf(uneven) : thickOf(doc);
+/** A motor of the train as the solver has it. @param {any} motor as read */
+function motorOf(motor) {
+  if (motor.master) return null;
+  const kind =
+    ("coupling_load" in motor && K.FluidCoupling) ||
+    ("synchronous_speed" in motor && K.Induction) ||
+    K.VariableSpeed;
+  return Object.assign(Object.create(/** @type {any} */ (kind).prototype), motor);
 }
-/** @param {Problem[][]} all each once */
-function once(all) {
-  const found = all.flat();
-  return found.filter((p, i) => found.findIndex((q) => q.sentence === p.sentence) === i);
-}
-/** @param {string} sentence @param {boolean} [beyond] @returns {{problems: Problem[]}} */
-const refusing = (sentence, beyond = false) => ({
-  problems: [{ path: "", message: sentence, sentence, beyond }],
-});
-
-/** A train read: its pulleys, its cases, or what is wrong. @param {Design} doc @param {Book} book
- * @param {any[]} motors */
-function readTrain(doc, book, motors) {
-  const alones = doc.pulley.map((_, i) => alone(doc, i));
-  const shapes = alones.map((one) => {
-    const shape = new Reader(one);
-    checkShape(shape);
-    return shape.problems;
-  });
-  if (shapes.flat().length) return { problems: once(shapes), saids: [], cases: [] };
-  const saids = alones.map((one) => read(/** @type {any} */ (one), book, []));
-  const names = doc.pulley.map((p) => p.name ?? "");
-  const twice = names.find((n, i) => names.indexOf(n) < i);
-  if (twice !== undefined) saids[0].r.wrong(["pulley"], `"${twice}" names two pulleys`);
-  const speed = saids[0].belt.speed;
-  const nominal = doc.pulley.map((p) => si(p.diameter, "length"));
-  const takeUp = { ...saids[0].takeUp, after: doc.take_up?.after };
-  const reader = new TrainReader(doc, motors, speed, nominal, takeUp, book.design);
-  const cases = reader.cases();
-  const problems = once([...saids.map((s) => s.r.problems), reader.r.problems]);
-  return { problems, saids, cases, nominal, speed, takeUp, names };
-}
-
-/** A law for each pulley in a case. @param {any[]} saids @param {any} doc @param {any} condition */
-function lawsIn(saids, doc, condition) {
-  const main = Array.isArray(doc.condition) ? doc.condition[0] : doc.condition;
-  return saids.map(({ r, lagging }, i) =>
-    lawOf(r, lagging.entry, condition ?? doc.pulley[i].condition ?? main, ["condition"]),
-  );
-}
-/** @param {number} entry @param {number} exit */
-const pullsOf = (entry, exit) => ({
-  ...Object.fromEntries(TENSIONS.map((key) => [key, none])),
-  ...{ entry_tension: entry, exit_tension: exit },
-});
-/** @param {any} motor */
-const motorOf = ({ kind, fields }) =>
-  Object.assign(
-    Object.create(/** @type {any} */ (K)[kind].prototype),
-    Object.fromEntries(
-      Object.entries(fields).map(([name, v]) => [name, typeof v === "string" ? +v : v]),
-    ),
-  );
 
 /** A load case solved; null where an arc is for the program.
- * @param {TrainCase} c @param {any} train as read @param {any[]} laws @param {Book} book */
+ * @param {ReturnType<typeof caseAs>} c @param {{saids: any[], names: string[], nominal: number[], speed: number}} train
+ * @param {any[]} laws @param {Book} book */
 function solved(c, { saids, names, nominal, speed }, laws, book) {
-  const start = laws.map((law, i) =>
-    caseOf(saids[i], { ...c, pulls: pullsOf(c.entry, c.exit) }, law, book),
-  );
+  const start = laws.map((law, i) => caseOf(saids[i], c, law, book));
   const givens = start.map(({ prepared }) => numbersOf(prepared.given));
   const members = start.map(({ prepared }, i) =>
     K.in_page_train__member_of(prepared.law, givens[i]),
   );
   const { parts, speeds, absolute, motors: found } = c.division;
   const radii = members.map((m) => m.radius);
-  const motors = (found ?? names).map((/** @type {any} */ m) => (m.fields ? motorOf(m) : null));
+  const motors = names.map((_, i) => (found ? motorOf(found[i]) : null));
   let lines = members.map(() => new K.Line());
   let reference = none;
   if (speeds) {
@@ -126,7 +75,7 @@ function solved(c, { saids, names, nominal, speed }, laws, book) {
   const softening = laws.some((law) => law.steepest_fall < 0);
   const divided = K.in_page_train__divided(system, names, softening, pulls, speed, reference);
   const arcs = divided.pairs.map((/** @type {any} */ { entry, exit }, /** @type {number} */ i) => {
-    const made = caseOf(saids[i], { ...c, pulls: pullsOf(entry, exit) }, laws[i], book);
+    const made = caseOf(saids[i], { ...c, entry, exit }, laws[i], book);
     const given = { ...made.prepared.given, speed: divided.belt_speeds[i] };
     const criteria = { ...made.criteria, alone: 0 };
     return { ...made, criteria, prepared: { ...made.prepared, given } };
@@ -168,31 +117,39 @@ function kept({ arcs, quicks, divided, motors }, speed) {
 
 /**
  * A train solved, and what it is judged by; or what is wrong with its document.
- * @param {Design} design @param {Book} book @param {{motors: any[], words: any}} known
+ * @param {Design} design @param {Book} book @param {Record<string, any[]>} words
  * @returns {{problems: Problem[], judging?: Judging, cases?: any[], checks?: any[]}}
  */
-export function trainOf(design, book, known) {
-  const not = beyondTrain(design);
-  if (not) return refusing(not, true);
-  const { doc, problems } = plainDrive(design);
+export function trainOf(design, book, words) {
+  const { found, problems } = readIn(design, book);
   if (problems.length) return { problems };
-  const train = readTrain(doc, book, known.motors);
-  if (train.problems.length) return { problems: train.problems };
-  const { saids, names = [], takeUp } = train;
-  const after = names.indexOf(takeUp?.after ?? "");
-  const fixed = takeUp?.kind === "fixed";
+  const not = beyond(found);
+  if (not) return { problems: [left(not)] };
+  const odd = oddOf(found, book);
+  if (odd) return { problems: [odd] };
+  /** @type {string[]} */
+  const names = found.pulleys.map((/** @type {any} */ p) => p.name);
+  const saids = names.map((_, i) => saidOf(found, i, design, book));
+  const diameters = found.pulleys.map((/** @type {any} */ p) => p.diameter);
+  const nominal = found.nominal_diameters.length ? found.nominal_diameters : diameters;
+  const { speed } = saids[0].belt;
+  const train = { saids, names, nominal, speed };
+  const after = names.indexOf(found.criteria.take_up.after);
+  const fixed = found.criteria.take_up.kind === "fixed";
   const cases = [];
-  for (const c of train.cases) {
-    const laws = lawsIn(saids, doc, c.condition);
-    if (laws.some((law) => !law)) return { problems: once(saids.map((s) => s.r.problems)) };
+  for (const given of found.cases) {
+    const c = caseAs(given, names);
+    const laws = saids.map((said) => lawOf(said, c.condition));
+    const missing = laws.indexOf(undefined);
+    if (missing >= 0) return { problems: [unknownLaw(saids[missing])] };
     const one = solved(c, train, laws, book);
-    const why = kept(one, train.speed ?? none);
-    if (why) return refusing(`Load case ${c.name}: ${why}.`, true);
-    const { system, divided, quicks, motors, nominal } = one;
-    const told = K.in_page_train__told(system, names, divided, quicks, nominal ?? [], motors);
+    const why = kept(one, speed);
+    if (why) return { problems: [left(`Load case ${c.name}: ${why}.`)] };
+    const { system, divided, quicks, motors } = one;
+    const told = K.in_page_train__told(system, names, divided, quicks, nominal, motors);
     const adrift = told.status.startsWith("Breakaway") && !c.division.parts;
     const unknown = (/** @type {number} */ i) =>
-      put(known.words["gross_slip:adrift"][0], { kind: c.kind, pulley: names[i], case: c.name });
+      put(words["gross_slip:adrift"][0], { kind: c.kind, pulley: names[i], case: c.name });
     const sags = c.entry >= c.exit ? names.length - 1 : 0;
     const arcs = one.arcs.map((/** @type {any} */ arc, /** @type {number} */ i) => ({
       ...arc,
@@ -207,7 +164,7 @@ export function trainOf(design, book, known) {
     }));
     cases.push({ ...one, told, arcs, adrift });
   }
-  const usual = lawsIn(saids, doc, undefined);
+  const usual = saids.map((said) => lawOf(said));
   const at = Math.max(after, 0);
   const data = saids.map((said, i) => dataWords(said, /** @type {any} */ (usual[i]), book));
   const all = saids.map((said, i) =>

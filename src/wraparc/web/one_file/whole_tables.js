@@ -1,5 +1,4 @@
 // Tables of an arc that come from Python, in the place of plain lists of numbers.
-import { app } from "../static/base/design.js";
 import { wholeOf } from "../static/pages/drive/whole.js";
 import * as K from "./train_kernel.js";
 
@@ -32,7 +31,7 @@ export function wholeAnswer(judged, judging, book) {
       judging.cases[i].tested?.slip_max ?? Number.NaN,
       law.kind === LIMIT && law.onset_compliance === 0,
     );
-    const known = tableOf(K.arc_tables__capacity_rows(numbers, of, app.units), "capacity");
+    const known = tableOf(K.arc_tables__capacity_rows(numbers, of), "capacity");
     const tables = arc.tables.map((t) =>
       t.key === "capacity" ? { ...known, rows: [...known.rows, ...rest(t)] } : t,
     );

@@ -55,7 +55,7 @@ async def solve_first(state: State) -> None:
             await workers.short("", drives.solve_fast, quick, queue=QUICK),
             await workers.short("", drives.solve_all, whole),
         )
-    except (InputError, ApiError, OSError):
+    except (InputError, ApiError):
         return  # the page asks, and is told
 
 

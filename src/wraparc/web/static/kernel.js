@@ -88,7 +88,7 @@ export class Description {
 }
 
 export class Geometry {
-  constructor(side, radius, wrap_angle, width, compliance, shear, kick, kick_coefficient, onset) {
+  constructor(side, radius, wrap_angle, width, compliance, shear, kick, kick_coefficient, left) {
     this.side = side;
     this.radius = radius;
     this.wrap_angle = wrap_angle;
@@ -97,7 +97,7 @@ export class Geometry {
     this.shear = shear;
     this.kick = kick;
     this.kick_coefficient = kick_coefficient;
-    this.onset = onset;
+    this.left = left;
   }
   *[Symbol.iterator]() {
     yield this.side;
@@ -108,7 +108,7 @@ export class Geometry {
     yield this.shear;
     yield this.kick;
     yield this.kick_coefficient;
-    yield this.onset;
+    yield this.left;
   }
 }
 
@@ -142,19 +142,15 @@ export class Load {
 }
 
 export class Interface {
-  constructor(law, shear, share, spring, slides, rests) {
+  constructor(law, shear, slides, rests) {
     this.law = law;
     this.shear = shear;
-    this.share = share;
-    this.spring = spring;
     this.slides = slides;
     this.rests = rests;
   }
   *[Symbol.iterator]() {
     yield this.law;
     yield this.shear;
-    yield this.share;
-    yield this.spring;
     yield this.slides;
     yield this.rests;
   }
@@ -562,6 +558,7 @@ export class Sizes {
     entry,
     leaving,
     pull,
+    mass,
   ) {
     this.width = width;
     this.modulus = modulus;
@@ -584,6 +581,7 @@ export class Sizes {
     this.entry = entry;
     this.leaving = leaving;
     this.pull = pull;
+    this.mass = mass;
   }
   *[Symbol.iterator]() {
     yield this.width;
@@ -607,6 +605,7 @@ export class Sizes {
     yield this.entry;
     yield this.leaving;
     yield this.pull;
+    yield this.mass;
   }
 }
 
@@ -865,15 +864,19 @@ export class Asked {
 }
 
 export class Resultant {
-  constructor(resultant_force, resultant_angle, belt_safety) {
+  constructor(resultant_force, resultant_angle, belt_safety, most_shaft_load, least_shaft_load) {
     this.resultant_force = resultant_force;
     this.resultant_angle = resultant_angle;
     this.belt_safety = belt_safety;
+    this.most_shaft_load = most_shaft_load;
+    this.least_shaft_load = least_shaft_load;
   }
   *[Symbol.iterator]() {
     yield this.resultant_force;
     yield this.resultant_angle;
     yield this.belt_safety;
+    yield this.most_shaft_load;
+    yield this.least_shaft_load;
   }
 }
 
@@ -968,6 +971,7 @@ const PIECE_STRIDE = 25;
 const MOST_EXPONENT = 300.0;
 const LINE = 1;
 const ELASTIC = 0;
+const POINT_STEPS = 15000.0;
 const NO_PULL = 1e-12;
 const SOLVED = 0;
 const FIRST_ELEMENTS = 8;
@@ -979,7 +983,7 @@ const LEAST_COMPLIANCE = 1e-16;
 const NO_SLOPES = new Slopes(NaN, NaN, NaN, NaN);
 const LEAST_CREEP = 1e-16;
 const NEAR_PEAK = 0.8;
-const LEAST_SHARE = 1e-12;
+const LEAST_SHARE = 1e-16;
 const NEAR = 1e-5;
 const HELD = new Piece(0.0, -1);
 const NEWTON = 1e-8;
@@ -1006,10 +1010,11 @@ const B0 = 0.2777777777777778;
 const B1 = 0.4444444444444444;
 const B2 = 0.2777777777777778;
 const CREEP = 1;
+const LEAST_LEFT = 0.2;
 const FREELY = 1e-10;
 const LEAST_PULL = 1e-5;
-const LEAST_LEFT = 0.2;
 const MOST_STRETCH = 0.5;
+const FARTHEST = 1000000.0;
 const MOST_ROUNDS = 14;
 const LONGEST = 2.0;
 const E0 = 1.478830557701236;
@@ -1028,13 +1033,17 @@ const MOST_ELEMENTS = 400;
 const TURN = 0.001;
 const LATER_STEPS = 20;
 const ROUGH = 0.001;
-const FIRST_SHARE = 0.125;
-const SOFTEST = 5.0;
-const MOST_EASED = 30;
+const SOFTER = 10.0;
+const SOFTEST = 3.0;
+const LEAST_SHEAR = 1e-9;
+const FIRST_SOFTER = 0.0625;
+const MOST_SOFTENED = 60;
+const LEAST_SOFTER = 0.97;
 const PRESSURES = 5;
 const ON_THE_RISE = 0.6;
 const FIRST_PART = 0.4;
 const LOOKS = 14;
+const CAPACITY_STEPS = 25000.0;
 const MOST_USED = 0.95;
 const LARGEST_FALL = 6.0;
 const SLIP = 2;
@@ -1055,7 +1064,7 @@ const LOBATTO = 0.27639320225002106;
 const AT_ENDS = 0.08333333333333333;
 const INSIDE = 0.4166666666666667;
 const ACTIVE_SHARE = 0.01;
-const IDLE = 1e-6;
+const IDLE = 1e-9;
 const CREEP_LIMIT = 0.00635;
 const USUAL_SIZES = [
   [0.2, 4.0],
@@ -1064,7 +1073,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.0635],
+  [5e-5, 0.03],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -1081,6 +1090,7 @@ const USUAL_SIZES = [
   [500.0, 10000000.0],
   [500.0, 10000000.0],
   [250.0, 20000000.0],
+  [1.0, 130.0],
 ];
 const CAPACITIES = 30;
 const LEAST = 8;
@@ -1102,9 +1112,9 @@ const BY_SLIP = 4;
 const BY_LAW = 16;
 const MOST = 2;
 const DIFFERENCE = 0.001;
-const FARTHEST = 200.0;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
+const GRAVITY = 9.80665;
 const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
 const ONE_TOO_MANY = "Leave one of them out.";
@@ -1200,8 +1210,8 @@ export function summary__recovery_compliance(arc) {
   return (2.0 * squeeze) / (arc.width * arc.diameter * (0.5 * arc.diameter));
 }
 
-/** Numbers of the arc for the solver; `onset` is that of its law [m/Pa]. */
-export function summary__geometry_of(arc, onset) {
+/** Numbers of the arc for the solver. */
+export function summary__geometry_of(arc) {
   let radius = 0.5 * arc.diameter;
   const found1 = pitch__thin_belt(radius, arc.wrap_angle, arc.width, arc.pitch_offset);
   let pitch = found1[0];
@@ -1218,7 +1228,7 @@ export function summary__geometry_of(arc, onset) {
     arc.shear_compliance,
     given ? arc.overrun : 0.0,
     given ? 0.0 : by_formula,
-    onset,
+    null,
   );
 }
 
@@ -1581,7 +1591,7 @@ export function in_page__refused(law, arc, fall) {
   if (arc.centrifugal >= min(entry, leaving)) {
     return true;
   }
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let pressure = summary__pressure_of(arc, entry);
   return summary__too_steep(arc, fall) || summary__kicked_loose(law, geometry, pressure);
 }
@@ -1601,10 +1611,17 @@ export function in_page__load_of(given, arc, tested) {
   return new Load(arc.entry_tension - lift, arc.exit_tension - lift, limit, low, high, slip, fall);
 }
 
+/** An arc whose solver ends after so many steps, unless they are counted already. */
+export function quantities__counted(arc, most) {
+  return arc.left === null
+    ? Object.assign(Object.create(Object.getPrototypeOf(arc)), arc, { left: [most] })
+    : arc;
+}
+
 /** Traction of an arc by its law. */
 export function meet__interface(law, arc) {
   let rigid = quantities__jumps(law) && arc.shear === 0.0;
-  return new Interface(law, arc.shear, 1.0, 0.0, rigid ? arc.side : 0.0, false);
+  return new Interface(law, arc.shear, rigid ? arc.side : 0.0, false);
 }
 
 /** Overrun x_c at an entry tension [m], and its slope by that [m/N]. */
@@ -1734,43 +1751,54 @@ export function traction___under_limit(law, segment, ease, pressure, creep) {
 
 /** Of a measured table: the cell whose creeps hold it, then Newton's method in a bracket. */
 export function traction___in_table(law, segment, ease, pressure, creep) {
-  let change, inside, miss, mu, mu_x, new_, slope;
+  let change, inside, miss, new_, slope, t;
+  let c = law.coefficients;
   let slips = law.slips;
-  const found1 = compact__friction_at(law, segment, 0, 0.0, pressure);
-  mu = found1[0];
-  let before = ease * mu;
+  let edges = law.edges;
+  let cells = slips.length;
+  let last = edges.length - 1;
+  let o = 4 * cells * max(min(segment, last), 0);
+  let up = o;
+  let w = 0.0;
+  if (0 <= segment && segment < last) {
+    up = o + 4 * cells;
+    w = (pressure - edges[segment]) / (edges[segment + 1] - edges[segment]);
+  }
+  if (segment >= last && last >= 0) {
+    ease *= edges[last] / pressure;
+  }
+  let before = ease * (c[o] + w * (c[up] - c[o]));
   let cell = 0;
-  let last = slips.length - 1;
   if (creep <= before) {
     return HELD;
   }
   let after = before;
-  while (cell < last) {
-    const found2 = compact__friction_at(law, segment, cell + 1, slips[cell + 1], pressure);
-    mu = found2[0];
-    after = slips[cell + 1] + ease * mu;
+  while (cell < cells - 1) {
+    [o, up] = [o + 4, up + 4];
+    after = slips[cell + 1] + ease * (c[o] + w * (c[up] - c[o]));
     if (creep <= after) {
       break;
     }
     before = after;
     cell += 1;
   }
-  if (cell === last) {
-    return new Piece(
-      creep - ease * compact__friction_at(law, segment, last, slips[last], pressure)[0],
-      last,
-    );
+  if (cell === cells - 1) {
+    return new Piece(slips[cell] + creep - after, cell);
   }
   let low = slips[cell];
   let high = slips[cell + 1];
+  let start = slips[cell];
+  [o, up] = [o - 4, up - 4];
+  let c0 = c[o] + w * (c[up] - c[o]);
+  let c1 = c[o + 1] + w * (c[up + 1] - c[o + 1]);
+  let c2 = c[o + 2] + w * (c[up + 2] - c[o + 2]);
+  let c3 = c[o + 3] + w * (c[up + 3] - c[o + 3]);
   let x = low + ((high - low) * (creep - before)) / (after - before);
-  for (let each3 = 0, end3 = 100; each3 < end3; each3++) {
-    const found4 = compact__friction_at(law, segment, cell, x, pressure);
-    mu = found4[0];
-    mu_x = found4[1];
-    miss = x + ease * mu - creep;
+  for (let each1 = 0, end1 = 100; each1 < end1; each1++) {
+    t = x - start;
+    miss = x + ease * (c0 + t * (c1 + t * (c2 + t * c3))) - creep;
     [low, high] = miss > 0.0 ? [low, x] : [x, high];
-    slope = 1.0 + ease * mu_x;
+    slope = 1.0 + ease * (c1 + t * (2.0 * c2 + 3.0 * t * c3));
     new_ = slope > 0.0 ? x - miss / slope : low;
     inside = low < new_ && new_ < high;
     if (!inside) {
@@ -1876,11 +1904,6 @@ export function traction__traction(law, shear, pressure, creep) {
   );
 }
 
-/** Magnitude of the traction at a magnitude of creep, before any continuation [Pa]. */
-export function collocation___size_at(face, pressure, creep) {
-  return traction__traction(face.law, face.shear, pressure, creep).stress;
-}
-
 /** Creep at which the mean friction of an arc is used at its mean tension [m]. */
 export function collocation__mean_creep(face, arc, entry, leaving, used = 0.95) {
   let middle;
@@ -1892,13 +1915,13 @@ export function collocation__mean_creep(face, arc, entry, leaving, used = 0.95) 
     return 0.0;
   }
   let high = 1e-9;
-  while (collocation___size_at(face, p, high) < stress && high < 1000.0) {
+  while (traction__traction(face.law, face.shear, p, high).stress < stress && high < 1000.0) {
     high *= 4.0;
   }
   let low = 0.25 * high;
   for (let each1 = 0, end1 = 12; each1 < end1; each1++) {
     middle = Math.sqrt(low * high);
-    if (collocation___size_at(face, p, middle) < stress) {
+    if (traction__traction(face.law, face.shear, p, middle).stress < stress) {
       low = middle;
     } else {
       high = middle;
@@ -2105,6 +2128,15 @@ export function collocation__ratio_behind_rest(face, arc, tension) {
   return [c * tension + creep / lag, c + by_tension / lag];
 }
 
+/** Count a step over a mesh, or as much work; whether there are none left. */
+export function collocation__spent(arc, at) {
+  if (arc.left === null) {
+    return false;
+  }
+  arc.left[0] -= at.place.length - 1;
+  return arc.left[0] < 0.0;
+}
+
 /** Creeps at the stages of an element of length h that begins at the creep u [m]. */
 export function collocation__stage_creeps(h, ratio, c, u, k) {
   let [k0, k1, k2] = k;
@@ -2128,23 +2160,10 @@ export function collocation___sliding(face, pressure, creep) {
 
 /** Traction of an interface at a wrap pressure [Pa] and a creep [m]. */
 export function collocation__traction_at(face, pressure, creep) {
-  let found;
   if (face.slides !== 0.0) {
-    found = collocation___sliding(face, pressure, creep);
-  } else {
-    found = traction__traction(face.law, face.shear, pressure, creep);
+    return collocation___sliding(face, pressure, creep);
   }
-  let share = face.share;
-  if (share === 1.0) {
-    return found;
-  }
-  let rest = (1.0 - share) * face.spring;
-  return new Traction(
-    share * found.stress + rest * creep,
-    share * found.by_creep + rest,
-    share * found.by_pressure,
-    found.slip,
-  );
+  return traction__traction(face.law, face.shear, pressure, creep);
 }
 
 /** Slopes of the stage stresses by the stage tensions, d tau_j = w_j dT_j - v_j h C sum A dT. */
@@ -2318,7 +2337,7 @@ export function collocation__exit_row(face, arc, ends, at) {
 
 /** Entry tension of a rest arc, much longer than l, by that at its end [N]. */
 export function collocation__entry_of_rest(face, arc, tension) {
-  let by_tension, overrun;
+  let by_tension, change, overrun;
   if (arc.shear === 0.0) {
     return tension;
   }
@@ -2329,7 +2348,8 @@ export function collocation__entry_of_rest(face, arc, tension) {
     const found2 = collocation__overrun_at(arc, entry);
     overrun = found2[0];
     by_tension = found2[1];
-    entry -= (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension);
+    change = (entry - tension - taken * (overrun + end)) / (1.0 - taken * by_tension);
+    entry = max(entry - change, LEAST_LEFT * entry);
   }
   return entry;
 }
@@ -2501,11 +2521,14 @@ export function collocation__converged(face, arc, ends, at, most, near) {
   let slopes = NO_SLOPES;
   let before = Infinity;
   for (let each1 = 0, end1 = most; each1 < end1; each1++) {
+    if (collocation__spent(arc, at)) {
+      return new Solved(false, at, slopes);
+    }
     const found2 = collocation__improved(face, arc, ends, at);
     at = found2[0];
     change = found2[1];
     slopes = found2[2];
-    if (!(change < 10000.0)) {
+    if (!(change < FARTHEST)) {
       return new Solved(false, at, slopes);
     }
     if (change < near || (change < 1e-5 && change > 0.5 * before)) {
@@ -2781,6 +2804,7 @@ export function collocation__meshed(face, arc, at, kind, tol) {
   let turns, where;
   let places = at.place;
   let misses = collocation__misfits(face, arc, at, kind);
+  collocation__spent(arc, at);
   let needed = [...misses].map((miss) => (miss / tol) ** 0.25);
   needed[0] = needed[0] ** 2;
   let ends = collocation__kinks(face, arc, at);
@@ -2857,59 +2881,63 @@ export function meet__all_sliding(face, found) {
   return new Met(found.done, found.course, found.slopes, 0.0, found.course.tension[0], face);
 }
 
-/** Continuation in the law: from traction that grows evenly with creep, in steps that adapt. */
-export function collocation__eased(face, arc, ends, at, tol) {
-  let now;
-  let share = 0.0;
-  let step = FIRST_SHARE;
-  let size = max(Math.abs(at.creep.at(-1)), Math.abs(at.creep[0]));
-  let pull = Math.abs(at.tension[0] - at.tension.at(-1));
+/** Continuation in what shears: from a lagging so soft that the arc is a few l long. */
+export function collocation__softened(face, arc, ends, at, tol) {
+  let now, shear, step;
   let length = at.place.at(-1);
-  let softest = (SOFTEST / length) ** 2 / (collocation__compliance_of(arc) * arc.width);
-  let spring = max(pull, 0.001 * at.tension[0]) / (arc.width * length * max(size, 1e-9));
-  face = Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
-    spring: min(spring, softest),
-    share: 0.0,
+  let entry = at.tension[0];
+  let leaving = at.tension.at(-1);
+  let mean = Math.sqrt(entry * leaving) / (arc.width * arc.radius);
+  let creep =
+    collocation__mean_creep(face, arc, entry, leaving) + collocation__overrun_at(arc, entry)[0];
+  let gives = (SOFTER * Math.abs(creep)) / traction__plateau_stress(face.law, mean);
+  let least = max((length / SOFTEST) ** 2 * collocation__compliance_of(arc) * arc.width, gives);
+  let soft = Object.assign(Object.create(Object.getPrototypeOf(face)), face, {
+    shear: max(face.shear, least),
+    slides: 0.0,
   });
-  let found = collocation__converged(face, arc, ends, at, FIRST_STEPS, COARSELY);
+  creep = at.creep.at(-1);
+  if (ends.kind === TENSION) {
+    creep = 2.0 * collocation__mean_creep(soft, arc, entry, leaving);
+  }
+  let first = collocation__first_course(arc, length, entry, leaving, creep);
+  let found = collocation__converged(soft, arc, ends, first, FIRST_STEPS, COARSELY);
   if (!found.done) {
     return found;
   }
-  at = collocation__meshed(face, arc, found.course, ends.kind, ROUGH)[1];
-  for (let each1 = 0, end1 = MOST_EASED; each1 < end1; each1++) {
-    if (step < 0.001) {
+  least = max(face.shear, LEAST_SHEAR * soft.shear);
+  step = FIRST_SOFTER;
+  at = collocation__meshed(soft, arc, found.course, ends.kind, ROUGH)[1];
+  for (let each1 = 0, end1 = MOST_SOFTENED; each1 < end1; each1++) {
+    if (step > LEAST_SOFTER) {
       break;
     }
-    now = min(share + step, 1.0);
-    found = collocation__converged(
-      Object.assign(Object.create(Object.getPrototypeOf(face)), face, { share: now }),
-      arc,
-      ends,
-      at,
-      FIRST_STEPS,
-      COARSELY,
-    );
+    shear = max(step * soft.shear, least);
+    now =
+      shear > least
+        ? Object.assign(Object.create(Object.getPrototypeOf(soft)), soft, { shear: shear })
+        : face;
+    found = collocation__converged(now, arc, ends, at, FIRST_STEPS, COARSELY);
     if (!found.done) {
-      step *= 0.4;
+      step = Math.sqrt(step);
       continue;
     }
-    [share, step] = [now, 1.6 * step];
-    face = Object.assign(Object.create(Object.getPrototypeOf(face)), face, { share: now });
-    at = collocation__meshed(face, arc, found.course, ends.kind, max(ROUGH, tol))[1];
-    if (share === 1.0) {
+    [soft, step] = [now, step * Math.sqrt(step)];
+    at = collocation__meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[1];
+    if (shear === least) {
       return collocation__converged(face, arc, ends, at, LATER_STEPS, COARSELY);
     }
   }
   return new Solved(false, at, NO_SLOPES);
 }
 
-/** `solved`, by continuation in the law where Newton's method alone does not get there. */
-export function collocation__solved_or_eased(face, arc, ends, start, tol = 3e-6) {
+/** `solved`, by continuation in what shears where Newton's method alone does not get there. */
+export function collocation__solved_or_softened(face, arc, ends, start, tol = 3e-6) {
   let found = collocation__solved(face, arc, ends, start, tol);
   if (found.done) {
     return found;
   }
-  found = collocation__eased(face, arc, ends, start, tol);
+  found = collocation__softened(face, arc, ends, start, tol);
   return found.done ? collocation__solved(face, arc, ends, found.course, tol) : found;
 }
 
@@ -2939,7 +2967,7 @@ export function meet__meet(law, arc, ends, guess, near, tol) {
     }
   }
   let first = collocation__first_course(arc, length, guess.entry, guess.leaving, guess.creep);
-  return meet__all_sliding(face, collocation__solved_or_eased(face, arc, ends, first, tol));
+  return meet__all_sliding(face, collocation__solved_or_softened(face, arc, ends, first, tol));
 }
 
 /** Whether more is carried as creep grows: friction is not exhausted. */
@@ -3078,7 +3106,11 @@ export function meet__by_growth(law, arc, ends, guess, tol) {
 
 /** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
 export function capacity__carry(law, arc, tight, limit, near = null) {
-  let ends = capacity__ends_at(arc, 1.0, 0.0, tight, limit);
+  let ends;
+  [arc, ends] = [
+    quantities__counted(arc, CAPACITY_STEPS),
+    capacity__ends_at(arc, 1.0, 0.0, tight, limit),
+  ];
   let guess = capacity___guess_at(law, arc, tight, limit);
   let met = meet__meet(law, arc, ends, guess, near, MISFIT);
   return met.done ? met : meet__by_growth(law, arc, ends, guess, MISFIT);
@@ -3102,18 +3134,27 @@ export function capacity__log_ratio(met) {
   return Math.abs(Math.log(met.entry / met.course.tension.at(-1)));
 }
 
+/** Where a slope ends that is `up` > 0 at one end and `down` < 0 at the other. */
+export function capacity___between(low, up, high, down) {
+  let place = up > 0.0 && 0.0 > down ? low + ((high - low) * up) / (up - down) : low;
+  return low < place && place < high ? place : 0.5 * (low + high);
+}
+
 /** Largest ln(tight/slack) of a held tight side over creeps, and its creep [m]. */
 export function capacity___largest_at_creep(law, arc, tight) {
-  let grows, met;
+  let grows, last, met;
   let best = -Infinity;
   let low = 0.0;
   let high = 0.0;
+  let up = 0.0;
+  let down = 0.0;
   let slack = tight * Math.exp(-10.0);
   let peak = collocation__mean_creep(meet__interface(law, arc), arc, tight, slack, ON_THE_RISE);
   let creep = FIRST_PART * Math.abs(peak);
   let at = null;
   let near = null;
   let before = 0.0;
+  let risen = 0.0;
   let found = false;
   for (let each1 = 0, end1 = LOOKS; each1 < end1; each1++) {
     met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), near);
@@ -3124,33 +3165,40 @@ export function capacity___largest_at_creep(law, arc, tight) {
         best = capacity__log_ratio(met);
         at = capacity___near(met);
         found = true;
-        [low, high] = grows > 0.0 ? [creep, 0.0] : [before, creep];
+        [low, up, high] = grows > 0.0 ? [creep, grows, 0.0] : [before, risen, creep];
+        down = grows;
       }
       if (grows <= 0.0 && high === 0.0) {
         high = creep;
+        down = grows;
       }
       before = creep;
+      risen = grows;
     }
     creep *= WIDER;
   }
   if (!found || high === 0.0) {
     return [-Infinity, Infinity];
   }
-  while (high - low > 1e-6 * high) {
-    creep = 0.5 * (low + high);
+  creep = high;
+  last = low;
+  while (high - low > 1e-6 * high && Math.abs(creep - last) > 1e-6 * high) {
+    last = creep;
+    creep = capacity___between(low, up, high, down);
     met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), at);
     if (!met.done) {
       break;
     }
     at = capacity___near(met);
     best = capacity__log_ratio(met);
-    if (capacity__growth(arc, met.slopes) > 0.0) {
-      low = creep;
+    grows = capacity__growth(arc, met.slopes);
+    if (grows > 0.0) {
+      [low, up, down] = [creep, grows, 0.5 * down];
     } else {
-      high = creep;
+      [high, down, up] = [creep, grows, 0.5 * up];
     }
   }
-  return [best, high];
+  return [best, creep];
 }
 
 /** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
@@ -3221,6 +3269,7 @@ export function meet__ratio_of(at, arc) {
 /** Operating point of an arc between two tensions [N]. */
 export function answer__operating_point(law, arc, entry, leaving) {
   let first;
+  arc = quantities__counted(arc, POINT_STEPS);
   let goal = arc.side * Math.log(entry / leaving);
   let area = arc.width * arc.radius;
   let face = meet__interface(law, arc);
@@ -3797,9 +3846,9 @@ export function profile__read(arc, met, tested) {
   );
 }
 
-/** Spring rate of the belt over its active arc, EA/l [N/m]; nan without one. */
-export function summary__spring_rate(axial_stiffness, length) {
-  return length > 0.0 ? axial_stiffness / length : NaN;
+/** Spring rate of the belt over its active arc, EA/l [N/m]; nan of an idle pulley. */
+export function summary__spring_rate(axial_stiffness, length, creep) {
+  return length > IDLE && Math.abs(creep) > IDLE ? axial_stiffness / length : NaN;
 }
 
 /** Reported numbers of an arc that is solved; nan where there is none. */
@@ -3847,7 +3896,7 @@ export function summary__summary_of(geometry, arc, tested, found) {
     told.peak_at / radius,
     Math.abs(Math.log(entry / exit_tension)) / arc.wrap_angle,
     told.active / radius,
-    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius)),
+    summary__spring_rate(arc.axial_stiffness, radius * (told.active / radius), told.creep),
     told.outside,
     told.stuck / radius,
     speed * pull,
@@ -3868,7 +3917,7 @@ export function in_page__quick(law, given, tested, points) {
   if (in_page__refused(law, arc, given.steepest_fall)) {
     return null;
   }
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let load = in_page__load_of(given, arc, null);
   const found1 = summary__solved_arc(law, geometry, load, points);
   let found = found1[0];
@@ -3907,7 +3956,7 @@ export function in_page__alone(arc, criteria) {
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function numbers__idles(entry, leaving) {
-  return Math.abs(entry - leaving) <= IDLE * entry;
+  return Math.abs(entry - leaving) <= 1e-6 * entry;
 }
 
 /** What is given of an arc, to be compared with usual sizes. */
@@ -3936,6 +3985,7 @@ export function in_page__sizes_of(given, arc, criteria) {
     entry,
     leaving,
     criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
+    given.mass,
   );
 }
 
@@ -3965,6 +4015,7 @@ export function numbers__compared_sizes(of) {
     of.entry / of.width,
     of.leaving / of.width,
     Math.abs(of.pull) * of.speed,
+    of.mass / of.width,
   ];
 }
 
@@ -4003,13 +4054,16 @@ export function capacity___pull(met, tight) {
 
 /** Ln tight-side tension of the largest pull at a limit, that pull [N], and its course. */
 export function capacity___largest_pull(law, arc, limit, within, near, enough) {
-  let met, pull, t;
+  let last, met, pull, slope;
   let [low, high] = within;
   let best = high;
   let most = -Infinity;
   let at = near;
+  let up = 0.0;
+  let down = 0.0;
+  let t = low;
   for (let each1 = 0, end1 = ROUNDS; each1 < end1; each1++) {
-    t = 0.5 * (low + high);
+    [last, t] = [t, capacity___between(low, up, high, down)];
     met = capacity__carry(law, arc, Math.exp(t), limit, at);
     if (!met.done) {
       break;
@@ -4020,55 +4074,67 @@ export function capacity___largest_pull(law, arc, limit, within, near, enough) {
       most = pull;
       at = capacity___near(met);
     }
-    if (most >= enough || high - low < NEAR_TOP) {
+    if (most >= enough || high - low < NEAR_TOP || Math.abs(t - last) < NEAR_TOP) {
       break;
     }
-    if (capacity___pull_slope(arc, met.slopes) > 0.0) {
-      low = t;
+    slope = capacity___pull_slope(arc, met.slopes);
+    if (slope > 0.0) {
+      [low, up, down] = [t, slope, 0.5 * down];
     } else {
-      high = t;
+      [high, down, up] = [t, slope, 0.5 * up];
     }
   }
   return [best, most, at];
 }
 
 /** `least_slack` along the tension: the pull at the limit grows with it, up to a largest one. */
-export function capacity___least_sought(law, arc, pull, limit, top) {
-  let carried, miss, new_, slope, t;
+export function capacity___least_sought(law, arc, pull, limit, at_tight, top) {
+  let by_log, carried, miss, near, new_, slope;
   let high = Math.log(top);
   let low = min(Math.log(pull) + LEAST_OVER, high - DEEPEST);
-  let met = capacity__carry(law, arc, top, limit);
-  if (!met.done) {
-    return new Least(NaN, NaN);
+  let met = at_tight;
+  let t = high;
+  let over = false;
+  if (met.done) {
+    t = Math.log(max(met.entry, met.course.tension.at(-1)));
   }
-  let best = high;
-  let most = capacity___pull(met, top);
-  let near = capacity___near(met);
-  if (capacity___pull_slope(arc, met.slopes) < 0.0) {
-    const found1 = capacity___largest_pull(law, arc, limit, [low, high], near, pull);
-    best = found1[0];
-    most = found1[1];
-    near = found1[2];
+  if (!(met.done && t < high && capacity___pull_slope(arc, met.slopes) > 0.0)) {
+    t = high;
+    met = capacity__carry(law, arc, top, limit);
   }
-  if (!(most >= pull)) {
-    return new Least(NaN, most);
-  }
-  t = high = best;
-  for (let each2 = 0, end2 = ROUNDS; each2 < end2; each2++) {
-    met = capacity__carry(law, arc, Math.exp(t), limit, near);
+  for (let each1 = 0, end1 = ROUNDS; each1 < end1; each1++) {
     if (!met.done) {
       break;
     }
-    near = capacity___near(met);
     carried = capacity___pull(met, Math.exp(t));
+    slope = capacity___pull_slope(arc, met.slopes);
     miss = Math.log(carried / pull);
-    [low, high] = miss > 0.0 ? [low, t] : [t, high];
-    if (Math.abs(miss) < 1e-9) {
+    if (Math.abs(miss) < 1e-9 && slope > 0.0) {
       return new Least(Math.exp(t) - pull, NaN);
     }
-    slope = (capacity___pull_slope(arc, met.slopes) * Math.exp(t)) / carried;
-    new_ = slope > 0.0 ? t - miss / slope : low;
-    t = low < new_ && new_ < high ? new_ : 0.5 * (low + high);
+    if (miss < 0.0 && slope > 0.0 && t >= high) {
+      return new Least(NaN, carried);
+    }
+    if (miss < 0.0 && slope <= 0.0) {
+      const found2 = capacity___largest_pull(law, arc, limit, [low, t], capacity___near(met), pull);
+      t = found2[0];
+      carried = found2[1];
+      near = found2[2];
+      if (!(carried >= pull)) {
+        return new Least(NaN, carried);
+      }
+      high = t;
+      over = true;
+      met = capacity__carry(law, arc, Math.exp(t), limit, near);
+      continue;
+    }
+    [low, high] = miss > 0.0 ? [low, t] : [t, high];
+    over = over || miss > 0.0;
+    by_log = (slope * Math.exp(t)) / carried;
+    new_ = by_log > 0.0 ? t - miss / by_log : low;
+    new_ = new_ >= high && !over ? high : new_;
+    t = (low < new_ && new_ < high) || (new_ === high && !over) ? new_ : 0.5 * (low + high);
+    met = capacity__carry(law, arc, Math.exp(t), limit, capacity___near(met));
   }
   return new Least(NaN, NaN);
 }
@@ -4076,6 +4142,7 @@ export function capacity___least_sought(law, arc, pull, limit, top) {
 /** Least slack-side tension that carries a pull within a limit at the exit. */
 export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
   let carried, ends, first, found, guess, met;
+  arc = quantities__counted(arc, CAPACITY_STEPS);
   if (at_tight.done) {
     carried = -Math.expm1(-capacity__log_ratio(at_tight));
     first = max(min(pull / carried, top), 1.02 * pull);
@@ -4089,12 +4156,13 @@ export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
       }
     }
   }
-  return capacity___least_sought(law, arc, pull, limit, top);
+  return capacity___least_sought(law, arc, pull, limit, at_tight, top);
 }
 
 /** Capacities that are asked for by `parts`. */
 export function capacity__find_capacities(law, arc, load, parts) {
   let by_creep, by_slip, gross, gross_creep, least, met, most, top;
+  arc = quantities__counted(arc, CAPACITY_STEPS);
   let tight = max(load.entry_tension, load.exit_tension);
   let pull = Math.abs(load.entry_tension - load.exit_tension);
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
@@ -4243,6 +4311,7 @@ export function capacity___first_along(law, arc, line, limit, at_tight) {
 /** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
 export function capacity__carry_along(law, arc, line, limit, at_tight) {
   let left;
+  arc = quantities__counted(arc, CAPACITY_STEPS);
   let [tight, slack, tight_rise, slack_rise] = line;
   if (!at_tight.done) {
     return new Along(NaN, at_tight);
@@ -4336,11 +4405,11 @@ export function sliding___spare(of, line, k, q, even) {
 
 /** A step to `new`, kept between the ends. */
 export function sliding___within(ends, new_, k) {
-  new_ = min(new_, FARTHEST);
+  new_ = min(new_, 200.0);
   if (ends.low < new_ && new_ < ends.high) {
     return new_;
   }
-  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, FARTHEST);
+  return ends.high < Infinity ? 0.5 * (ends.low + ends.high) : min(4.0 * k + 1.0, 200.0);
 }
 
 /** Place k of a line at which the belt begins to slide (way 1) or ends to (way -1). */
@@ -4373,7 +4442,7 @@ export function sliding__slide_place(of, line, way, low, start) {
     }
     if (spare < 0.0 === way > 0.0) {
       ends = new Bracket(ends.low, k);
-    } else if (k >= FARTHEST) {
+    } else if (k >= 200.0) {
       return new Sliding(Infinity, cause);
     } else {
       ends = new Bracket(k, ends.high);
@@ -4457,9 +4526,9 @@ export function numbers__balance_miss(error, pull, g, entry, compliance) {
   return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
 }
 
-/** How often the pulley turns in an hour [-]. */
-export function numbers__passes_an_hour(speed, diameter) {
-  return (3600.0 * speed) / (3.141592653589793 * diameter);
+/** How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-]. */
+export function pitch__turns_an_hour(speed, pitch) {
+  return (3600.0 * speed) / (2.0 * 3.141592653589793 * pitch);
 }
 
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
@@ -4512,7 +4581,7 @@ export function sliding__tight_at_sliding(of, pull, begin) {
   let needed = 0.0;
   for (const each1 of begin) {
     [limit, , met] = each1;
-    slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, FARTHEST * pull).slack;
+    slack = capacity__least_slack(of.law, of.geometry, pull, limit, met, 200.0 * pull).slack;
     needed = slack === slack && needed === needed ? max(needed, slack + pull) : NaN;
   }
   if (needed > 0.0) {
@@ -4560,13 +4629,15 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
   );
 }
 
-/** Return the resultant of the belt tensions at a pulley, without its own weight. */
-export function load_case__resultant(entry, leaving, wrap_angle, strength) {
+/** Return the resultant of the belt tensions at a pulley, and its bounds with its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength, mass = NaN) {
   let along = entry - leaving * Math.cos(wrap_angle);
   let across = leaving * Math.sin(wrap_angle);
   let force = Math.sqrt(along * along + across * across);
   let angle = Math.atan2(across, along);
-  return new Resultant(force, angle, strength / max(entry, leaving));
+  let weight = mass * GRAVITY;
+  let safety = strength / max(entry, leaving);
+  return new Resultant(force, angle, safety, force + weight, Math.abs(force - weight));
 }
 
 /** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
@@ -4606,7 +4677,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   if (!numbers__usual_sizes(in_page__sizes_of(given, arc, criteria))) {
     return null;
   }
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let load = in_page__load_of(given, arc, tested);
   const found1 = summary__solved_arc(law, geometry, load, points);
   let found = found1[0];
@@ -4626,6 +4697,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     load,
     given.steepest_fall < 0.0 && carried.gross_creep !== Infinity,
   );
+  let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
   let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
@@ -4647,13 +4719,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     summary__pressure_of(arc, min(entry, leaving)),
     numbers__largest(profile.slip, count),
     arc.belt_speed *
-      numbers__steepest(
-        profile.position,
-        profile.slip,
-        count,
-        0.5 * arc.diameter,
-        0.5 * arc.diameter * arc.wrap_angle,
-      ),
+      numbers__steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle),
     numbers__balance_miss(
       summary.identity_error,
       summary.effective_tension,
@@ -4664,7 +4730,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     others.sagging,
     arc.diameter,
     (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
-    numbers__passes_an_hour(arc.belt_speed, arc.diameter),
+    pitch__turns_an_hour(arc.belt_speed, pitch),
   );
   return new Judged(
     solved,
@@ -4683,10 +4749,29 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
       criteria.safety,
       others,
     ),
-    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength * arc.width),
+    load_case__resultant(
+      entry,
+      leaving,
+      arc.wrap_angle,
+      criteria.strength * arc.width,
+      criteria.pulley_mass,
+    ),
     sliding.cause,
     criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
   );
+}
+
+/** Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
+export function in_page__covered_creep(law, given, cover) {
+  let arc = in_page__description_of(
+    Object.assign(Object.create(Object.getPrototypeOf(given)), given, {
+      cover_compliance: given.cover_compliance + cover,
+    }),
+  );
+  let load = in_page__load_of(given, arc, null);
+  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
+  return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
 
 /** The keys given that fix the effective tension. */

@@ -208,6 +208,8 @@ export interface Judging {
     elsewhere: Path[];
     tested: Arc["tested"];
     criteria: Record<string, number | string>;
+    /** Compliance of a cover that the slip of the law may hold or not [m/Pa]. */
+    cover?: number;
     checks: Words[];
     asks: Ask[];
     /** Of a pulley among others: its name, what it shares with these, its names for the words. */
@@ -342,7 +344,7 @@ export type Number_ = number | string;
 export interface Book {
   levels: Level[];
   laggings: Record<string, BookLagging>;
-  belts: Record<string, BookBelt>;
+  catalogue: { belts: any[]; laggings: Record<string, any> };
   words: Record<string, Words[]>;
   asks: Record<string, Ask>;
   standards: {
@@ -364,38 +366,16 @@ export interface Book {
   held: Record<string, string>;
   heads: { checks: Table; least: Record<string, Table> };
   usual: Record<string, number>;
-  belt_keys: string[];
+  sizes: Record<string, Record<string, [number, number]>>;
   design: string;
   own: Record<string, any>;
 }
-export interface BookBelt {
-  kind: string;
-  modulus: number;
-  rating: number;
-  least_pulley_diameter: Number_;
-  weak: string[];
-}
 export interface BookLagging {
   name: string;
-  surface: string;
   first: string;
   laws: Record<string, BookLaw>;
-  thickness: number;
-  shear_modulus: Number_;
-  compression_modulus: Number_;
-  wear_coefficient: Number_;
-  bond_strength: Number_;
-  fatigue_limit: Number_;
   /** What wet leaves of its dry friction: nan if not known, 0 where it was not tested dry. */
   wet: Number_;
-  block: {
-    elastic_modulus: number;
-    square: boolean;
-    width: number;
-    height: Number_;
-    stiffening: number;
-    contact_fraction: number;
-  } | null;
 }
 export interface BookLaw {
   condition: string;
@@ -405,6 +385,5 @@ export interface BookLaw {
   tested: Record<string, Number_> | null;
   grounds: string[];
   told: string[];
-  weak: { key: string; what: string; kinds: string[] }[];
   checks: Words[];
 }

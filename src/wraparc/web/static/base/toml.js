@@ -1,21 +1,11 @@
 // Drive files as text: read and written by a library, changed in place so that comments stay.
 import { parse, stringify, TomlDate } from "../vendor/smol-toml.js";
 import { get } from "./design.js";
-import { Advice } from "./server.js";
 
 /** @import { Path } from "../types.d.ts" */
 
-/** The document of a text, dates as text. @param {string} text @param {string} name */
-export function documentOf(text, name) {
-  try {
-    return plain(parse(text));
-  } catch (x) {
-    const said = x instanceof Error ? x.message.split("\n")[0] : String(x);
-    throw new Advice(`${name || "The file"} is no TOML file that can be read: ${said}`);
-  }
-}
-/** @param {any} value @returns {any} */
-function plain(value) {
+/** A document as JSON has it, dates as text. @param {any} value @returns {any} */
+export function plain(value) {
   if (value instanceof TomlDate) return value.toISOString();
   if (typeof value === "bigint" || (typeof value === "number" && !Number.isFinite(value)))
     return String(value);

@@ -1,2 +1,2 @@
 // The types of the vendored file, which is bundled from the package of this version.
-export { parse, stringify, TomlDate } from "smol-toml";
+export { parse, stringify, TomlDate, TomlError } from "smol-toml";

@@ -12,4 +12,4 @@ ${l}`,i),this.line=t,this.column=a,this.codeblock=l}static x(r,i,t){throw new e(
 ${n}`:`[${e}]`),n&&s?`${n}
 ${s}`:n||s}function B(e,{maxDepth:r=1e3,numbersAsFloat:i=!1,strictTemporal:t=!1}={}){if(b(e)!=="object")throw new TypeError("stringify can only be called with an object");let a=E(0,e,"",r,i,t);return a[a.length-1]!==`
 `?a+`
-`:a}export{C as TomlDate,z as parse,B as stringify};
+`:a}export{C as TomlDate,o as TomlError,z as parse,B as stringify};

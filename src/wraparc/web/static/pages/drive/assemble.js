@@ -1,306 +1,208 @@
-// A drive of one pulley put together in the page: what the server prepares of it, `judging` in
-// web/answers, from the parts of the book that the server hands out, and by its functions.
-import { isDrive } from "../../base/design.js";
-import {
-  compression__block_modulus as blockModulus,
-  in_page__described as described,
-  tension_rules__ends_of as endsOf,
-  tension_rules__fault_of as faultOf,
-  tension_rules__overridden as overridden,
-  tension_rules__speed_missing as speedMissing,
-  tension_rules__too_few as tooFew,
-  in_page__unjudged as unjudged,
-} from "../../kernel.js";
-import { NO_RUNS, orNull, TENSIONS, tensionsBy } from "../../parts/problems.js";
+// A drive put together in the page: what the server prepares of it, `judging` in web/answers, from
+// the parts of the book that the server hands out, and by its functions.
+import { known, read } from "../../documents.js";
+import { in_page__described as described, in_page__unjudged as unjudged } from "../../kernel.js";
+import { TENSIONS } from "../../parts/problems.js";
+import { ofBelt, weakSources } from "../../reader.js";
 import { numbersOf } from "./own.js";
-import { Reader } from "./reading.js";
-import { checkShape } from "./shape.js";
 import { standardOf } from "./standard.js";
 import { dataWords, filled, general, named, wordsOf } from "./wording.js";
-import { quantity } from "./words.js";
 
-/** @import { Book, BookLagging, BookLaw, Design, Judging } from "../../types.d.ts" */
-/** @import { Path, Problem } from "../../types.d.ts" */
-/** @import { Drum, Tensions } from "../../parts/problems.js" */
+/** @import { Book, BookLagging, BookLaw, Design, Judging, Problem } from "../../types.d.ts" */
 
 /**
- * What a document says, as numbers [SI] and choices.
- * @typedef {ReturnType<typeof read>} Said
- * @typedef {{name: string, kind: string, pulls: Tensions, condition: any}} Case
+ * What a document says of a pulley and all that goes with it, as numbers [SI] and choices.
+ * @typedef {ReturnType<typeof saidOf>} Said
+ * @typedef {{name: string, kind: string, condition: string, entry: number, exit: number}} Case
+ * @typedef {{judging: Judging | null, problems: Problem[]}} Assembled
  */
 
 const none = Number.NaN;
 const HERE = "wraparc solve and wraparc serve do";
-/** What a document has that only the program itself solves; empty for a drive of the page.
- * @param {Design} doc */
-export function beyond(doc) {
-  if (!isDrive(doc)) return "This is no drive: a belt and a pulley are needed.";
-  if (doc.train || doc.pulley.length > 1)
+/** What a drive has that only the program itself solves; empty for a drive of the page.
+ * @param {any} drive as read */
+export function beyond(drive) {
+  const uneven = drive.pulleys.find((/** @type {any} */ p) => p.across);
+  if (uneven) return acrossOf(uneven);
+  if (!drive.cases && drive.pulleys.length > 1)
     return `Pulleys that each give their tensions, without [train], are not solved here; ${HERE}.`;
-  if (doc.conveyor)
-    return `Tensions from the resistances of a conveyor are not found in this page; ${HERE}.`;
-  const [pulley] = doc.pulley;
-  if (pulley.across) return acrossOf(pulley);
-  if (thickOf(doc)) return thickOf(doc);
-  if (pulley.belt_path) return `A wrap angle from a belt path is not found in this page; ${HERE}.`;
   return "";
 }
-
-const THICK = [
-  "pulley_cover",
-  "carry_cover",
-  "carcass",
-  "thickness",
-  "cover_shear_modulus",
-  "mass",
-];
-/** What is said of a belt whose layers or mass are given; empty for none. @param {any} doc */
-export const thickOf = ({ belt, pulley }) =>
-  THICK.some((key) => belt?.[key] != null && belt[key] !== "") ||
-  pulley.some((/** @type {any} */ p) => p.side != null && p.side !== "pulley")
-    ? `Thickness, covers and mass of the belt are not counted in this page; ${HERE}.`
-    : "";
-
 /** What is said of a pulley whose load is uneven across the width. @param {any} pulley */
-export const acrossOf = ({ name }) =>
+const acrossOf = ({ name }) =>
   `The load across the width of pulley ${name} is not solved in this page, and there is no ` +
   "verdict without it. On the command line: wraparc solve FILE.";
-
-/** @param {Design} doc @param {Book} book @param {Case[]} [known] cases that stand elsewhere */
-export function read(doc, book, known) {
-  const r = new Reader(doc);
-  /** @param {string} section @param {Path} at @param {string[]} keys */
-  const numbers = (section, at, ...keys) =>
-    Object.fromEntries(keys.map((key) => [key, r.number(section, [...at, key])]));
-  const pulley = numbers(
-    "pulley",
-    ["pulley", 0],
-    "diameter",
-    "wrap_angle",
-    "overrun",
-    "creep_limit",
-  );
-  const belt = beltOf(r, book);
-  const lagging = laggingOf(r, book);
-  const takeUp = {
-    kind: r.choice("take_up", ["take_up", "kind"]),
-    after: r.text(["take_up", "after"]),
-    ratio: r.number("take_up", ["take_up", "sheave_ratio"]),
-  };
-  const name = r.text(["pulley", 0, "name"], true);
-  if (doc.take_up?.after === "") r.wrong(["take_up", "after"], "must not be empty");
-  if (takeUp.after && takeUp.after !== name)
-    r.wrong(["take_up", "after"], `no such pulley; the pulley is "${name}"`);
-  if (takeUp.after && takeUp.kind === "fixed")
-    r.wrong(
-      ["take_up", "after"],
-      "a fixed take-up holds the sum of both tensions wherever it stands",
-    );
-  const standard = {
-    name: r.choice("design_standard", ["design_standard", "name"]),
-    condition: r.choice("design_standard", ["design_standard", "condition"]),
-    friction: r.number("design_standard", ["design_standard", "friction"]),
-    start: r.number("design_standard", ["design_standard", "start_factor"]),
-    binding: r.flag(["design_standard", "binding"]) ?? false,
-  };
-  if ((standard.name === "own") === Number.isNaN(standard.friction))
-    r.wrong(["design_standard", "friction"], ...OWN[+(standard.name === "own")]);
-  if (standard.name === "none" && standard.binding)
-    r.wrong(["design_standard", "binding"], "no standard was chosen that could bind");
-  const safety = numbers("safety_factor", ["safety_factor"], "running", "starting", "braking");
-  const sag = doc.sag && numbers("sag", ["sag"], "idler_spacing", "line_mass", "share");
-  const limit = r.number("drive", ["creep_limit"]);
-  const recovery = r.flag(["pulley", 0, "recovery"]) ?? true;
-  const fixed = takeUp.kind === "fixed";
-  const cases = known ?? casesOf(r, book, belt.speed, pulley.diameter, fixed);
-  return { r, name, pulley, belt, lagging, takeUp, standard, safety, sag, limit, recovery, cases };
+/** A problem of what the page leaves to the program. @param {string} message @param {string} [at]
+ * @returns {Problem} */
+export const left = (message, at = "") => ({
+  path: at,
+  message,
+  sentence: at ? `${at}: ${message}.` : message,
+  beyond: true,
+});
+/** A document read by the functions of the program, or what is wrong with it, as it says so.
+ * @param {any} doc @param {Book} book @returns {{found: any, problems: Problem[]}} */
+export function readIn(doc, book) {
+  known(book.catalogue);
+  return read(doc);
 }
-/** @type {[string, string][]} */
-const OWN = [
-  ["only a standard of your own has one", 'Write name = "own".'],
-  ["missing, where the standard is your own", "Write friction = 0.30 beside it."],
-];
 
-/** @param {Reader} r @param {Book} book */
-function beltOf(r, book) {
-  const { belt } = r.doc;
-  const number = (/** @type {string} */ key) => r.number("belt", ["belt", key]);
-  const preset = belt.preset ? book.belts[belt.preset] : undefined;
-  if (belt.preset && !preset)
-    r.wrong(["belt", "preset"], "no such belt in the catalogue of this page");
-  /** @param {string} key @param {number | string | undefined} known */
-  const over = (key, known) => (belt[key] == null ? +(known ?? none) : number(key));
-  const modulus = over("modulus", preset?.modulus);
-  if (Number.isNaN(modulus) && belt.modulus == null && !belt.preset)
-    r.wrong(["belt", "modulus"], "missing");
-  number("in_plane_shear_stiffness"); // of no number here, and refused where it is none
+const orNone = (/** @type {number | null} */ v) => v ?? none;
+/** What a drive or train says of one of its pulleys. @param {any} drive as read @param {number} i
+ * @param {any} doc @param {Book} book */
+export function saidOf(drive, i, doc, book) {
+  const pulley = drive.pulleys[i];
+  const { belt, criteria } = drive;
+  const { lagging } = pulley;
+  const { take_up, standard, safety, sag } = criteria;
   return {
-    width: number("width"),
-    speed: number("speed"),
-    modulus,
-    rating: over("rating", preset?.rating),
-    strength: number("strength"),
-    least: over("least_pulley_diameter", preset?.least_pulley_diameter),
-    factor: number("momentary_factor"),
-    pressure: number("largest_wrap_pressure"),
-    kind: r.text(["belt", "kind"]) || preset?.kind || "",
-    name: r.text(["belt", "name"]) || belt.preset || "belt",
-    weak: preset ? preset.weak : weaknesses(belt.provenance),
+    name: /** @type {string} */ (pulley.name),
+    pulley: {
+      diameter: pulley.diameter,
+      wrap_angle: pulley.wrap_angle,
+      overrun: orNone(pulley.overrun),
+      creep_limit: orNone(pulley.creep_limit),
+      mass: orNone(pulley.mass),
+    },
+    belt: {
+      width: belt.width,
+      speed: orNone(belt.speed),
+      modulus: belt.modulus,
+      rating: orNone(belt.rating),
+      strength: orNone(belt.strength),
+      least: orNone(belt.least_pulley_diameter),
+      factor: orNone(belt.momentary_factor),
+      pressure: orNone(belt.largest_wrap_pressure),
+      mass: orNone(belt.mass),
+      kind: belt.kind,
+      name: /** @type {string} */ (belt.name),
+    },
+    lagging: {
+      thickness: lagging.thickness,
+      shear_modulus: lagging.shear_modulus,
+      compression_modulus: lagging.compression_modulus,
+      wear_coefficient: orNone(lagging.wear_coefficient),
+      bond_strength: orNone(lagging.bond_strength),
+      fatigue_limit: orNone(lagging.fatigue_limit),
+      name: lagging.name,
+      surface: lagging.surface,
+      entry: entryOf(doc, i, book),
+    },
+    takeUp: { kind: take_up.kind, after: take_up.after, ratio: take_up.sheave_ratio },
+    standard: {
+      name: standard.name,
+      condition: standard.condition,
+      friction: orNone(standard.friction),
+      start: standard.start_factor,
+      binding: standard.binding,
+    },
+    safety,
+    sag: sag && { idler_spacing: sag.spacing, line_mass: sag.line_mass, share: sag.share },
+    limit: drive.creep_limit,
+    recovery: pulley.recovery,
+    usual: lagging.condition,
+    weak: /** @type {[string, string][]} */ ([...weakSources(drive, pulley)]),
+    /** What the belt adds to the arc in a condition. @param {string} condition */
+    thick(condition) {
+      const in_ = pulley.conditions.find((/** @type {any} */ l) => l.condition === condition);
+      return ofBelt(belt, pulley.side, (in_ ?? lagging).law);
+    },
+    asked: [doc.condition, doc.pulley[i].condition, ...casesOf(doc)].flat(),
   };
+}
+/** @param {any} doc @returns {any[]} */
+const casesOf = (doc) => (doc.load_case ?? []).map((/** @type {any} */ c) => c.condition);
+/** Keys of a lagging that make its law another one. */
+const LAW = ["law", "condition_factor", "slip_speed", "temperature"];
+/** What the book has of the lagging of a pulley. @param {any} doc @param {number} i
+ * @param {Book} book @returns {BookLagging | undefined} */
+function entryOf(doc, i, book) {
+  const given = doc.pulley[i].lagging;
+  const name = given.preset ?? given;
+  const own = doc.lagging?.[name];
+  const other = own && JSON.stringify(own) !== JSON.stringify(book.own?.[name]);
+  const law = LAW.some((key) => given[key] != null);
+  return other || law ? undefined : book.laggings[name];
 }
 /** Breaking strength that the name of a steel-cord belt tells. @param {string} name */
 export const strengthIn = (name) =>
   1e3 * +(/ST[ -]?(\d{3,5})\b/.exec(name.toUpperCase())?.[1] ?? none);
-/** In what ways a number from a source is weak. @param {any} source @returns {string[]} */
-export const weaknesses = (source) => [
-  ...(String(source?.note ?? "").startsWith("estimated") ? ["estimated"] : []),
-  ...(["illustrative", "calibrated"].includes(source?.kind) ? [source.kind] : []),
-];
-
-/** @type {Path} */
-const AT = ["pulley", 0, "lagging"];
-/** Numbers that a design may give in the place of those of a lagging. */
-const PARTS = ["thickness", "shear_modulus", "compression_modulus"];
-/** @param {Reader} r @param {Book} book */
-function laggingOf(r, book) {
-  const given = r.doc.pulley[0].lagging;
-  const table = typeof given === "object" && given !== null ? given : { preset: given };
-  const name = table.preset;
-  const entry = book.laggings[name];
-  const other = Object.keys(table).filter((key) => key !== "preset" && !PARTS.includes(key));
-  if (name == null || name === "") r.wrong(AT, "missing");
-  else if (!entry) r.wrong(AT, "no such lagging in this page", OTHERS);
-  else if (other.length) r.wrong([...AT, other[0]], "not read in this page", OTHERS);
-  const own = r.doc.lagging?.[name];
-  if (own && JSON.stringify(own) !== JSON.stringify(book.own?.[name]))
-    r.wrong(["lagging", name], "a lagging that this page was not made with", OTHERS);
-  const over = PARTS.filter((key) => table[key] != null);
-  const typed = Object.fromEntries(over.map((key) => [key, r.number("lagging", [...AT, key])]));
-  const found = { ...sizes(entry), ...typed };
-  const { block } = entry ?? {};
-  if (block && over.includes("thickness") && !over.includes("compression_modulus"))
-    found.compression_modulus = blockModulus(
-      ...[block.elastic_modulus, block.square].map(Number),
-      +block.width,
-      Number.isNaN(+block.height) ? found.thickness : +block.height,
-      +block.stiffening,
-      +block.contact_fraction,
-    );
-  return { ...found, entry, over };
-}
 export const OTHERS =
-  "Make the page anew with it, `wraparc page FILE`, or solve with `wraparc solve`.";
-/** @param {BookLagging | undefined} entry */
-const sizes = (entry) => ({
-  thickness: +(entry?.thickness ?? none),
-  shear_modulus: +(entry?.shear_modulus ?? none),
-  compression_modulus: +(entry?.compression_modulus ?? none),
-  wear_coefficient: +(entry?.wear_coefficient ?? none),
-});
-
-/** Load cases as they are solved. @param {Reader} r @param {Book} book @param {number} speed
- * @param {number} diameter @param {boolean} fixed @returns {Case[]} */
-function casesOf(r, book, speed, diameter, fixed) {
-  const { doc } = r;
-  const drum = { diameter: orNull(diameter), speed: orNull(speed) };
-  /** @param {Path} at */
-  const pullsAt = (at) => tensionsBy((key) => r.number("tensions", [...at, key]));
-  const base = pullsAt(["pulley", 0]);
-  const sure = !r.problems.some((p) => /speed$/.test(p.path)); // else nothing is called missing
-  const list = doc.load_case ?? [];
-  /** @type {Case[]} */
-  const found = [];
-  if (!list.length || whole(base, drum)) {
-    if (sure || list.length === 0) tell(r, ["pulley", 0], base, drum);
-    found.push({ name: book.design, kind: "running", pulls: base, condition: undefined });
-  }
-  list.forEach((/** @type {any} */ c, /** @type {number} */ i) => {
-    const at = ["load_case", i];
-    const name = r.text([...at, "name"], true);
-    const pulley = doc.pulley[0].name;
-    const others = Object.keys(c.pulley ?? {}).filter((n) => n !== pulley);
-    if (others.length) r.wrong([...at, "pulley", others[0]], "no such pulley");
-    const over = pullsAt([...at, "pulley", pulley]);
-    const pulls = overridden(base, over, fixed, drum, NO_RUNS);
-    if (sure) tell(r, [...at, "pulley", pulley], pulls, drum, over);
-    found.push({ name, kind: c.kind ?? "running", pulls, condition: c.condition });
-    if (!["running", "starting", "braking"].includes(c.kind ?? "running"))
-      r.wrong([...at, "kind"], "must be one of running, starting, braking");
-  });
-  const names = found.map((c) => c.name);
-  const twice = names.find((n, i) => names.indexOf(n) < i);
-  if (twice !== undefined) r.wrong(["load_case"], `"${twice}" names two load cases`);
-  return inConditions(found, doc.condition);
+  "Make the page anew with it, `wraparc page FILE`, or solve with `wraparc solve`";
+/** The law of a pulley in a condition, that of its own for none. @param {Said} said
+ * @param {string} [condition] @returns {BookLaw | undefined} */
+export function lawOf({ lagging: { entry }, usual, asked }, condition) {
+  const name = condition || usual;
+  const given = asked.find((c) => c === name || c?.name === name);
+  const key = given?.name ? JSON.stringify(given) : name;
+  return entry?.laws[key] ?? Object.values(entry?.laws ?? {}).find((l) => l.condition === name);
 }
-/** Cases that name no condition stand once for each of several of the drive.
- * @param {Case[]} cases @param {any} conditions */
-export function inConditions(cases, conditions) {
-  if (!Array.isArray(conditions) || conditions.length < 2) return cases;
-  return cases.flatMap((c) =>
-    c.condition
-      ? c
-      : conditions.map((w) => ({ ...c, name: `${c.name}, ${w?.name ?? w}`, condition: w })),
+/** What is said of a law that the book does not have. @param {Said} said @returns {Problem} */
+export const unknownLaw = ({ name, lagging }) =>
+  left(
+    `this page was not made with lagging ${lagging.name} as it is here. ${OTHERS}`,
+    placeOf(name),
   );
-}
-/** Whether the tensions follow from what is given. @param {Tensions} of @param {Drum} drum */
-export function whole(of, drum) {
-  const { entry, exit } = endsOf(of, drum);
-  return entry !== null && exit !== null;
-}
-const force = (/** @type {number} */ v) => quantity(v, "force", 4);
-/** @param {Reader} r @param {Path} at @param {Tensions} of @param {Drum} drum
- * @param {Tensions} [own] what the load case gives itself, where it takes over the rest */
-export function tell(r, at, of, drum, own = of) {
-  if (r.problems.some((p) => /_tension|torque|power/.test(p.path))) return;
-  const inherited = TENSIONS.some((key) => of[key] !== null && own[key] === null);
-  const lacking = () => speedMissing(of, drum) ?? (whole(of, drum) ? null : tooFew(of));
-  const fault = faultOf(of, inherited, drum, force) ?? lacking();
-  if (!fault) return;
-  // what is missing has a field
-  const missing = fault.lacks && ["entry_tension", "exit_tension"].find((key) => of[key] === null);
-  r.wrong(missing ? [...at, missing] : at, fault.message, fault.remedy);
-}
-
-/** The law of a lagging in a condition. @param {Reader} r @param {BookLagging | undefined} entry
- * @param {any} condition @param {Path} at @returns {BookLaw | undefined} */
-export function lawOf(r, entry, condition, at) {
-  if (!entry) return undefined;
-  if (condition == null) return entry.laws[entry.first];
-  const key = typeof condition === "string" ? condition : JSON.stringify(condition);
-  const law = entry.laws[key];
-  if (!law) r.wrong(at, `friction of ${entry.name} in this condition is not known here`, OTHERS);
-  return law;
-}
+/** @param {string} pulley */
+const placeOf = (pulley) =>
+  `pulley.${/^[\w-]+$/.test(pulley) ? pulley : JSON.stringify(pulley)}.lagging`;
 
 /**
  * What a drive is judged by; or what is wrong with its document.
- * @param {Design} doc @param {Book} book
- * @returns {{judging: Judging | null, problems: Problem[]}}
+ * @param {Design} doc @param {Book} book @returns {Assembled}
  */
 export function assemble(doc, book) {
-  const not = beyond(doc);
-  if (not)
-    return { judging: null, problems: [{ path: "", message: not, sentence: not, beyond: true }] };
-  const shape = new Reader(doc);
-  checkShape(shape);
-  if (shape.problems.length) return { judging: null, problems: shape.problems };
-  const said = read(doc, book);
-  const { r, lagging, cases } = said;
-  const main = Array.isArray(doc.condition) ? doc.condition[0] : doc.condition;
-  const usual = lawOf(r, lagging.entry, doc.pulley[0].condition ?? main, ["condition"]);
-  const laws = cases.map((c) =>
-    c.condition == null ? usual : lawOf(r, lagging.entry, c.condition, ["condition"]),
+  const { found, problems } = readIn(doc, book);
+  return problems.length ? { judging: null, problems } : assembled(found, doc, book);
+}
+/** The same of a drive as it was read. @param {any} drive @param {Design} doc @param {Book} book
+ * @returns {Assembled} */
+export function assembled(drive, doc, book) {
+  const refused = (/** @type {Problem} */ problem) => ({ judging: null, problems: [problem] });
+  const not = drive.cases ? "A train is not solved here." : beyond(drive);
+  if (not) return refused(left(not));
+  const odd = oddOf(drive, book);
+  if (odd) return refused(odd);
+  const said = saidOf(drive, 0, doc, book);
+  const cases = drive.load_cases.map((/** @type {any} */ c) => caseAs(c, said.name));
+  const usual = lawOf(said);
+  const laws = cases.map((/** @type {Case} */ c) => lawOf(said, c.condition));
+  if (!usual || laws.includes(undefined)) return refused(unknownLaw(said));
+  const made = cases.map((/** @type {Case} */ c, /** @type {number} */ i) =>
+    caseOf(said, c, laws[i], book),
   );
-  const made = r.problems.length ? [] : cases.map((c, i) => caseOf(said, c, laws[i], book));
-  const steep = made.findIndex((m) => unjudgedOf(m));
+  const steep = made.findIndex((/** @type {any} */ m) => unjudgedOf(m));
   if (steep >= 0) {
     const why = unjudgedOf(made[steep]);
-    r.wrong(steepPath(doc, cases[steep]), NOT_HERE[why]);
-    r.problems[r.problems.length - 1].beyond = why > 1;
+    const at = cases[steep].name === book.design ? "pulley" : "load_case";
+    return refused({ ...left(NOT_HERE[why], at), beyond: why > 1 });
   }
-  if (r.problems.length || !usual) return { judging: null, problems: r.problems };
-  return { judging: judgingOf(said, usual, made, book), problems: [] };
+  const judging = judgingOf(said, usual, made, book);
+  // what a take-up holds follows from the conveyor in every load case
+  if (drive.conveyor) Object.assign(judging, { take_up: false, held_at: drive.conveyor.take_up });
+  return { judging, problems: [] };
 }
+/** A size beside those of the arcs that conveyors do not have; nothing where all are usual.
+ * @param {any} drive as read @param {Book} book */
+export function oddOf({ belt, criteria, conveyor, pulleys }, book) {
+  const { take_up, standard, safety, sag } = criteria;
+  const parts = { Belt: belt, TakeUp: take_up, DesignStandard: standard, SafetyFactors: safety };
+  const laggings = pulleys.flatMap((/** @type {any} */ { lagging }) => [
+    ["Lagging", lagging],
+    ["Block", lagging.block],
+  ]);
+  const all = [...Object.entries(parts), ["Sag", sag], ["Conveyor", conveyor], ...laggings];
+  for (const [name, of] of all)
+    for (const [key, [low, high]] of Object.entries(book.sizes[name])) {
+      const v = of?.[key];
+      if (v && (v < low || (v > high && v < Number.POSITIVE_INFINITY)))
+        return left(NOT_HERE[3], key);
+    }
+}
+/** @param {any} c as read @param {string} pulley @returns {Case} */
+const caseAs = (c, pulley) => ({ ...c, ...pairOf(c.tensions.get(pulley)) });
+/** @param {any} tensions */
+const pairOf = ({ entry, exit }) => ({ entry, exit });
 /** Why the page cannot judge an arc; 0 where it can. @param {any} made */
 export const unjudgedOf = ({ prepared: { law, given }, criteria }) =>
   unjudged(law, numbersOf(given), numbersOf(criteria));
@@ -312,19 +214,15 @@ export const NOT_HERE = [
     "wraparc solve does others",
   "a size or a tension that conveyor drives do not have: check the units; wraparc solve takes it",
 ];
-/** @param {Design} doc @param {Case} c @returns {Path} */
-const steepPath = (doc, c) => {
-  const i = (doc.load_case ?? []).findIndex((x) => x.name === c.name);
-  return i < 0 ? ["pulley", 0] : ["load_case", i];
-};
-
 /** @param {Said} said @param {Case} c @param {any} bookLaw @param {Book} book */
 export function caseOf(said, c, bookLaw, book) {
   const { pulley, belt, lagging, takeUp, safety, sag, recovery } = said;
   const usual = book.usual;
   const limit = limitOf(said, book);
+  const thick = said.thick(c.condition);
   const given = {
-    ...Object.fromEntries(TENSIONS.map((key) => [key, c.pulls[key] ?? none])),
+    ...Object.fromEntries(TENSIONS.map((key) => [key, none])),
+    ...{ entry_tension: c.entry, exit_tension: c.exit },
     ...{ diameter: pulley.diameter, wrap_angle: pulley.wrap_angle, overrun: pulley.overrun },
     ...{ recovery: +recovery, width: belt.width, modulus: belt.modulus, speed: belt.speed },
     thickness: lagging.thickness,
@@ -334,7 +232,9 @@ export function caseOf(said, c, bookLaw, book) {
     creep_limit: limit,
     steepest_fall: bookLaw.steepest_fall,
     slip_with_shear: +bookLaw.slip_with_shear,
-    ...{ pitch_offset: 0, cover_compliance: 0, mass: none }, // see `thickOf`
+    pitch_offset: thick.get("pitch_offset") ?? 0,
+    cover_compliance: thick.get("cover_compliance"),
+    mass: belt.mass,
   };
   const tested = bookLaw.tested;
   const standard = standardOf(said, bookLaw, book);
@@ -350,8 +250,8 @@ export function caseOf(said, c, bookLaw, book) {
     rating: belt.rating,
     strength: orUsual(belt.strength, strengthIn(belt.name)),
     face_pressure: belt.pressure,
-    bond_strength: +(lagging.entry?.bond_strength ?? none),
-    fatigue_limit: +(lagging.entry?.fatigue_limit ?? none),
+    bond_strength: lagging.bond_strength,
+    fatigue_limit: lagging.fatigue_limit,
     slip_speed: tested ? +tested.slip_speed : none,
     balance: usual.balance,
     sag: sag ? (sag.line_mass * usual.gravity * sag.idler_spacing) / (8 * share) : none,
@@ -360,14 +260,15 @@ export function caseOf(said, c, bookLaw, book) {
     behind: +Boolean(takeUp.after),
     alone: 1,
     printed: +(
-      ["", "CEMA"].includes(said.standard.name) &&
-      ["bare", "rubber"].includes(lagging.entry?.surface ?? "")
+      ["", "CEMA"].includes(said.standard.name) && ["bare", "rubber"].includes(lagging.surface)
     ),
     customary: +(limit === usual.creep_limit),
     wrap_angle: Number.isNaN(standard.factor) ? none : pulley.wrap_angle,
+    pulley_mass: pulley.mass,
     wet: bookLaw.condition === lagging.entry?.first ? +(lagging.entry?.wet ?? none) : 0,
   };
-  const of = { said, c, law: bookLaw, standard, criteria, share, book };
+  const cover = thick.get("cover_left_out");
+  const of = { said, c, law: bookLaw, standard, criteria, share, cover, book };
   const { checks, asks } = wordsOf(of);
   return {
     load_case: c.name,
@@ -380,6 +281,7 @@ export function caseOf(said, c, bookLaw, book) {
       slip_max: +tested.slip_max,
     },
     criteria,
+    cover,
     checks,
     asks,
     tensions: described(given),

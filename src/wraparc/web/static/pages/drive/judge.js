@@ -49,11 +49,12 @@ export function asked(before, { judging }, doc) {
   return judging && found.length === judging.cases.length ? found : null;
 }
 /** @param {Judging["cases"][number]} of @param {Record<string, number>} given @returns {Asked} */
-const arcOf = ({ prepared, tested, criteria, among }, given) => ({
+const arcOf = ({ prepared, tested, criteria, cover, among }, given) => ({
   law: prepared.law,
   given,
   tested,
   criteria: numbersOf(criteria),
+  cover,
   among,
 });
 /** The arcs of a drive as it is prepared. @param {Judging} judging */
@@ -70,7 +71,7 @@ export function judge(judging, doc, all) {
   const checks = found.flatMap(({ of, numbers }) => {
     const end = numbers.solved ? "solved" : "breakaway";
     const turn = numbers.summary.effective_tension < 0 ? "brakes" : "";
-    const ends = ["", end, `${end}:${numbers.cause}`, turn];
+    const ends = ["", end, `${end}:${numbers.cause}`, `${end}:${numbers.covered}`, turn];
     const made = of.checks.filter((w) => ends.includes(w.when));
     return made.map((w) => check(w, numbers, of.load_case, judging.levels));
   });

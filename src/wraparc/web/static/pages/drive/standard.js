@@ -16,7 +16,7 @@ export function standardOf({ standard, takeUp, lagging, pulley }, law, book) {
   const { rows, manual, own, silent } = book.standards;
   const asked = { friction: none, factor: none, rule: "", why: "" };
   if (standard.name === "none") return asked;
-  const surface = lagging.entry?.surface ?? "";
+  const surface = lagging.surface;
   const name = standard.name || "CEMA";
   if (name === "CEMA" && takeUp.kind === "fixed" && surface) {
     const table = manual[surface === "bare" ? "bare" : "lagged"];
@@ -30,7 +30,7 @@ export function standardOf({ standard, takeUp, lagging, pulley }, law, book) {
     const { friction } = standard;
     return { ...asked, friction, rule: own.replace("⟦friction⟧", friction.toFixed(2)) };
   }
-  const lagged = lagging.entry?.name ?? "";
+  const lagged = lagging.name;
   if (!surface)
     return { ...asked, rule: name, why: silent.surface.replace("⟦lagging⟧", () => lagged) };
   const condition = standard.condition || law.condition;

@@ -28,6 +28,7 @@ const TABLES = [
       ...["peak_shear_angle", "peak_shear_stress", "mean_friction", "active_arc", "k_factor"],
       ...["entry_tension", "exit_tension", "effective_tension", "tension_ratio"],
       ...["resultant_force", "resultant_angle", "belt_safety"],
+      ...["most_shaft_load", "least_shaft_load"],
     ],
   ],
   [

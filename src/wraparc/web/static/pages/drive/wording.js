@@ -1,5 +1,5 @@
 // The words of the checks of an assembled drive: those of the book, with what it left open.
-import { orUsual, strengthIn, weaknesses } from "./assemble.js";
+import { orUsual, strengthIn } from "./assemble.js";
 
 /** @import { Ask, Book, BookLaw, Words } from "../../types.d.ts" */
 /** @import { Case, Said } from "./assemble.js" */
@@ -30,7 +30,7 @@ const plain = (v) => String(+v.toPrecision(6));
 /** @param {Said} said @returns {Record<string, string>} */
 export const named = ({ name, lagging, belt }) => ({
   pulley: name,
-  lagging: lagging.entry?.name ?? "",
+  lagging: lagging.name,
   belt: belt.name,
 });
 
@@ -50,9 +50,9 @@ const given = (v) => (Number.isNaN(v) ? "none" : "given");
 /**
  * Checks and questions of one load case, in the order they are told.
  * @param {{said: Said, c: Case, law: BookLaw, standard: import("./standard.js").Asked,
- *   criteria: Record<string, number>, share: number, book: Book}} of
+ *   criteria: Record<string, number>, share: number, cover: number, book: Book}} of
  */
-export function wordsOf({ said, c, law, standard, criteria, share, book }) {
+export function wordsOf({ said, c, law, standard, criteria, share, cover, book }) {
   const { belt, takeUp } = said;
   const names = {
     ...named(said),
@@ -75,6 +75,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, book }) {
     "gross_slip",
     ...(standard.rule ? [standardKey(said, standard, c, criteria)] : []),
     `creep:${limit}`,
+    ...(cover > 0 ? ["cover_creep"] : []),
     `belt_tension:${c.kind === "running" ? "running" : "starting"}:${rated}`,
     `face_pressure:${given(belt.pressure)}`,
     `bond_stress:${given(criteria.bond_strength)}`,
@@ -131,31 +132,15 @@ function asksOf(standard, { belt, standard: chosen }, criteria, names, book, law
     }));
 }
 
-/** Sources of a belt as the server has them: of what is given beside a preset first.
- * @param {any} belt @param {Book} book */
-function beltSources({ preset, sources, ...belt }, book) {
-  const first = preset && sources ? book.belt_keys.filter((key) => key in belt) : [];
-  return { ...Object.fromEntries(first.map((key) => [key, null])), ...sources };
-}
 /** On what data the answer stands. @param {Said} said @param {BookLaw} law @param {Book} book
  * @returns {{short: string, says: string, kinds: string[]}} */
-export function dataWords({ r, name, belt, lagging }, law, book) {
-  const own = (/** @type {any} */ sources, /** @type {string} */ owner) =>
-    Object.entries(sources ?? {}).map(([key, source]) => ({
-      what: `${key.replaceAll("_", " ")} of ${owner}`,
-      kinds: weaknesses(source),
-    }));
-  const weak = [
-    ...law.weak.filter((w) => !lagging.over.includes(w.key)),
-    ...own(beltSources(r.doc.belt, book), "the belt"),
-    ...own(r.doc.pulley[0].sources, `pulley ${name}`),
-    { what: "the belt", kinds: belt.weak },
-  ];
-  const kinds = book.weak_kinds.filter((kind) => weak.some((w) => w.kinds.includes(kind)));
-  const told = kinds.map((kind) => {
-    const whats = weak.filter((w) => w.kinds.includes(kind)).map((w) => w.what);
-    return `${kind[0].toUpperCase()}${kind.slice(1)}: ${[...new Set(whats)].join(", ")}.`;
-  });
+export function dataWords({ weak }, law, book) {
+  const whats = (/** @type {string} */ kind) =>
+    weak.filter(([k]) => k === kind).map(([, of]) => of);
+  const kinds = book.weak_kinds.filter((kind) => whats(kind).length);
+  const told = kinds.map(
+    (kind) => `${kind[0].toUpperCase()}${kind.slice(1)}: ${[...new Set(whats(kind))].join(", ")}.`,
+  );
   const grounds = [...law.grounds, ...kinds];
   const short = Object.entries(book.grounds).find(([kind]) => grounds.includes(kind))?.[1] ?? "";
   return { short, says: escaped([...law.told, ...told].join(" ")), kinds: grounds };

@@ -1,0 +1,422 @@
+"""Sizes that conveyors and their drives have: what is far from them is asked about.
+
+`USUAL_SIZES` of `numbers` are those that every arc compares, on the page too; here stand those of
+all that is described besides, by class and field.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
+from wraparc.checks.numbers import (
+    USUAL_MOTORS,
+    USUAL_SIZES,
+    Sizes,
+    compared_motor,
+    compared_sizes,
+    idles,
+    usual,
+)
+from wraparc.checks.rules import RULES
+from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
+from wraparc.drive import Drive, Lagging, LoadCase, Pulley
+from wraparc.train import Motor, Motors, Speeds, Train
+from wraparc.train.motors import VariableSpeed
+from wraparc.units import Dimension, meant_by
+
+Ends = tuple[float, float]
+
+#: Least and most of a field by its class, or of that name in any of `motion` [SI]; 0 is none.
+USUAL: dict[str, dict[str, Ends]] = {
+    "Belt": {
+        "momentary_factor": (1.0, 3.0), "in_plane_shear_stiffness": (5e3, 5e6),
+        "pulley_cover": (0.4e-3, 25e-3), "carry_cover": (0.4e-3, 35e-3),
+        "carcass": (0.4e-3, 30e-3), "thickness": (1.5e-3, 60e-3),
+        "cover_shear_modulus": (0.3e6, 5e6),
+    },
+    "TakeUp": {"sheave_ratio": (0.2, 8.0)},
+    "DesignStandard": {"friction": (0.1, 0.9), "start_factor": (1.0, 2.5)},
+    "SafetyFactors": {"running": (1.05, 6.0), "starting": (1.0, 4.0), "braking": (1.0, 4.0)},
+    "Sag": {"spacing": (0.3, 8.0), "line_mass": (1.0, 3000.0), "share": (0.002, 0.05)},
+    # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
+    "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
+    "Lagging": {
+        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-13, 1e-8),
+        "belt_energy_share": (0.01, 1.0),
+    },
+    "Block": {
+        "width": (2e-3, 0.5), "height": (0.5e-3, 60e-3), "stiffening": (0.1, 4.0),
+        "contact_fraction": (0.15, 1.0),
+    },
+    "Cost": {"area": (0.05, 200.0)},
+    "ConditionFactor": {"factor": (0.05, 1.3)},
+    "GrippingPulley": {"distance": (0.3, 500.0)},
+    "Transition": {
+        "length": (0.2, 20.0), "trough_angle": (math.radians(5.0), math.radians(70.0)),
+        "centre_roll": (0.05, 2.0),
+    },
+    "Across": {"misalignment": (-0.01, 0.01), "deflection": (-5e-3, 5e-3)},
+    "Motor": {
+        "gear_ratio": (1.0, 250.0), "gear_efficiency": (0.6, 1.0), "motor_efficiency": (0.5, 1.0),
+        "droop": (1e-3, 0.15), "torque_limit": (0.8, 4.0), "breakdown_ratio": (1.5, 5.0),
+    },
+    "TorqueFollower": {"ratio": (0.1, 5.0)},
+    "Trim": {"gain": (0.01, 20.0)},
+    "Follower": {"ratio": (0.1, 5.0)},
+    "LoadStep": {"factor": (-2.0, 4.0)},
+    "OnBelt": {"friction": (0.02, 2.0), "compliance": (0.2, 5.0)},
+    "motion": {
+        "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
+        "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
+        "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (1.0, 1e5),
+        "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
+        "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
+        "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
+        "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
+        "filter_time": (1e-3, 60.0), "duration": (0.1, 3600.0), "time": (0.1, 600.0),
+        "at": (1e-3, 7200.0), "length": (0.01, 2e3), "rise": (-0.02, 0.02),
+        "run_out": (-0.01, 0.01), "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3),
+        "ripple": (-0.3, 0.3),
+    },
+}  # fmt: skip
+#: Largest deviations across the width [m], and friction that laggings have [-]: up to 1.55 of
+#: ceramic at the lowest pressures (DeVries 2026), 0.1 of wet and muddy bare steel (DIN 22101).
+_PROFILES = {"shell_profile": 15e-3, "worn_depth": 25e-3, "build_up": 30e-3}
+_FRICTION = (0.03, 1.9)
+#: Names, dimensions and ends of what a law was tested in.
+_TESTED: dict[str, tuple[str, Dimension, Ends]] = {
+    "pressure_min": ("least tested pressure", "pressure", (0.5e3, 2e6)),
+    "pressure_max": ("largest tested pressure", "pressure", (10e3, 10e6)),
+    "slip_max": ("largest tested slip", "length", (0.05e-3, 0.3)),
+    "slip_speed": ("tested slip speed", "speed", (2e-6, 0.3)),
+}
+
+
+#: Density of steel [kg/m3], and modulus over rating of the stiffest fabric belts [-]; 119 is
+#: published (Goodyear 2012).
+STEEL, FABRIC = 7850.0, 250.0
+
+
+class Owner(NamedTuple):
+    """Something that is described, what of it is called, and where it stands."""
+
+    of: Any
+    words: str
+    place: Place = NOWHERE
+
+
+def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
+    """Check sizes, tensions and what they make together for a slip of unit.
+
+    Parameters
+    ----------
+    drive
+        What is described.
+    others
+        What else is, by the same table: the train, motors, what moves and what happens to it.
+    """
+    parts = [*_others(drive, others)]
+    odd = {check.sentence(): check for check in (*_compared(drive, bool(parts)), *parts)}
+    yield from odd.values()
+    if not odd:
+        yield Check(
+            name="usual_sizes",
+            title="What is given is of usual size",
+            level=Level.OK,
+            binding=False,
+        )
+
+
+def least_margin(drive: Drive) -> float:
+    """Return the least margin of sizes beside those of its arcs that are asked about [-].
+
+    Infinite where there are none.
+    """
+    return min((check.margin for check in _others(drive, ())), default=math.inf)
+
+
+def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
+    """Yield what is unusual of `USUAL_SIZES`; what is made of others only where they are not."""
+    for case in drive.load_cases:
+        for pulley in drive.in_case(case).pulleys:
+            names = _names(pulley, case)
+            values = compared_sizes(_sizes(drive, case, pulley))
+            for (name, dimension, place), value, (least, most) in zip(
+                names, values, USUAL_SIZES, strict=True
+            ):
+                made = name in (_RATIO, _STRONG, _SAG) or name.startswith(_AT_RATING)
+                if not (usual(value, least, most) or (made and odd)):
+                    size = drive.belt.width if dimension in _OVER_WIDTH else 1.0
+                    odd = True
+                    yield unusual(name, dimension, place, size * value, (size * least, size * most))
+
+
+def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
+    for owner in (*_owners(drive), *others):
+        yield from _of_owner(owner)
+        if isinstance(owner.of, Motor | float):
+            yield from _turning(drive, owner)
+    if drive.conveyor is not None:
+        yield from _conveyor_sizes(drive.conveyor, drive.belt.width)
+    width = drive.belt.width
+    for pulley in drive.pulleys:
+        if pulley.mass is not None:
+            solid = STEEL * 0.25 * math.pi * pulley.diameter**2 * width
+            ends = 0.02 * solid, 1.5 * solid  # a thin drum, and with a shaft as long as two faces
+            if not usual(pulley.mass, *ends):
+                place = Place(pulley.name)
+                yield unusual(f"mass of pulley {pulley.name}", "mass", place, pulley.mass, ends)
+    rating, stiff = drive.belt.rating, drive.belt.modulus
+    fabric = drive.belt.kind == "fabric" and rating and usual(rating, *USUAL_SIZES[11])
+    if fabric and rating and not usual(stiff / rating, 0.0, FABRIC):
+        yield unusual(_RATIO, "number", NOWHERE, stiff / rating, (15.0, FABRIC))
+    for lagging in drive.laggings:
+        yield from _law_sizes(lagging)
+
+
+def _owners(drive: Drive) -> Iterator[Owner]:
+    """Yield all that a drive is described by."""
+    criteria = drive.criteria
+    yield Owner(drive.belt, "of the belt")
+    yield Owner(criteria.take_up, "of the take-up")
+    yield Owner(criteria.standard, "of the design standard")
+    yield Owner(criteria.safety, "safety factor")
+    yield Owner(criteria.sag, "for the sag of the belt")
+    yield Owner(drive.conveyor, "of the conveyor")
+    for lagging in drive.laggings:
+        of = f"of lagging {lagging.name}"
+        yield Owner(lagging, of)
+        yield Owner(lagging.block, f"of the blocks {of}")
+        yield Owner(lagging.cost, f"that the cost {of} is for")
+        for name, factor in lagging.condition_factors.items():
+            yield Owner(factor, f"on the friction {of}, {name}")
+    for pulley in drive.pulleys:
+        place, of = Place(pulley.name), f"of pulley {pulley.name}"
+        yield Owner(pulley, of, place)
+        if pulley.across is not None:
+            yield Owner(pulley.across, of, place)
+            yield Owner(pulley.across.before, f"before pulley {pulley.name}", place)
+            yield Owner(pulley.across.after, f"behind pulley {pulley.name}", place)
+
+
+def _of_owner(owner: Owner) -> Iterator[Check]:
+    """Yield what of one thing is unusual."""
+    of = owner.of
+    room = type(of).__module__.split(".")[1:2]
+    tables = [USUAL.get(name, {}) for name in (*(c.__name__ for c in type(of).__mro__), *room)]
+    for key, limit in getattr(of, "LIMITS", {}).items():
+        ends, value = next((t[key] for t in tables if key in t), None), getattr(of, key)
+        if ends and value and not usual(value, *ends):
+            name = f"{key.replace('_', ' ')} {owner.words}".rstrip()
+            yield unusual(name, limit.dimension, owner.place, value, ends)
+    for happening in getattr(of, "happenings", ()):
+        if happening.at >= of.duration:
+            name = f"begin (at) of what happens {owner.words}"
+            check = unusual(name, "time", NOWHERE, happening.at, (0.0, of.duration))
+            yield replace(check, remedy="Nothing happens then: give an earlier time.")
+    if isinstance(of, Pulley) and of.across is not None:
+        for key, most in _PROFILES.items():
+            profile = getattr(of.across, key)
+            heights = () if profile is None else (profile.largest, -min((*profile.value, 0.0)))
+            if max(heights, default=0.0) > most:
+                name = f"{key.replace('_', ' ')} {owner.words}".rstrip()
+                yield unusual(name, "length", owner.place, max(heights), (0.0, most))
+
+
+def _law_sizes(lagging: Lagging) -> Iterator[Check]:
+    """Yield what is unusual of a friction law: what it was tested in, and how much it is there."""
+    tested, of = lagging.law.tested, f"lagging {lagging.name}"
+    if lagging.condition != "dry":
+        of += f", {lagging.condition}"
+    odd = False
+    for key, (name, dimension, ends) in _TESTED.items():
+        value = getattr(tested, key, None)
+        if value is not None and not usual(value, *ends):
+            odd = True
+            yield unusual(f"{name} of {of}", dimension, NOWHERE, value, ends)
+    if odd:
+        return
+    pressures, slip = [100e3], 10e-3
+    if tested is not None:
+        pressures, slip = [tested.pressure_min, tested.pressure_max], tested.slip_max
+    for friction in np.ravel(lagging.law.friction(slip, np.array(pressures))).tolist():
+        if not usual(friction, *_FRICTION):
+            yield unusual(f"friction of {of}", "number", NOWHERE, friction, _FRICTION)
+            return
+
+
+def of_train(train: Train) -> Iterator[Owner]:
+    """Yield the motors of a train, or the speeds that its drums are given."""
+    division = train.cases[0].division
+    if isinstance(division, Speeds) and division.absolute:
+        for pulley, turns in zip(train.pulleys, division.rotation_speeds, strict=True):
+            yield Owner(turns, "", Place(pulley.name))
+    for pulley, motor in zip(
+        train.pulleys, division.motors if isinstance(division, Motors) else (), strict=False
+    ):
+        yield Owner(motor, f"of the motor of pulley {pulley.name}", Place(pulley.name))
+
+
+def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
+    """Yield what is unusual of a motor, and of a speed that does not fit that of the belt."""
+    motor, pulley, power, speed = owner.of, drive.pulley(owner.place.pulley), math.nan, math.nan
+    turns, remedy = motor, "Check the speeds of the drums, the diameter and the belt speed."
+    if isinstance(motor, Motor):
+        power, speed = motor.rated_power, motor.rated_speed
+        setting = motor.setting if isinstance(motor, VariableSpeed) else 1.0
+        turns = setting * speed / motor.gear_ratio
+        remedy = "Check gear_ratio, rated_speed, diameter and belt speed."
+    belt = math.nan if drive.belt.speed is None else drive.belt.speed
+    values = compared_motor(power, speed, turns, 0.5 * pulley.diameter, belt)
+    for (name, dimension), value, ends in zip(_MOTOR_NAMES, values, USUAL_MOTORS, strict=True):
+        if not usual(value, *ends):
+            check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
+            yield replace(check, remedy=remedy) if name == _FITS else check
+
+
+_FITS = "speed of the drum over that of the belt"
+_MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
+    ("rated power of the motor", "power"),
+    ("rated speed of the motor", "rotation_speed"),
+    (_FITS, "number"),
+)
+
+
+def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
+    """Yield what is unusual of a conveyor; what is made of its sizes only where they are usual."""
+    odd = False
+    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+        if not usual(value, least, most):
+            odd = True
+            name = f"{key.replace('_', ' ')} of the conveyor"
+            dimension = Conveyor.LIMITS[key].dimension
+            yield unusual(name, dimension, NOWHERE, value, (least, most))
+    ends, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
+    if not (odd or usual(of.material, *ends)):
+        name = "load per length of the full belt (capacity, speed and width)"
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, ends)
+    if not (odd or usual(slope, -STEEPEST, STEEPEST)):
+        name = "lift over length of the conveyor"
+        yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))
+
+
+def unusual(
+    name: str, dimension: Dimension, place: Place, value: float, ends: tuple[float, float]
+) -> Check:
+    """Return the check that a value [SI] outside its usual ends misses."""
+    least, most = ends
+    meant = " or ".join(meant_by(value, dimension, least, most))
+    remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
+    if dimension == "number":
+        near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
+        remedy = "Check the number." if near is None else f"Is {near * value:.3g} meant?"
+    if dimension == "angle" and value > most:
+        remedy = "Is it the sum of two pulleys? Give each of them its own."
+    elif dimension == "angle" and not meant:
+        remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
+    if name.startswith(_AT_RATING):
+        remedy = "Check the diameter and the rating."
+    if name == _STRONG:
+        remedy = "Check strength and rating."
+    if name == _MASS and value > most:
+        remedy = "Is it that of the whole belt? Give the mass of a metre."
+    if name == _RATIO:
+        remedy = "Is the rating or the strength given as the modulus? Check the units of both."
+    return Check(
+        name="usual_sizes",
+        title=f"Usual {name}",
+        level=RULES["usual_sizes"].missed,
+        place=place,
+        value=value,
+        limit=most if value > most else least,
+        dimension=dimension,
+        at_most=value > most,
+        source="sizes that conveyor drives have",
+        short="unusual size",
+        says=f"The {escaped(name)}, {{value}}, is outside the usual {{least}} to {{most}}.",
+        remedy=escaped(remedy),
+        more={"least": (least, dimension), "most": (most, dimension)},
+        binding=False,
+    )
+
+
+#: Dimensions of sizes that are compared over the width of the belt.
+_OVER_WIDTH = ("force", "mass_per_length")
+_MASS = "mass of the belt"
+_AT_RATING = "pressure of the belt at its rating"
+_SAG = "tension that keeps the belt from sagging"
+_STRONG = "strength over the rating of the belt"
+_RATIO = "modulus over the rating of the belt"
+
+
+def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]:
+    """Return what `compared_sizes` are called, in their order, what they measure and where."""
+    belt, drum, at = Place(), Place(pulley.name), Place(pulley.name, case.name)
+    lagging, of = f"of lagging {pulley.lagging.name}", f"of pulley {pulley.name}"
+    return [
+        ("width of the belt", "length", belt),
+        ("modulus of the belt", "force_per_width", belt),
+        ("speed of the belt", "speed", belt),
+        (f"diameter {of}", "length", drum),
+        (f"wrap angle {of}", "angle", drum),
+        (f"wrap angle {of}", "angle", drum),
+        (f"creep limit {of}", "length", drum),
+        (f"overrun {of}", "length", drum),
+        (f"thickness {lagging}", "length", drum),
+        (f"shear modulus {lagging}", "pressure", drum),
+        (f"compression modulus {lagging}", "pressure", drum),
+        ("rating of the belt", "force_per_width", belt),
+        (f"bond strength {lagging}", "pressure", drum),
+        (f"fatigue limit {lagging}", "pressure", drum),
+        ("largest wrap pressure of the belt", "pressure", belt),
+        ("least pulley of the belt", "length", belt),
+        (_SAG, "force", belt),
+        (_RATIO, "number", belt),
+        (_STRONG, "number", belt),
+        (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
+        (f"entry tension {of}", "force", at),
+        (f"exit tension {of}", "force", at),
+        (f"power {of}", "power", at),
+        (_MASS, "mass_per_length", belt),
+    ]
+
+
+def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
+    belt, lagging, sag = drive.belt, pulley.lagging, drive.criteria.sag
+    tensions = case.tensions[pulley.name]
+
+    idle = idles(tensions.entry, tensions.exit)
+
+    def known(value: float | None) -> float:
+        return math.nan if value is None else value
+
+    return Sizes(
+        width=belt.width,
+        modulus=belt.modulus,
+        speed=known(belt.speed),
+        diameter=pulley.diameter,
+        idle_wrap=pulley.wrap_angle if idle else math.nan,
+        wrap_angle=math.nan if idle else pulley.wrap_angle,
+        creep_limit=drive.creep_limit_of(pulley),
+        overrun=known(pulley.overrun),
+        thickness=lagging.thickness,
+        shear_modulus=lagging.shear_modulus,
+        compression_modulus=lagging.compression_modulus,
+        rating=known(belt.rating),
+        strength=known(belt.breaking_strength),
+        bond_strength=known(lagging.bond_strength),
+        fatigue_limit=known(lagging.fatigue_limit),
+        face_pressure=known(belt.largest_wrap_pressure),
+        least_diameter=known(belt.least_pulley_diameter),
+        sag=known(None if sag is None else sag.tension),
+        entry=tensions.entry,
+        leaving=tensions.exit,
+        pull=math.nan if idle or len(drive.pulleys) > 1 else tensions.effective,
+        mass=known(belt.mass),
+    )

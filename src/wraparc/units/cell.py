@@ -1,0 +1,200 @@
+"""Quantities in texts of which no system of units is chosen yet, and the choice at the very end.
+
+A cell is a text: the slot that a number leaves open in a sentence, so that sentences are written as
+any other, ``f"Creep {creep} exceeds {limit}"``. `in_units` fills the slots in; nothing else does.
+"""
+
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator
+from functools import lru_cache
+from typing import Literal, Self, get_args
+
+from wraparc.units.display import RESULT_DIGITS, System, display, display_unit, on_safe_side
+from wraparc.units.table import DIMENSIONS, Dimension
+
+#: What stands where there is no number.
+NONE = "-"
+#: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
+#: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
+#: tell it from another number; and from that number to it, ``0 to 22.5 deg`` or ``0-22.5 deg``.
+Form = Literal[
+    "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart", "to", "-"
+]
+#: Digits of numbers that differ: no more are needed to tell them apart.
+MOST_DIGITS = 9
+_FORMS = frozenset(get_args(Form))
+#: A text for each system of units, of which the one that is shown is taken.
+_EITHER = re.compile("\x04([^\x04-\x06]*)\x05([^\x04-\x06]*)\x06")
+_SLOT = re.compile(
+    "\x02([a-z_]+)[|]([0-9]{1,2})[|]([a-z -]*)[|]([^|\x03]+)[|]([^|\x03]+)[|]([a-z0-9_]*)\x03"
+)
+
+
+class Cell(str):
+    """A number [SI] with what it measures: the slot that stands for it in a text.
+
+    Attributes
+    ----------
+    value
+        The number [SI].
+    dimension
+        What it measures.
+    digits
+        Significant digits.
+    form
+        How it is shown, see `Form`.
+    other
+        Number [SI] that it is told from, or that a range begins at; nan without one.
+    name
+        Name in the glossary, or empty.
+    """
+
+    __slots__ = ("digits", "dimension", "form", "name", "other", "value")
+    value: float
+    dimension: Dimension
+    digits: int
+    form: Form
+    other: float
+    name: str
+
+    def __new__(
+        cls,
+        value: float,
+        dimension: Dimension,
+        digits: int = RESULT_DIGITS,
+        form: Form = "",
+        other: float = math.nan,
+        name: str = "",
+    ) -> Self:
+        """Return the cell of a number."""
+        value, other = float(value), float(other)  # those of NumPy are written otherwise
+        slot = f"\x02{dimension}|{digits}|{form}|{value!r}|{other!r}|{name}\x03"
+        cell = super().__new__(cls, slot)
+        cell.value, cell.dimension, cell.digits = value, dimension, digits
+        cell.form, cell.other, cell.name = form, other, name
+        return cell
+
+    def text(self, system: System) -> str:
+        """Return the number as people of a system of units write it."""
+        if self.form == "unit":
+            return display_unit(self.dimension, system)[0]
+        if self.form == "percent":
+            return f"{display(100.0 * self.value, 'number', digits=self.digits)} %"
+        if self.form in ("to", "-"):
+            return self._range(system)
+        value = self.value
+        if self.form in ("up", "bare up", "down"):
+            value = on_safe_side(value, self.dimension, system, up=self.form != "down")
+        if self.form in ("bare", "bare up"):
+            value /= display_unit(self.dimension, system)[1]
+            return display(value, "number", digits=self.digits)
+        digits = self.digits
+        while self.form.endswith("apart") and digits < MOST_DIGITS:
+            if self._alone(value, digits, system) != self._alone(self.other, digits, system):
+                break
+            digits += 1
+        return self._alone(value, digits, system)
+
+    def _alone(self, value: float, digits: int, system: System) -> str:
+        if not math.isfinite(value):
+            return quantity(value, self.dimension)
+        if self.form.startswith("slip") and self.dimension == "speed" and abs(value) < _SLOW:
+            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+            return f"{display(value / size, 'number', digits=digits)} {unit}"
+        return display(value, self.dimension, system, digits)
+
+    def _range(self, system: System) -> str:
+        first, last = (self._alone(v, self.digits, system) for v in (self.other, self.value))
+        if first == last:
+            return first
+        number, _, unit = first.partition(" ")
+        by = " to " if self.form == "to" else self.form
+        return f"{number if last.endswith(' ' + unit) else first}{by}{last}"
+
+
+#: Speeds below that are of slip [m/s].
+_SLOW = 0.1
+
+
+def quantity(
+    value: float, dimension: Dimension, digits: int = RESULT_DIGITS, name: str = ""
+) -> str:
+    """Return the cell of a value [SI]; `NONE` for nan and words for infinity."""
+    if math.isnan(value):
+        return NONE
+    if math.isinf(value):
+        return "without bound"
+    return Cell(value, dimension, digits, name=name)
+
+
+def bare(value: float, dimension: Dimension, digits: int = RESULT_DIGITS, name: str = "") -> str:
+    """Return the same without a unit, as it stands under `unit_of` its dimension."""
+    shown = quantity(value, dimension, digits, name)
+    return Cell(value, dimension, digits, "bare", name=name) if isinstance(shown, Cell) else shown
+
+
+def unit_of(dimension: Dimension) -> str:
+    """Return the unit of a table column of a dimension."""
+    return Cell(0.0, dimension, form="unit")
+
+
+def percent(share: float, digits: int = RESULT_DIGITS) -> str:
+    """Return a share as percent, `NONE` for nan."""
+    return NONE if math.isnan(share) else Cell(share, "number", digits, "percent")
+
+
+def either(si: str, us: str) -> str:
+    """Return what is said otherwise in each system of units, as steps that are round in one."""
+    return si if si == us else f"\x04{si}\x05{us}\x06"
+
+
+def in_unit(dimension: Dimension, told: Callable[[float], str]) -> str:
+    """Return what is told of the SI value of the unit of a table column: of what is no cell.
+
+    As ``in_unit("length", lambda mm: f"{peak / mm:.3g} (held)")``.
+    """
+    return either(*(told(display_unit(dimension, system)[1]) for system in get_args(System)))
+
+
+def distinct(texts: Iterable[str]) -> tuple[str, ...]:
+    """Return texts, each once of those that read the same in every system of units."""
+    found: dict[tuple[str, ...], str] = {}
+    for text in texts:
+        found.setdefault(tuple(in_units(text, system) for system in get_args(System)), text)
+    return tuple(found.values())
+
+
+def cells_in(text: str) -> Iterator[Cell]:
+    """Yield the cells of a text, in their order."""
+    for found in _SLOT.finditer(text):
+        cell = cell_of(found[0])
+        if cell is not None:
+            yield cell
+
+
+def in_units(text: str, system: System = "si") -> str:
+    """Return a text with its cells shown in a system of units."""
+    if "\x04" in text:
+        text = _EITHER.sub(lambda found: found[1 if system == "si" else 2], text)
+    if "\x02" not in text:
+        return text
+    return _SLOT.sub(lambda found: _filled(found[0], system), text)
+
+
+@lru_cache(maxsize=4096)  # a table is shown in several ways
+def _filled(slot: str, system: System) -> str:
+    cell = cell_of(slot)
+    return slot.replace("\x02", "").replace("\x03", "") if cell is None else cell.text(system)
+
+
+def cell_of(text: str) -> Cell | None:
+    """Return the cell that a text is; None if it is more, or only looks like one."""
+    found = _SLOT.fullmatch(text)
+    if found is None or found[1] not in DIMENSIONS or found[3] not in _FORMS:
+        return None
+    try:
+        value, other = float(found[4]), float(found[5])
+    except ValueError:
+        return None
+    return Cell(value, found[1], int(found[2]), found[3], other, found[6])  # type: ignore[arg-type]

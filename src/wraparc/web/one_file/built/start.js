@@ -1,0 +1,1 @@
+async function n(t){let e=atob(document.getElementById(t)?.textContent??""),o=Uint8Array.from(e,c=>c.charCodeAt(0)),r=new Blob([o]).stream().pipeThrough(new DecompressionStream("deflate"));return new Response(r).text()}for(let t of["solver","program"]){let e=document.createElement("script");e.textContent=await n(`${t}-packed`),e.id=t,document.body.append(e)}

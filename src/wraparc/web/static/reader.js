@@ -1,0 +1,5782 @@
+// @ts-nocheck
+// Made from the Python source by `make kernel`: change that, not this.
+import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText } from "./documents.js";
+import { $Decimal, $Dict, $Error, $Object, $OverflowError, $TypeError, $add, $and, $at, $b, $bound, $call, $eq, $fields, $format, $in, $iter, $k, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $truth } from "./python.js";
+function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
+let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
+
+(document = $call(overridden, [document, overrides], [["file", file]]));
+if (($in("train", document))) {
+source__check_format(document, file);
+(report = new Report(file));
+(message = "a train of drives on one belt, which is no plain drive");
+report.add(["train"], message, "Read it with wraparc.load_train or wraparc.load_drive.");
+report.raise_all();
+}
+([record, report] = source__read_tables($c0, document, file));
+(belt_record = $m.get(record, "belt"));
+(belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
+(own = $m.get(record, "lagging"));
+(laggings = new Laggings(($truth($b.isinstance(own, "dict")) ? own : $map([])), folder, allow_paths, report));
+(records = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+(conditions = conditions__build_conditions(record, report));
+(pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
+across_keys__check_width(records, belt_record, report);
+(criteria = drive_build__build_criteria(record, report));
+(conveyor = null);
+if (($in("conveyor", document))) {
+([conveyor, cases] = conveyor_build__build_conveyor(record, $bound(criteria, "take_up"), report));
+} else {
+(cases = drive_file___load_cases(record, records, belt, $bound(criteria, "take_up"), report));
+}
+report.raise_all();
+(parts = $map([...(function* () { for (const key of $iter(["title", "description", "creep_limit"])) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+return report.sure((() => $call(Drive, [], [["belt", belt], ["pulleys", $b.tuple((function* () { for (const pulley of $iter(pulleys)) { yield pulley; } })())], ["load_cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["conveyor", conveyor], ...parts])));
+}
+function source__check_format(document, file = "") {
+let given, message, remedy, whole;
+
+if ((!$in("format", document))) {
+return null;
+}
+(given = $at(document, "format"));
+(whole = $and($b.isinstance(given, "int"), () => !$truth($b.isinstance(given, "bool"))));
+if (($truth(whole) && (1 <= given && given <= 1))) {
+return null;
+}
+if (($truth(whole) && (given > 1))) {
+(message = ("" + "the file is of a newer format; this version of wraparc reads up to " + $str(1)));
+(remedy = "Update wraparc.");
+} else {
+([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
+}
+throw new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["file", file], ["key", "format"], ["value", $shown(given)]]));
+}
+function source__read_tables(table, document, file) {
+let report;
+
+source__check_format(document, file);
+(report = new Report(file));
+return [table.read(document, [], report), report];
+}
+function drive_build__build_belt(record, report) {
+let built, more, own, place, preset, published, remedy, sources;
+
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c1)) { yield e.key; } })(), report));
+(own = $or(origins__own_provenance(record, report), () => new Provenance()));
+(more = $map([["name", "belt"], ["provenance", own]]));
+if (($in("preset", record))) {
+(place = [...$iter(record.place), "preset"]);
+(preset = report.tried((() => loader__belt($at(record, "preset"))), place, $at(record, "preset")));
+if ((preset == null)) {
+return null;
+}
+(more = $map([...(function* () { for (const key of $iter([...$iter($c3), "provenance"])) { yield [key, $b.getattr(preset, key)]; } })()]));
+(published = preset.sources);
+if (($in("thickness", record))) {
+([more, published] = [$map([...more, ["carcass", null]]), $map([])]);
+}
+(sources = $merged($merged(published, $map([...(function* () { for (const key of $iter($c4)) { if (!(($in(key, record)))) continue; yield [key, own]; } })()])), sources));
+} else {
+if (((!$in("modulus", record)) && $truth(record.sound("modulus")))) {
+(remedy = "Write modulus = \"12960 kN/m\", or choose a belt by preset.");
+report.add([...$iter(record.place), "modulus"], "missing", remedy);
+return null;
+}
+}
+(more = $map([...(function* () { for (const [key, v] of $iter($m.items(more))) { if (!((($eq(key, "provenance")) || (!$in(key, record))))) continue; yield [key, v]; } })()]));
+(built = $method($c5, "built", [record, report], [["sources", sources], ...more]));
+return built;
+}
+function origins__read_sources(record, keys, report) {
+let key, place, provenance, sources, table;
+
+(keys = [...(function* () { for (const key of $iter(keys)) { if (!((!$in(key, ["sources", "provenance", "name", "preset"])))) continue; yield key; } })()]);
+(sources = $map([]));
+for ([key, table] of $iter($m.items($m.get(record, "sources", $map([]))))) {
+if ((!$in(key, keys))) {
+(place = [...$iter(record.place), "sources", key]);
+report.add(place, "is no key of this table", tables__unknown_key_remedy(key, keys));
+} else {
+if ($truth($b.isinstance(table, Record))) {
+(provenance = origins__read_provenance(table, report));
+if ((provenance != null)) {
+$put(sources, key, provenance);
+}
+}
+}
+}
+return sources;
+}
+function origins__read_provenance(record, report) {
+let kind, made;
+
+(kind = (($in("kind", record)) ? $map([["kind", $b.str($at(record, "kind"))]]) : $map([])));
+(made = $method($c2, "built", [record, report], [...kind]));
+return made;
+}
+function tables__unknown_key_remedy(key, known) {
+
+return $or(errors__nearest(key, known), () => ("" + "The keys here are " + $str($m.join(", ", known)) + "."));
+}
+function errors__nearest(given, known) {
+let texts;
+
+(texts = [...(function* () { for (const word of $iter(errors__near(given, known))) { yield $shown(word); } })()]);
+return ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : "");
+}
+function errors__near(given, known, most = 3) {
+let alike, by_likeness, within, words;
+
+if (!$truth($b.isinstance(given, "str"))) {
+return [];
+}
+(words = $b.list(known));
+(within = [...(function* () { for (const word of $iter(words)) { if (!((($b.len(given) > 2) && ($in(given, word))))) continue; yield word; } })()]);
+(alike = [...(function* () { for (const word of $iter(words)) { yield [errors___likeness(word, $slice(given, null, 100)), word]; } })()]);
+(by_likeness = $b.sorted([...(function* () { for (const pair of $iter(alike)) { if (!(($at(pair, 0) >= 0.55))) continue; yield pair; } })()], $k({reverse: true})));
+return $slice($b.list($b.fromkeys($add(within, [...(function* () { for (const [_, word] of $iter($slice(by_likeness, null, most))) { yield word; } })()]))), null, most);
+}
+function errors___likeness(word, given) {
+let size;
+
+(size = $add($b.len(word), $b.len(given)));
+return ($truth(size) ? ($mul(2.0, errors___alike(word, given)) / size) : 1.0);
+}
+function errors___alike(one, other) {
+let at, before, first, found, i, j, letter, run, runs, size, there;
+
+([size, at, there] = [0, 0, 0]);
+(runs = $mul([0], $add($b.len(other), 1)));
+for ([i, letter] of $iter($b.enumerate(one))) {
+(before = 0);
+for ([j, found] of $iter($b.enumerate(other))) {
+(run = (($eq(letter, found)) ? $add(before, 1) : 0));
+(before = $at(runs, $add(j, 1)));
+$put(runs, $add(j, 1), run);
+if ((run > size)) {
+([size, at, there] = [run, $sub($add(i, 1), run), $sub($add(j, 1), run)]);
+}
+}
+}
+if (($eq(size, 0))) {
+return 0;
+}
+(first = errors___alike($slice(one, null, at), $slice(other, null, there)));
+return $add($add(first, size), errors___alike($slice(one, $add(at, size), null), $slice(other, $add(there, size), null)));
+}
+function origins__own_provenance(record, report) {
+let table;
+
+(table = $m.get(record, "provenance"));
+return ($truth($b.isinstance(table, Record)) ? origins__read_provenance(table, report) : null);
+}
+function loader__belt(name) {
+let found, wanted;
+
+(wanted = $once(loader___plain, $kept_loader___plain)(name));
+(found = $b.next((function* () { for (const b of $iter(belts())) { if (!(($eq($once(loader___plain, $kept_loader___plain)($bound(b, "name")), wanted)))) continue; yield b; } })(), null));
+if ((found == null)) {
+throw loader__unknown_name("belt", name, (function* () { for (const b of $iter(belts())) { yield b.name; } })(), "wraparc belts");
+}
+return found;
+}
+function loader___plain(name) {
+return $m.join("", $m.split($m.casefold(name)));
+}
+const $kept_loader___plain = new Map();
+function loader__unknown_name(what, name, known, command) {
+let by_plain, remedy, texts;
+
+(by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
+(texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
+(remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
+return new InputError($call(Problem, [], [["message", ("" + "the catalogue has no " + $str(what) + " of this name")], ["remedy", $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them."))], ["value", $shown(name)]]));
+}
+function conditions__build_conditions(record, report) {
+let cases, main, problem, rows;
+
+(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c6))) continue; yield row; } })()]);
+(main = [...(function* () { for (const row of $iter(rows)) { yield [conditions__condition_of(row, report), ["condition"]]; } })()]);
+for (problem of $iter(drive__repeated("condition", (function* () { for (const [condition, _] of $iter(main)) { yield condition.name; } })()))) {
+report.take(new InputError(problem), []);
+}
+(cases = [...(function* () { for (const case_ of $iter($or($m.get(record, "load_case"), () => []))) { if (!(($truth($b.isinstance(case_, Record)) && ($in("condition", case_))))) continue; yield [conditions__condition_of($at(case_, "condition"), report), [...$iter(case_.place), "condition"]]; } })()]);
+return new Conditions($b.tuple(main), $b.tuple(cases));
+}
+function conditions__condition_of(value, report) {
+let factors, made, source;
+
+if (!$truth($b.isinstance(value, Record))) {
+return $call(Condition, [], [["name", $b.str(value)]]);
+}
+(factors = $m.get(value, "friction_factors", $map([])));
+(source = $or(origins__own_provenance(value, report), () => new Provenance()));
+(made = $method($c7, "built", [value, report], [["factors", factors], ["source", source]]));
+return $or(made, () => $call(Condition, [], [["name", $b.str($m.get(value, "name", "dry"))]]));
+}
+function drive__repeated(key, names) {
+let found;
+
+(found = $b.list(names));
+if (($eq($b.len($b.set(found)), $b.len(found)))) {
+return [];
+}
+return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + ".name")], ["value", $shown(name)], ["message", ("" + "used " + $str(count) + " times")], ["remedy", "Give each its own name."]]); } })()];
+}
+function drive_build__build_pulley(record, laggings, conditions, report) {
+let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
+
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c8)) { yield e.key; } })(), report));
+(laws = []);
+if (($in("lagging", record))) {
+(laws = laggings.of($at(record, "lagging"), [...$iter(record.place), "lagging"]));
+}
+if (!$truth(laws)) {
+return null;
+}
+(own = [...(function* () { for (const [c, place] of $iter($slice(conditions.main, null, 1))) { yield [c, place]; } })()]);
+if (($in("condition", record))) {
+(place = [...$iter(record.place), "condition"]);
+(own = [[conditions__condition_of($at(record, "condition"), report), place]]);
+}
+(found = [...(function* () { for (const [c, place] of $iter([...$iter(own), ...$iter(conditions.several)])) { yield report.tried((() => conditions__at_its_place(c, laws)), place); } })()]);
+(sure = [...(function* () { for (const lagging of $iter(found)) { if (!((lagging != null))) continue; yield lagging; } })()]);
+if (($b.len(sure) < $b.len(found))) {
+return null;
+}
+(lagging = ($truth(own) ? $at(sure, 0) : $at(laws, 0)));
+(by_name = $map([...(function* () { for (const lag of $iter($slice(sure, $b.len(own), null))) { yield [lag.condition, lag]; } })()]));
+(more = $map([["conditions", $b.tuple($m.values(by_name))]]));
+if (($in("belt_path", record))) {
+(wrap = drive_build___wrap_of(record, report));
+if ((wrap == null)) {
+return null;
+}
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+}
+if (($in("across", record))) {
+(found_before = $b.len($bound(report, "problems")));
+$put(more, "across", across_keys__build_across($at(record, "across"), report));
+if (($b.len($bound(report, "problems")) > found_before)) {
+return null;
+}
+}
+(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+return built;
+}
+function conditions__at_its_place(condition, laws) {
+let error;
+
+try {
+return condition.of(laws);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+throw new InputError((function* () { for (const p of $iter(error.problems)) { yield $replaced(p, new Map([["key", ""], ["value", $shown($bound(condition, "name"))]])); } })());
+} else throw $error;
+}
+}
+function drive_build___wrap_of(record, report) {
+let own, path, remedy;
+
+(path = $at(record, "belt_path"));
+if (($in("wrap_angle", record))) {
+(remedy = "Leave one of them out.");
+report.add([...$iter(record.place), "wrap_angle"], "belt_path gives it already", remedy);
+return null;
+}
+if ((!$truth($b.isinstance(path, Record)) || !$truth(path.sound()) || (!$in("diameter", record)))) {
+return null;
+}
+function point(given, more = new Map()) {
+return $call(Point, [], [...$map([...(function* () { for (const key of $iter($c9)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
+}
+$sig(point, ["given"], true);
+(own = $call(point, [path], [["diameter", $at(record, "diameter")]]));
+return report.tried((() => belt_path__wrap_angle(point($at(path, "before")), own, point($at(path, "after")))), $bound(path, "place"));
+}
+function belt_path__wrap_angle(before, pulley, after) {
+
+limits__raise_all(belt_path__overlaps(before, pulley, after));
+return belt_path__turned_by(before, pulley, after);
+}
+function belt_path__overlaps(before, pulley, after) {
+let distance, end, key, message, problems, remedy;
+
+(problems = []);
+for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
+(distance = $math.hypot($sub(end.x, pulley.x), $sub(end.y, pulley.y)));
+if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
+(message = ("" + "its centre is only " + $str(display__display(distance, "length")) + " from that of the pulley, and the two overlap"));
+(remedy = "Check the coordinates and the diameters.");
+$m.append(problems, $call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]]));
+}
+}
+return problems;
+}
+function display__display(value, dimension, system = "si", digits = 4) {
+
+return $once(display___shown, $kept_display___shown)(value, dimension, system, digits);
+}
+function display___shown(value, dimension, system, digits) {
+let bound, larger, larger_unit, number, size, unit;
+([unit, larger] = $at($at($c10, system), dimension));
+if (($eq(dimension, "temperature"))) {
+return ("" + $str(display___rounded(display___degrees(value, unit), digits)) + " " + $str(unit));
+}
+(number = (value / parse__unit_factor(unit, dimension)));
+if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c26)))) {
+(number = 0.0);
+}
+(size = $b.abs($b.float(display___rounded(number, digits))));
+for ([bound, larger_unit] of $iter(larger)) {
+if ((bound <= size && size < Infinity)) {
+([unit, number] = [larger_unit, (value / parse__unit_factor(larger_unit, dimension))]);
+}
+}
+return $m.rstrip(("" + $str(display___rounded(number, digits)) + " " + $str(unit)));
+}
+const $kept_display___shown = new Map();
+function display___degrees(kelvin, unit) {
+let zero;
+(zero = parse__parse_quantity(("" + "0 " + $str(unit)), "temperature"));
+return ($sub(kelvin, zero) / $sub(parse__parse_quantity(("" + "1 " + $str(unit)), "temperature"), zero));
+}
+function parse__parse_quantity(value, dimension) {
+let kind, problem;
+
+(kind = $at($c11, dimension));
+if (($truth($b.isinstance(value, "int", "float")) && !$truth($b.isinstance(value, "bool")))) {
+if (($eq(dimension, "number"))) {
+return numbers__finite(value, value);
+}
+throw parse___no_unit(value, dimension);
+}
+if (!$truth($b.isinstance(value, "str"))) {
+(problem = ("" + "neither text nor a number, where " + $str(kind.name) + " is needed"));
+throw parse___refused(value, problem, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
+}
+return $once(parse___read, $kept_parse___read)(value, dimension);
+}
+function numbers__finite(number, given) {
+let value;
+
+try {
+(value = $b.float(number));
+} catch ($error) {
+if ($error instanceof $OverflowError) {
+(value = Infinity);
+} else throw $error;
+}
+if (!$truth($math.isfinite(value))) {
+throw numbers___refused(given, "not a finite number", "Give the size that was measured or meant.");
+}
+if ((($eq(value, 0)) && (!$eq(number, 0)))) {
+throw numbers___refused(given, "too small to tell from zero", "Write 0, or check the exponent.");
+}
+return value;
+}
+function numbers___refused(given, message, remedy) {
+return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+}
+function parse___no_unit(value, dimension) {
+let kind, message;
+(kind = $at($c11, dimension));
+(message = ("" + "no unit, where " + $str(kind.name) + " is needed"));
+return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
+}
+function parse___refused(given, message, remedy) {
+return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+}
+function parse___read(text, dimension) {
+let number, unit, unit_text;
+([number, unit_text] = numbers__split_number(text));
+if ((!$truth(unit_text) && (!$eq(dimension, "number")))) {
+throw parse___no_unit(text, dimension);
+}
+(unit = parse___checked_unit(unit_text, dimension, text));
+return numbers__finite($mul($sub(number, unit.zero), unit.factor), text);
+}
+const $kept_parse___read = new Map();
+function numbers__split_number(text) {
+let inverse_unit, match, rest, stripped;
+
+if (($b.len(text) > 80)) {
+throw numbers___refused(text, ("" + "longer than " + $str(80) + " characters"), "Shorten it.");
+}
+(stripped = $m.strip(text));
+(match = $m.match($c12, stripped));
+if ((match == null)) {
+throw numbers___malformed(text, stripped);
+}
+(rest = $m.strip($slice(stripped, $m.end(match), null)));
+(inverse_unit = $and(($m.end(match) < $b.len(stripped)), () => $m.match($c18, rest)));
+if (($truth(rest) && ($truth($m.match($c19, rest)) || $truth($m.isdecimal($at(rest, 0)))) && !$truth(inverse_unit))) {
+throw numbers___malformed(text, stripped);
+}
+return [numbers___decimal($m.group(match), text), rest];
+}
+function numbers___malformed(text, stripped) {
+let digits, head, message, rest;
+
+(head = $m.match($c13, stripped));
+(digits = ($truth(head) ? $m.strip($m.group(head)) : ""));
+(rest = ($truth(head) ? $m.strip($slice(stripped, $b.len($m.group(head)), null)) : ""));
+if (!$truth(stripped)) {
+return numbers___refused(text, "empty, where a number is needed", "Write a number.");
+}
+if ($truth($m.match($c14, stripped))) {
+return numbers___refused(text, "not a finite number", "Give the size that was measured or meant.");
+}
+if ($truth($b.any((function* () { for (const c of $iter(stripped)) { yield $and($m.isdecimal(c), () => !$truth($m.isascii(c))); } })()))) {
+return numbers___refused(text, "digits other than 0-9", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+}
+if (($in(",", digits))) {
+(message = "a comma can mean a decimal point or a thousands separator");
+return numbers___refused(text, message, numbers___write(numbers___comma_readings(digits), rest));
+}
+if (($truth($m.search($c16, digits)) && (!$in("/", digits)))) {
+(message = "digits in groups can be read as one number or as several");
+return numbers___refused(text, message, numbers___write([$m.sub($c16, "", digits)], rest));
+}
+if (($in("/", digits))) {
+return numbers___refused(text, "a fraction, where a decimal number is needed", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+}
+if (($in("−", digits))) {
+return numbers___refused(text, "a typographic minus sign", "Use the plain hyphen-minus '-'.");
+}
+return numbers___refused(text, "does not begin with one plain number", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+}
+function numbers___comma_readings(digits) {
+let _, bare_whole, decimal, decimals, exponent, joined, power, readings, whole;
+
+(exponent = $m.search($c15, digits));
+(power = ($truth(exponent) ? $m.group(exponent) : ""));
+(joined = $m.sub($c16, "", $m.removesuffix(digits, power)));
+([whole, _, decimals] = $m.rpartition(joined, ","));
+(bare_whole = $m.sub($c17, "", whole));
+(readings = [$m.replace(joined, ",", "")]);
+if (((!$in(",", whole)) && (!$in(".", decimals)))) {
+(decimal = ("" + $str(bare_whole) + "." + $str(decimals)));
+(readings = ((($in(".", whole)) || (!$eq($b.len(decimals), 3))) ? [decimal] : [...$iter(readings), decimal]));
+}
+return [...(function* () { for (const reading of $iter(readings)) { yield $add(reading, power); } })()];
+}
+function numbers___write(readings, rest) {
+if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c12, reading); } })()))) {
+return "Use the digits 0-9, a point for decimals, and nothing between thousands.";
+}
+return $add($add("Write ", $m.join(" or ", (function* () { for (const r of $iter(readings)) { yield $shown($m.strip(("" + $str(r) + " " + $str(rest)))); } })())), ".");
+}
+function numbers___decimal(digits, given) {
+let exponent;
+(exponent = $m.search($c15, digits));
+if (((exponent != null) && ($b.len($m.lstrip($m.group(exponent, 1), "0")) > 4))) {
+throw numbers___refused(given, "its exponent is out of range", "Check the exponent.");
+}
+return $b.Decimal(digits);
+}
+function parse___checked_unit(text, dimension, given) {
+let error, found, kind, measured, message, unit;
+(kind = $at($c11, dimension));
+try {
+(unit = $once(parse___resolve, $kept_parse___resolve)(text));
+} catch ($error) {
+if ($error instanceof _UnitTextError) {
+error = $error;
+throw parse___refused(given, $b.str(error), $bound(error, "remedy"));
+} else throw $error;
+}
+if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
+(measured = parse__dimension_of(text));
+(found = ($truth(measured) ? $at($c11, measured).name : "of no dimension used here"));
+(message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
+throw parse___refused(given, message, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
+}
+return unit;
+}
+function parse___resolve(text) {
+return parse___evaluate(text, $once(parse___units, $kept_parse___units)());
+}
+const $kept_parse___resolve = new Map();
+function parse___units() {
+let definition, known, of, size, unit;
+
+(size = $b.len($c20));
+(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c20))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
+for (definition of $iter($c21)) {
+(of = parse___evaluate($bound(definition, "unit"), known));
+(unit = new Unit($mul(definition.factor, of.factor), $bound(of, "powers"), $bound(definition, "zero")));
+$m.update(known, $b.fromkeys(definition.names, unit));
+}
+return known;
+}
+const $kept_parse___units = new Map();
+function parse___evaluate(text, known) {
+let factors, match, message, name, over, plain, power, powers, product, under, unit;
+(plain = $m.replace($m.strip($m.translate(text, $c22)), "**", "^"));
+if (($in(plain, known))) {
+return $at(known, plain);
+}
+(match = (($b.len(plain) <= 40) ? $m.fullmatch($c23, plain) : null));
+if ((match == null)) {
+throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"), "Write a product of units with at most one '/', a product below it in brackets: \"kN/m\", \"N m\", \"mm3/(N m)\".");
+}
+([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
+(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c24, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
+(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c24, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
+if ((($eq($b.len(factors), 1)) && ($eq($at($at(factors, 0), 1), 1)))) {
+return parse___named($at($at(factors, 0), 0), known);
+}
+(product = new Unit($b.Decimal(1), $mul([0], $b.len($c20))));
+for ([name, power] of $iter(factors)) {
+(unit = parse___named(name, known));
+if ($truth(unit.zero)) {
+(message = ("" + $str(name) + " cannot be part of a compound unit: its zero is not 0 K"));
+throw new _UnitTextError(message, "Use K.");
+}
+(powers = $b.tuple((function* () { for (const [a, b] of $iter($b.zip($bound(product, "powers"), $bound(unit, "powers"), $k({strict: true})))) { yield $add(a, $mul(power, b)); } })()));
+(product = new Unit($mul(product.factor, $pow(unit.factor, power)), powers));
+}
+return product;
+}
+function parse___named(name, known) {
+let meant, remedy, same_but_case, unit;
+(unit = $m.get(known, name));
+if ((unit != null)) {
+return unit;
+}
+(same_but_case = [...(function* () { for (const other of $iter(known)) { if (!(($eq($m.casefold(other), $m.casefold(name))))) continue; yield other; } })()]);
+(meant = $or(same_but_case, () => errors__near(name, known, 2)));
+(remedy = "The units are listed in the documentation; case matters.");
+if ($truth(meant)) {
+(remedy = $add($add("Did you mean ", $m.join(" or ", meant)), "?"));
+}
+throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), remedy);
+}
+function parse___powers(dimension) {
+return $once(parse___resolve, $kept_parse___resolve)($bound($at($c11, dimension), "si_unit")).powers;
+}
+const $kept_parse___powers = new Map();
+function parse__dimension_of(unit) {
+let powers;
+
+try {
+(powers = $once(parse___resolve, $kept_parse___resolve)(unit).powers);
+} catch ($error) {
+if ($error instanceof _UnitTextError) {
+return null;
+} else throw $error;
+}
+if ((($in("J", unit)) && ($eq(powers, $once(parse___powers, $kept_parse___powers)("energy_per_area"))))) {
+return "energy_per_area";
+}
+return $b.next((function* () { for (const name of $iter($c25)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
+}
+function display___rounded(number, digits) {
+let exponent, given, rounded, whole;
+
+if (!$truth($math.isfinite(number))) {
+return $b.str(number);
+}
+if (($eq(number, 0))) {
+return "0";
+}
+(given = ("" + $format(number, ("" + "." + $str($sub(4, 1)) + "e"))));
+(whole = $and((digits <= 4), () => $math.isclose($b.float(given), number, ({rel_tol: 1e-09}))));
+if (($truth(whole) && ($neg(4) <= display___exponent(given) && display___exponent(given) < 12))) {
+return ("" + $format($b.Decimal(given).normalize(), ("" + "f")));
+}
+(rounded = ("" + $format(number, ("" + "." + $str($sub(digits, 1)) + "e"))));
+(exponent = display___exponent(rounded));
+if (!($neg(4) <= exponent && exponent < 12)) {
+return rounded;
+}
+return ("" + $format($b.float(rounded), ("" + "." + $str($b.max(0, $sub($sub(digits, 1), exponent))) + "f")));
+}
+function display___exponent(scientific) {
+return $b.int($at($m.rpartition(scientific, "e"), 2));
+}
+function parse__unit_factor(unit, dimension) {
+let resolved;
+
+(resolved = parse___checked_unit(unit, dimension, unit));
+if ($truth(resolved.zero)) {
+throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
+}
+return $b.float($bound(resolved, "factor"));
+}
+function limits__raise_all(problems) {
+
+if ($truth(problems)) {
+throw new InputError(problems);
+}
+}
+function belt_path__turned_by(before, pulley, after) {
+let incoming, outgoing, turned;
+
+([incoming, outgoing] = [belt_path___direction(before, pulley), belt_path___direction(pulley, after)]);
+(turned = (($eq(pulley.turn, "counterclockwise")) ? $sub(outgoing, incoming) : $sub(incoming, outgoing)));
+(turned = (turned % 6.283185307179586));
+return (($sub(6.283185307179586, turned) < 1e-09) ? 0.0 : turned);
+}
+function belt_path___direction(start, end) {
+let dx, dy, offset;
+
+([dx, dy] = [$sub(end.x, start.x), $sub(end.y, start.y)]);
+(offset = $sub(end.side, start.side));
+return $sub($math.atan2(dy, dx), $math.asin((offset / $math.hypot(dx, dy))));
+}
+function across_keys__build_across(record, report) {
+let built, ends;
+
+if (!$truth($b.isinstance(record, Record))) {
+return null;
+}
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c30, "built", [record, report], [...ends]));
+return built;
+}
+function across_keys__check_width(pulleys, belt, report) {
+let across, key, problem, profile, pulley;
+
+if ((!$truth($b.isinstance(belt, Record)) || (!$in("width", belt)))) {
+return null;
+}
+for (pulley of $iter(pulleys)) {
+(across = $m.get(pulley, "across"));
+if (!$truth($b.isinstance(across, Record))) {
+continue;
+}
+for ([key, profile] of $iter($m.items(across))) {
+if ($truth($b.isinstance(profile, WidthProfile))) {
+for (problem of $iter(profile.problems("", $at(belt, "width")))) {
+report.take(new InputError(problem), [...$iter(across.place), key]);
+}
+}
+}
+}
+}
+function drive_build__build_criteria(record, report) {
+let parts;
+
+(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
+}
+function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
+let belt, built, case_, cases, given, more, names, own, problem, speed, sure, tensions, whole;
+
+(belt = $m.get(record, "belt"));
+(names = [...(function* () { for (const item of $iter(pulleys)) { if (!(($in("name", item)))) continue; yield $at(item, "name"); } })()]);
+(cases = [...(function* () { for (const item of $iter($or($m.get(record, "load_case"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+for (problem of $iter(drive__repeated("pulley", names))) {
+report.take(new InputError(problem), []);
+}
+if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
+return [];
+}
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
+(speed = $m.get(belt, "speed"));
+(own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
+(built = []);
+if ((!$truth(cases) || $truth(tensions__complete(own, speed)))) {
+(tensions = $call(tensions__resolve, [own, speed, report], [["sure", sure]]));
+$m.append(built, $call(LoadCase, [], [["name", "design"], ["tensions", tensions]]));
+}
+for (case_ of $iter(cases)) {
+if (($in("train", case_))) {
+report.add([...$iter(case_.place), "train"], "there is no [train] table", "Write one.");
+}
+(given = drive_file___of_case(case_, own, take_up, speed, report));
+(whole = $and(sure, () => case_.sound()));
+(tensions = $call(tensions__resolve, [given, speed, report], [["sure", whole]]));
+if (($in("name", case_))) {
+(more = $map([["kind", $m.get(case_, "kind", "running")], ["condition", conditions__condition_name(case_)]]));
+$m.append(built, $call(LoadCase, [], [["name", $at(case_, "name")], ["tensions", tensions], ...more]));
+}
+}
+for (problem of $iter(drive__repeated("load_case", (function* () { for (const case_ of $iter(built)) { yield case_.name; } })()))) {
+report.take(new InputError(problem), []);
+}
+return $b.tuple(built);
+}
+function drive_file___pulled_at(pulley, belt) {
+let diameter;
+
+(diameter = $m.get(pulley, "diameter"));
+if (((diameter == null) || (belt == null))) {
+return diameter;
+}
+return $add(diameter, $mul(2.0, $or(pitch__pitch_offset(belt, $m.get(pulley, "side", "pulley")), () => 0.0)));
+}
+function pitch__pitch_offset(belt, side) {
+let found;
+
+(found = pitch__tension_offset(pitch__layers_of(belt), ($eq(side, "carry"))));
+return ($truth($math.isnan(found)) ? null : found);
+}
+function pitch__layers_of(belt) {
+let given;
+
+(given = [belt.pulley_cover, belt.carry_cover, belt.carcass, belt.thickness]);
+return pitch__layers(...$iter((function* () { for (const value of $iter(given)) { yield ((value == null) ? NaN : value); } })()));
+}
+function pitch__layers(pulley_cover, carry_cover, carcass, thickness) {
+let known;
+
+(known = ($eq(thickness, thickness)));
+if (($truth(known) && $truth($math.isnan(carcass)))) {
+return new Layers(pulley_cover, carry_cover, $sub($sub(thickness, pulley_cover), carry_cover));
+}
+if (($truth(known) && $truth($math.isnan(carry_cover)))) {
+return new Layers(pulley_cover, $sub($sub(thickness, pulley_cover), carcass), carcass);
+}
+if (($truth(known) && $truth($math.isnan(pulley_cover)))) {
+return new Layers($sub($sub(thickness, carry_cover), carcass), carry_cover, carcass);
+}
+return new Layers(pulley_cover, carry_cover, carcass);
+}
+function pitch__tension_offset(of, carries) {
+
+return $add(pitch__touching_cover(of, carries), $mul(0.5, of.carcass));
+}
+function pitch__touching_cover(of, carries) {
+
+return ($truth(carries) ? of.carry_cover : of.pulley_cover);
+}
+function tensions__complete(given, speed) {
+
+return $b.all((function* () { for (const pair of $iter(tensions__spread(given, speed))) { yield (!$in(null, pair)); } })());
+}
+function tensions__spread(given, speed) {
+let _, entry, i, leaving, pairs, pull, pulls;
+
+(pairs = [...(function* () { for (const item of $iter(given)) { yield new NipTensions($bound(item.values, "entry_tension"), $bound(item.values, "exit_tension")); } })()]);
+(pulls = [...(function* () { for (const item of $iter(given)) { yield tension_rules__pull_given($bound(item, "values"), item.at(speed)); } })()]);
+for (_ of $iter($b.range($mul(2, $b.len(pairs))))) {
+for ([i, pull] of $iter($b.enumerate(pulls))) {
+([entry, leaving] = tension_rules__filled(...$iter($at(pairs, i)), pull));
+if (((entry == null) && (i > 0))) {
+([entry, leaving] = tension_rules__filled($bound($at(pairs, $sub(i, 1)), "exit"), leaving, pull));
+}
+if (((leaving == null) && ($add(i, 1) < $b.len(pairs)))) {
+([entry, leaving] = tension_rules__filled(entry, $bound($at(pairs, $add(i, 1)), "entry"), pull));
+}
+$put(pairs, i, new NipTensions(entry, leaving));
+}
+}
+return pairs;
+}
+function tension_rules__pull_given(of, at) {
+
+if ((of.effective_tension != null)) {
+return of.effective_tension;
+}
+if ((of.torque != null)) {
+return ((at.diameter == null) ? null : load_case__pull_of_torque($bound(of, "torque"), $bound(at, "diameter")));
+}
+if (((of.power == null) || (at.speed == null))) {
+return null;
+}
+return load_case__pull_of_power($bound(of, "power"), $bound(at, "speed"));
+}
+function load_case__pull_of_torque(torque, diameter) {
+
+return ($mul(2.0, torque) / diameter);
+}
+function load_case__pull_of_power(power, speed) {
+
+return (power / speed);
+}
+function tension_rules__filled(entry, leaving, pull) {
+
+if (((pull != null) && (leaving == null) && (entry != null))) {
+return new NipTensions(entry, $sub(entry, pull));
+}
+if (((pull != null) && (entry == null) && (leaving != null))) {
+return new NipTensions($add(leaving, pull), leaving);
+}
+return new NipTensions(entry, leaving);
+}
+function tensions__resolve(given, speed, report, sure = true) {
+let entry, exit_, fault, item, made, place, tensions, wrong;
+
+(wrong = [...(function* () { for (const item of $iter(given)) { yield tensions___wrong(item, speed, report); } })()]);
+if ($truth($b.any(wrong))) {
+return $map([]);
+}
+for (item of $iter(($truth(sure) ? given : []))) {
+(fault = tension_rules__speed_missing($bound(item, "values"), item.at(speed)));
+if ($truth(fault)) {
+(place = (($in(fault.lacks, item.inherited)) ? item.place : [...$iter(item.place), fault.lacks]));
+report.add(place, $bound(fault, "message"), $bound(fault, "remedy"));
+(sure = false);
+}
+}
+if ($truth($b.any((function* () { for (const item of $iter(given)) { yield $and((item.diameter == null), () => (item.values.torque != null)); } })()))) {
+(sure = false);
+}
+(tensions = $map([]));
+for ([item, [entry, exit_]] of $iter($b.zip(given, tensions__spread(given, speed), $k({strict: true})))) {
+if (((entry == null) || (exit_ == null))) {
+if ($truth(sure)) {
+(fault = tension_rules__too_few($bound(item, "values")));
+report.add($bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy"));
+}
+} else {
+if ($truth((made = tensions___made(item, entry, exit_, report)))) {
+$put(tensions, item.name, made);
+}
+}
+}
+return tensions;
+}
+function tensions___wrong(item, speed, report) {
+let fault;
+
+(fault = tension_rules__fault_of($bound(item, "values"), $b.bool($bound(item, "inherited")), item.at(speed), tensions___force));
+if ($truth(fault)) {
+report.add($bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy"));
+}
+return fault;
+}
+function tensions___force(value) {
+return display__display(value, "force");
+}
+function tension_rules__fault_of(of, inherited, at, force) {
+let between, ends, given, message, pull, pulls, remedy;
+
+([pulls, given] = [tension_rules__effective_keys(of), tension_rules__families(of)]);
+if (!$truth(tension_rules__overdetermined(of))) {
+return null;
+}
+if (($b.len(pulls) > 1)) {
+return new LoadFault(("" + $str(tension_rules__listed(pulls)) + " each fix the effective tension"), "Leave one of them out.", "");
+}
+(message = ("" + $str(tension_rules__listed(given)) + " are given, and two of them fix the third"));
+([pull, ends] = [tension_rules__pull_given(of, at), tension_rules__ends_of(of, at)]);
+if (((pull != null) && (ends.entry != null) && (ends.exit != null))) {
+(between = $sub(ends.entry, ends.exit));
+if (($b.abs($sub(pull, between)) > $mul(1e-06, $b.abs(between)))) {
+(message = ("" + $str(tension_rules__listed(given)) + " contradict each other: entry less exit tension is " + $str(force(between)) + ", " + $str($at(pulls, 0)) + " makes " + $str(force(pull))));
+}
+}
+(remedy = "Give two of them in the load case: they replace those of the pulley.");
+return new LoadFault(message, ($truth(inherited) ? remedy : "Leave one of them out."), "");
+}
+function tension_rules__effective_keys(of) {
+
+return [...(function* () { for (const key of $iter($c34)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
+}
+function tension_rules__families(of) {
+let keys, pulls;
+
+(keys = [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
+(pulls = tension_rules__effective_keys(of));
+if (($b.len(pulls) > 0)) {
+$m.append(keys, $at(pulls, 0));
+}
+return keys;
+}
+function tension_rules__overdetermined(of) {
+
+return $or(($b.len(tension_rules__effective_keys(of)) > 1), () => ($b.len(tension_rules__families(of)) > 2));
+}
+function tension_rules__listed(keys) {
+
+return ("" + $str($m.join(", ", $slice(keys, null, $neg(1)))) + " and " + $str($at(keys, $neg(1))));
+}
+function tension_rules__ends_of(of, at) {
+
+return tension_rules__filled($bound(of, "entry_tension"), $bound(of, "exit_tension"), tension_rules__pull_given(of, at));
+}
+function tension_rules__speed_missing(of, at) {
+let remedy;
+
+if (((at.speed != null) || (of.power == null))) {
+return null;
+}
+(remedy = "Write speed = \"3 m/s\" in [belt], or give effective_tension.");
+return new LoadFault("power needs the belt speed", remedy, "power");
+}
+function tensions___made(item, entry, exit_, report) {
+let key, made, message, place, pulls, remedy, side, tension, told, what, why;
+(pulls = tension_rules__effective_keys($bound(item, "values")));
+try {
+(told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
+(why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c36))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
+} catch ($error) {
+if ($error instanceof InputError) {
+([side, tension] = ((exit_ <= 0.0) ? ["exit", exit_] : ["entry", entry]));
+(key = $b.next((function* () { for (const k of $iter(pulls)) { if (!((!$in(k, item.inherited)))) continue; yield k; } })(), ""));
+(place = ($truth(key) ? [...$iter(item.place), key] : item.place));
+(what = ((tension <= 0.0) ? "a belt cannot push" : "no belt carries that"));
+(message = ("" + "leaves an " + $str(side) + " tension of " + $str(display__display(tension, "force")) + ", and " + $str(what)));
+(remedy = "Give a smaller pull or a larger tension on the slack side.");
+report.add(place, message, remedy, ...$iter(($truth(key) ? [$at(item.raw, key)] : [])));
+return null;
+} else throw $error;
+}
+}
+function tension_rules__too_few(of) {
+let given, message;
+
+(given = tension_rules__families(of));
+if (($eq($b.len(given), 0))) {
+return new LoadFault("no tensions are given", "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
+}
+(message = ("" + "only " + $str($at(given, 0)) + " is given, and it takes two quantities to fix the tensions"));
+return new LoadFault(message, "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
+}
+function drive_file___of_case(case_, own, take_up, speed, report) {
+let given, item, name, names, over, place, remedy, table, tables, there;
+
+(tables = $m.get(case_, "pulley", $map([])));
+(names = [...(function* () { for (const item of $iter(own)) { yield item.name; } })()]);
+for (name of $iter(tables)) {
+if ((!$in(name, names))) {
+(there = $m.join(", ", (function* () { for (const name of $iter(names)) { yield $shown(name); } })()));
+(remedy = $or(errors__nearest(name, names), () => ("" + "The pulleys are " + $str(there) + ".")));
+report.add([...$iter(case_.place), "pulley", name], "no such pulley", remedy);
+}
+}
+(given = []);
+for (item of $iter(own)) {
+(table = $m.get(tables, $bound(item, "name")));
+(place = [...$iter(case_.place), "pulley", item.name]);
+(over = ($truth($b.isinstance(table, Record)) ? table : new Record($map([]), place, $map([]))));
+$m.append(given, $method(item, "overridden", [over], [["fixed", take_up.fixed], ["speed", speed]]));
+}
+return given;
+}
+function conditions__condition_name(case_) {
+let value;
+
+(value = $m.get(case_, "condition", ""));
+return ($truth($b.isinstance(value, Record)) ? $b.str($m.get(value, "name", "")) : $b.str(value));
+}
+function conveyor_build__build_conveyor(record, take_up, report) {
+let conveyor, given, message, pulleys, remedy, states;
+
+(pulleys = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+conveyor_build___refuse_tensions(record, pulleys, report);
+if ($truth(take_up.fixed)) {
+(message = "a fixed take-up holds another tension in every load case, and [conveyor] has one");
+(remedy = "Give the tensions of each load case instead of [conveyor].");
+report.add(["take_up", "kind"], message, remedy, $bound(take_up, "kind"));
+}
+if (($b.len($or($m.get(record, "pulley"), () => [])) > 1)) {
+(message = ("" + "gives the tensions of one drive pulley, and there are " + $str($b.len($at(record, "pulley")))));
+report.add(["conveyor"], message, "Put the tensions of a train into [train].");
+}
+(given = $m.get(record, "conveyor"));
+if (!$truth($b.isinstance(given, Record))) {
+return [null, []];
+}
+if ($truth(take_up.after)) {
+(message = "the [conveyor] table says where its take-up stands, take_up_distance");
+report.add(["take_up", "after"], message, "Leave it out.", $bound(take_up, "after"));
+}
+(conveyor = conveyor_build___conveyor(given, $m.get(record, "belt"), take_up, report));
+(states = $and(conveyor, () => report.tried($bound(conveyor, "states"), $bound(given, "place"), $bound(given, "raw"))));
+if ((!$truth(states) || !$truth(pulleys) || (!$in("name", $at(pulleys, 0))))) {
+return [conveyor, []];
+}
+return [conveyor, $b.tuple((function* () { for (const state of $iter(states)) { yield conveyor_build__load_case(state, $at($at(pulleys, 0), "name")); } })())];
+}
+function conveyor_build___refuse_tensions(record, pulleys, report) {
+let key, pulley;
+
+for (pulley of $iter(pulleys)) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
+}
+}
+if (($in("load_case", record))) {
+report.add(["load_case"], "the [conveyor] table gives the load cases already", "Leave it out, or the [conveyor] table.");
+}
+}
+function conveyor_build___conveyor(given, belt, take_up, report) {
+let conveyor, more, speed, told, unsure;
+(more = $map([["sheave_ratio", take_up.sheave_ratio]]));
+(speed = ($truth($b.isinstance(belt, Record)) ? $m.get(belt, "speed") : null));
+if ((speed != null)) {
+$put(more, "speed", speed);
+}
+if ($truth(given.sound())) {
+(conveyor = $method($c37, "built", [given, report], [...more]));
+return conveyor;
+}
+(unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
+(told = conveyor__choices(new Set([...$iter(given), ...$iter(given.faulty), ...$iter(more), ...$iter(($truth(unsure) ? ["speed"] : []))])));
+if ($truth(told)) {
+report.take(new InputError(told), $bound(given, "place"), $bound(given, "raw"));
+}
+return null;
+}
+function conveyor__choices(given) {
+let example, first, key, message, problems, remedy, second;
+
+(problems = []);
+for ([first, second, example] of $iter($c38)) {
+if ((($in(first, given)) && ($in(second, given)))) {
+(message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
+$m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
+} else {
+if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
+(remedy = ("" + "Write " + $str(example) + ", or " + $str(second) + "."));
+$m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], ["remedy", remedy]]));
+}
+}
+}
+for (key of $iter($c39)) {
+if ((($in(key, given)) && (!$in("speed", given)))) {
+(remedy = "Write speed = \"3 m/s\" in [belt].");
+$m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
+}
+}
+return problems;
+}
+function conveyor_build__load_case(state, pulley) {
+let kind, made, tensions, why;
+
+(why = "computed from the resistances of the conveyor");
+(made = $map([["entry", why], ["exit", why]]));
+(tensions = $call(Tensions, [], [["entry", state.entry], ["exit", state.exit], ["computed", made]]));
+(kind = state.kind);
+return $call(LoadCase, [], [["name", state.name], ["tensions", $map([[pulley, tensions]])], ["kind", kind]]);
+}
+function conditions__in_each_condition(cases, conditions) {
+let case_, found, names, split;
+
+(names = [...(function* () { for (const [condition, _] of $iter(conditions.main)) { yield condition.name; } })()]);
+if (($b.len(names) < 2)) {
+return $b.tuple(cases);
+}
+(found = []);
+for (case_ of $iter(cases)) {
+(split = [...(function* () { for (const name of $iter(names)) { yield $replaced(case_, new Map([["name", ("" + $str(case_.name) + ", " + $str(name))], ["condition", name]])); } })()]);
+(found = $add(found, ($truth(case_.condition) ? [case_] : split)));
+}
+return $b.tuple(found);
+}
+function file__train_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
+let belt, belt_record, cases, conditions, criteria, drive, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told;
+
+(document = $call(overridden, [document, overrides], [["file", file]]));
+if ((!$in("train", document))) {
+(drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
+return Train.of(drive);
+}
+([record, report] = source__read_tables($c40, document, file));
+(belt_record = $m.get(record, "belt"));
+(belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
+(own = $m.get(record, "lagging"));
+(laggings = new Laggings(($truth($b.isinstance(own, "dict")) ? own : $map([])), folder, allow_paths, report));
+(records = [...(function* () { for (const item of $iter($or($m.get(record, "pulley"), () => []))) { if (!($truth($b.isinstance(item, Record)))) continue; yield item; } })()]);
+(conditions = conditions__build_conditions(record, report));
+(pulleys = [...(function* () { for (const item of $iter(records)) { yield drive_build__build_pulley(item, laggings, conditions, report); } })()]);
+file___refuse_pulley_tensions(record, records, report);
+if (($in("conveyor", record))) {
+(message = "gives the tensions of one drive, and those of a train stand in [train]");
+report.add(["conveyor"], message, "Leave one of them out.");
+}
+(criteria = drive_build__build_criteria(record, report));
+report.raise_all();
+(known = [belt, [...(function* () { for (const p of $iter(pulleys)) { yield p; } })()]]);
+(reader = new Reader(record, ...$iter(known), report, $bound(criteria, "take_up")));
+(parts = $map([...(function* () { for (const key of $iter(["title", "description", "creep_limit"])) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(cases = reader.cases());
+report.raise_all();
+try {
+return $call(Train, [], [["belt", reader.belt], ["pulleys", reader.actual], ["cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["nominal_diameters", ((!$eq(reader.actual, $b.tuple($bound(reader, "pulleys")))) ? reader.nominal : [])], ...parts]);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+(told = $map([]));
+for (problem of $iter(error.problems)) {
+$m.setdefault(told, [problem.message, problem.value], file___placed(problem, cases, file));
+}
+throw new InputError($m.values(told));
+} else throw $error;
+}
+}
+function file___refuse_pulley_tensions(record, pulleys, report) {
+let case_, key, message, pulley, remedy;
+
+(message = "the tensions of single pulleys follow from [train]");
+for (pulley of $iter(pulleys)) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
+}
+}
+for (case_ of $iter($or($m.get(record, "load_case"), () => []))) {
+if (($truth($b.isinstance(case_, Record)) && ($in("pulley", case_)))) {
+(remedy = "Write a [load_case.train] table.");
+report.add([...$iter(case_.place), "pulley"], message, remedy);
+}
+}
+}
+function file___placed(problem, cases, file) {
+let case_, own, prefix, rest;
+
+for (case_ of $iter(cases)) {
+(prefix = ("" + "load_case." + $str(case_.name) + "."));
+if ($truth($m.startswith(problem.key, prefix))) {
+(rest = $m.removeprefix(problem.key, prefix));
+(own = (($eq(case_.name, "design")) ? [] : ["load_case", case_.name]));
+return $replaced(problem, new Map([["key", ("" + $str(problems__place_text([...$iter(own), "train"])) + "." + $str(rest))], ["file", file]]));
+}
+}
+return $replaced(problem, new Map([["file", file]]));
+}
+function problems__place_text(place) {
+let key, step, text;
+
+(text = "");
+for (step of $iter(place)) {
+if ($truth($b.isinstance(step, "int"))) {
+(text = $add(text, ("" + "[" + $str(step) + "]")));
+continue;
+}
+(key = ($truth($m.fullmatch($c41, step)) ? step : $shown(step)));
+(text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
+}
+return text;
+}
+function source__syntax_problem(text, line, file = "") {
+let lines, message, remedy, value, written;
+
+(lines = $m.split(text, "\n"));
+(written = ((0 < line && line <= $b.len(lines)) ? $m.strip($at(lines, $sub(line, 1))) : ""));
+(message = "not valid TOML");
+(remedy = "Text needs quotes, and so does a quantity: width = \"1200 mm\".");
+if (!$truth($m.strip($m.join("", $slice(lines, $sub(line, 1), null))))) {
+([message, remedy] = ["ends too early", "Close the bracket or the quotes that are left open."]);
+} else {
+if ($truth(source___stands_before(written, $slice(lines, null, $sub(line, 1))))) {
+([message, remedy] = ["is there twice", "Leave one of them out."]);
+} else {
+if (($in("\\", written))) {
+(remedy = "Write paths with / , or in single quotes: 'C:\\drives\\lagging.toml'.");
+}
+}
+}
+(value = ($truth(written) ? $shown(written) : ""));
+return $call(Problem, [], [["message", message], ["remedy", remedy], ["value", value], ["file", file], ["line", line]]);
+}
+function source___stands_before(written, lines) {
+let before, key, keys;
+
+(key = $m.strip($at($m.partition(written, "="), 0)));
+if ($truth($m.startswith(written, "["))) {
+return ($in(written, [...(function* () { for (const before of $iter(lines)) { yield $m.strip(before); } })()]));
+}
+(keys = []);
+for (before of $iter(lines)) {
+(keys = ($truth($m.startswith(before, "[")) ? [] : [...$iter(keys), $m.strip($at($m.partition(before, "="), 0))]));
+}
+return $and((!$eq(key, "")), () => ($in(key, keys)));
+}
+function wrap_arc__of_belt(belt, side, law) {
+let counted, cover;
+
+([counted, cover] = [pitch__counts_shear(law, "cover shear"), pitch__cover_compliance(belt, side)]);
+return $map([["pitch_offset", pitch__pitch_offset(belt, side)], ["cover_compliance", ((counted === false) ? cover : 0.0)], ["cover_left_out", ((counted == null) ? cover : 0.0)], ["side_of_belt", side], ["belt_thickness", pitch__whole_thickness(belt)], ["centrifugal", pitch__centrifugal_of(belt)]]);
+}
+function pitch__counts_shear(law, part) {
+
+return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
+}
+function pitch__cover_compliance(belt, side) {
+let cover, modulus;
+
+(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+(modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
+return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+}
+function pitch__whole_thickness(belt) {
+let total;
+
+(total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
+return ($truth($math.isnan(total)) ? null : total);
+}
+function pitch__centrifugal_of(belt) {
+
+if (((belt.mass == null) || (belt.speed == null))) {
+return 0.0;
+}
+return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
+}
+function pitch__centrifugal_force(mass, speed) {
+
+return $mul($mul(mass, speed), speed);
+}
+function* of_data__weak_sources(drive, pulley) {
+let belt, lagging, owners, source, told, what;
+
+([lagging, belt] = [pulley.lagging, drive.belt]);
+(owners = [[lagging.name, $map([...(function* () { for (const [k, v] of $iter($m.items(lagging.sources))) { if (!((!$eq(k, "law")))) continue; yield [k, v]; } })()])], ["the belt", belt.sources], [("" + "pulley " + $str(pulley.name)), pulley.sources]]);
+(told = [...(function* () { for (const [owner, of] of $iter(owners)) { for (const [k, v] of $iter($m.items(of))) { yield [("" + $str($m.replace(k, "_", " ")) + " of " + $str(owner)), v]; }} })()]);
+if (((pulley.across != null) && (belt.in_plane_shear_stiffness == null))) {
+yield ["estimated", "in-plane shear stiffness of the belt"];
+}
+if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
+yield ["estimated", "cover shear modulus of the belt"];
+}
+for ([what, source] of $iter([...$iter(told), ["the belt", belt.provenance]])) {
+yield* $iter((function* () { for (const kind of $iter(of_data__weaknesses(source))) { yield [kind, what]; } })());
+}
+}
+function pitch__covered(belt) {
+let found;
+
+(found = pitch__layers_of(belt));
+return $or((found.pulley_cover > 0.0), () => (found.carry_cover > 0.0));
+}
+function* of_data__weaknesses(source) {
+
+if ($truth($m.startswith(source.note, "estimated"))) {
+yield "estimated";
+}
+if (($in(source.kind, ["illustrative", "calibrated"]))) {
+yield $b.str($bound(source, "kind"));
+}
+}
+function errors___stopped(sentence) {
+return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
+}
+function problems___renamed(key, names) {
+let name, path, place, position;
+
+(place = []);
+(path = []);
+for ([name, position] of $iter($m.findall($c42, key))) {
+if ($truth(name)) {
+$m.append(path, name);
+$m.append(place, $m.get(names, $m.join(".", path), name));
+} else {
+$m.append(place, $b.int(position));
+}
+}
+return $b.tuple(place);
+}
+function problems__value_at(raw, place) {
+let step;
+
+for (step of $iter(place)) {
+if (($truth($b.isinstance(step, "int")) && $truth($b.isinstance(raw, "Sequence")) && (0 < step && step <= $b.len(raw)))) {
+(raw = $at(raw, $sub(step, 1)));
+} else {
+if (($truth($b.isinstance(raw, "Mapping")) && ($in(step, raw)))) {
+(raw = $at(raw, step));
+} else {
+return $c6;
+}
+}
+}
+return raw;
+}
+function lagging_build__build_laggings(record, report) {
+let common, found, laws, made, notes, parts, sources;
+
+(found = $b.len($bound(report, "problems")));
+(sources = origins__read_sources(record, $c43, report));
+(common = $map([...(function* () { for (const key of $iter($c44)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+$put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
+$put(common, "cost", $c45.built($m.get(record, "cost"), report));
+(common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
+(laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
+(notes = $b.tuple($m.get(record, "notes", [])));
+$put(common, "condition_factors", lagging_build___condition_factors(record, report));
+(parts = [...(function* () { for (const law of $iter(laws)) { yield lagging_build___law_parts(law, record, sources, notes, report); } })()]);
+lagging_build___check_conditions(laws, report);
+if ((!$truth($m.get(record, "law")) && $truth(record.sound("law")))) {
+report.add([...$iter(record.place), "law"], "missing", "Add a [law] table, as the examples show.");
+}
+if ((($b.len($bound(report, "problems")) > found) || !$truth(record.sound()))) {
+return [];
+}
+(made = report.tried((() => $b.tuple((function* () { for (const part of $iter(parts)) { yield $call(Lagging, [], [...common, ...part]); } })())), $bound(record, "place"), $bound(record, "raw")));
+return $or(made, () => []);
+}
+function lagging_build___elasticity(record, sources, provenance, report) {
+let given, known, message, place, remedy, stated;
+
+(given = [...(function* () { for (const key of $iter($c46)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c46)))) {
+return $map([]);
+}
+if ((!$in("thickness", record))) {
+if ($truth(given)) {
+(place = [...$iter(record.place), "thickness"]);
+report.add(place, ("" + "missing, where " + $str($at(given, 0)) + " is given"), "Write thickness = \"12 mm\".");
+}
+return $map([]);
+}
+if ((($in("compression_modulus", record)) && ($in("block", record)))) {
+(message = "given, and the compression modulus as well");
+report.add([...$iter(record.place), "block"], message, "Keep one of them.");
+return $map([]);
+}
+(known = $or(($in("elastic_modulus", record)), () => ($in("shear_modulus", record))));
+if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
+(place = [...$iter(record.place), "shear_modulus"]);
+(remedy = "Give shear_modulus, or elastic_modulus, of which it is a third.");
+report.add(place, "missing, and the lagging is not rigid", remedy);
+return $map([]);
+}
+(stated = $map([...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
+}
+function lagging_build___estimated(record, sources, provenance, report) {
+let basis, block, height, moduli, shape, text, young;
+
+function note(part, basis, text) {
+let of;
+(of = $m.get(sources, basis, provenance));
+$m.setdefault(sources, part, new Provenance($bound(of, "kind"), $bound(of, "source"), $bound(of, "date"), ("" + "estimated: " + $str(text))));
+}
+$sig(note, ["part", "basis", "text"], false);
+(moduli = $map([]));
+if ((!$in("shear_modulus", record))) {
+$put(moduli, "shear_modulus", ($at(record, "elastic_modulus") / 3.0));
+note("shear_modulus", "elastic_modulus", "G = E/3, incompressible rubber");
+}
+if ((!$in("compression_modulus", record))) {
+(basis = (($in("elastic_modulus", record)) ? "elastic_modulus" : "shear_modulus"));
+(young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
+(shape = $m.get(record, "block", $map([])));
+(height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
+(block = $method($c48, "built", [shape, report], [...height]));
+$put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
+$put(moduli, "block", block);
+(text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
+note("compression_modulus", (($in("block", sources)) ? "block" : basis), text);
+}
+return moduli;
+}
+function compression__compression_modulus(elastic_modulus, block) {
+let square;
+
+(square = ($eq(block.shape, "square")));
+return compression__block_modulus(elastic_modulus, square, $bound(block, "width"), $bound(block, "height"), $bound(block, "stiffening"), $bound(block, "contact_fraction"));
+}
+function compression__block_modulus(elastic_modulus, square, width, height, k, contact) {
+let s2;
+
+(s2 = $pow(compression__shape_factor(square, width, height), 2));
+if ($truth(square)) {
+return $mul($mul(contact, elastic_modulus), $add(1.0, $mul($mul(2.0, k), s2)));
+}
+return $mul($mul($mul(contact, (4.0 / 3.0)), elastic_modulus), $add(1.0, $mul(k, s2)));
+}
+function compression__shape_factor(square, width, height) {
+
+return (width / $mul(($truth(square) ? 4.0 : 2.0), height));
+}
+function lagging_build___compression_note(block, modulus) {
+if ((block == null)) {
+return ("" + "E_c = " + $str(modulus) + ", no stiffening by the shape of blocks");
+}
+return ("" + "E_c from " + $str(modulus) + " and the shape of the blocks, Gent and Lindley (1959), " + $str(block.shape) + ", S = " + $format(block.shape_factor, ("" + ".3g")) + ", k = " + $format(block.stiffening, ("" + "g")) + ", contact fraction " + $format(block.contact_fraction, ("" + "g")));
+}
+function lagging_build___condition_factors(record, report) {
+let found, row, source;
+(found = $map([]));
+for (row of $iter($m.get(record, "condition_factor", []))) {
+if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
+(source = origins__read_provenance($at(row, "provenance"), report));
+$put(found, $at(row, "condition"), $method($c49, "built", [row, report], [["source", source]]));
+}
+}
+return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
+}
+function lagging_build___law_parts(law, record, sources, notes, report) {
+let factors, own, parts, scaled, tested;
+
+([own, scaled] = [origins__own_provenance(law, report), null]);
+if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
+(scaled = origins__read_provenance($at(law, "condition_source"), report));
+}
+(parts = $map([["law", own], ["condition", scaled]]));
+(tested = laws__read_law(law, report));
+(factors = ((tested != null) ? lagging_build___factors(tested, law, record, report) : null));
+if ((factors != null)) {
+(parts = $merged(parts, factors.sources));
+}
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c56.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+}
+function laws__read_law(record, report) {
+let error, kind, law, names;
+
+if (!$truth(record.sound())) {
+return null;
+}
+(kind = $at(record, "kind"));
+(names = $merged($c50, $map([["pressure", $m.get($c51, kind, "tested_pressure")]])));
+try {
+
+if (($eq(kind, "integral-log"))) {
+(law = laws___integral_log(record));
+} else {
+if (($eq(kind, "table"))) {
+(law = laws___table(record));
+} else {
+(law = $method($c52, "built", [record, report], [["tested", laws___tested(record)]]));
+}
+}
+if (((law != null) && ($in("slip_includes", record)))) {
+(law = $replaced(law, new Map([["slip_includes", $b.tuple($b.fromkeys($at(record, "slip_includes")))]])));
+}
+return law;
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+report.take(error, $bound(record, "place"), $bound(record, "raw"), names);
+return null;
+} else throw $error;
+}
+}
+function laws___tested(record, ends = null) {
+let missing, pressures, slip, speed, there;
+
+([pressures, slip] = [$m.get(record, "tested_pressure"), $m.get(record, "tested_slip")]);
+(speed = $m.get(record, "tested_slip_speed"));
+if ((ends != null)) {
+if ((pressures != null)) {
+throw laws___problem("tested_pressure", "the tested pressures are the ends of the knots or pieces", "Leave it out.", $shown($at(record.raw, "tested_pressure")));
+}
+(pressures = $b.list(ends));
+}
+if (((slip == null) && (speed != null))) {
+throw laws___problem("tested_slip", "missing, where tested_slip_speed is given", "Give both.");
+}
+if (((slip == null) && ((pressures == null) || (ends != null)))) {
+return null;
+}
+if (((pressures == null) || (slip == null))) {
+([missing, there] = ["tested_pressure", "tested_slip"]);
+if ((slip == null)) {
+([missing, there] = [there, missing]);
+}
+throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given"), "Give both or none.");
+}
+return $call(TestedRange, [], [["pressure_min", $at(pressures, 0)], ["pressure_max", $at(pressures, 1)], ["slip_max", slip], ["slip_speed", speed]]);
+}
+function laws___problem(key, message, remedy = "", value = "") {
+return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["key", key], ["value", value]]));
+}
+function laws___table(record) {
+let problems, rows, slips;
+(rows = $at(record, "rows"));
+laws___check_order(rows, "rows");
+(slips = $b.len($at(record, "slip")));
+(problems = [...(function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((!$eq($b.len($at(row, "friction")), slips)))) continue; yield $call(Problem, [], [["key", ("" + "rows[" + $str(number) + "].friction")], ["message", ("" + $str($b.len($at(row, "friction"))) + " values for " + $str(slips) + " slips")], ["remedy", "Give one for each slip."]]); } })()]);
+laws___raise(problems);
+return $call(MeasuredTable, [], [["slip", $b.tuple($at(record, "slip"))], ["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["values", $b.tuple((function* () { for (const row of $iter(rows)) { yield $b.tuple($at(row, "friction")); } })())]]);
+}
+function laws___check_order(rows, key) {
+let problems;
+
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + "[" + $str(number) + "].pressure")], ["message", ("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure"))))], ["remedy", "Write the rows in order of rising pressure."]]); } })()]);
+laws___raise(problems);
+}
+function laws___raise(problems) {
+let found;
+if ($truth((found = $b.list(problems)))) {
+throw new InputError(found);
+}
+}
+function laws___integral_log(record) {
+let coefficients, found, p, tested;
+if (($eq(($in("knots", record)), ($in("pieces", record))))) {
+(found = (($in("knots", record)) ? "both knots and pieces" : "neither knots nor pieces"));
+throw laws___problem("", ("" + "an integral-log law with " + $str(found)), "Give one of the two.");
+}
+if (($in("knots", record))) {
+(coefficients = laws___knots(record));
+} else {
+(coefficients = laws___pieces(record));
+}
+(p = coefficients.pressure);
+(tested = laws___tested(record, (($b.len(p) > 1) ? [$at(p, 0), $at(p, $neg(1))] : null)));
+return $call(IntegralLog, [], [["coefficients", coefficients], ["tested", tested]]);
+}
+function laws___pieces(record) {
+let error, more, number, pieces, pressure_unit, problems, row, rows, slip_unit;
+(slip_unit = laws___unit(record, "slip_unit", "length", "mm"));
+(pressure_unit = laws___unit(record, "pressure_unit", "pressure", "kPa"));
+(rows = $at(record, "pieces"));
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str(number) + "].from")], ["message", ("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to"))))], ["remedy", "Let the pieces follow each other without gap or overlap."]]); } })()]);
+(pieces = []);
+for ([number, row] of $iter($b.enumerate(rows, $k({start: 1})))) {
+try {
+$m.append(pieces, laws___piece(row, slip_unit, pressure_unit));
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", ("" + "pieces[" + $str(number) + "]." + $str(p.key))]]); } })()]));
+} else throw $error;
+}
+}
+laws___raise(problems);
+(more = (($in("continuity", record)) ? $map([["continuity", $at(record, "continuity")]]) : $map([])));
+return $call(CoefficientPieces, [], [["pressure", [...$iter((function* () { for (const row of $iter(rows)) { yield $at(row, "from"); } })()), $at($at(rows, $neg(1)), "to")]], ["pieces", $b.tuple(pieces)], ["slip_unit", slip_unit], ...more]);
+}
+function laws___unit(record, key, dimension, example) {
+let error, remedy, unit;
+if ((!$in(key, record))) {
+(remedy = ("" + "Write " + $str(key) + " = \"" + $str(example) + "\" or the unit that A and b were fitted in."));
+throw laws___problem(key, "missing, and A and b mean nothing without it", remedy);
+}
+(unit = $at(record, key));
+try {
+return parse__unit_factor(unit, dimension);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+(remedy = ("" + "Write for example \"" + $str(example) + "\"."));
+throw laws___problem(key, $bound($at(error.problems, 0), "message"), remedy);
+} else throw $error;
+}
+}
+function laws___piece(row, slip_unit, pressure_unit) {
+let error, factors, key, problems, trends;
+
+(trends = $map([]));
+(problems = []);
+if ((($in("post_peak_slope", row)) && (!$in("residual_friction", row)))) {
+$m.append(problems, laws___useless_slope("residual_friction"));
+}
+(factors = $map([["A", 1.0], ["b", 1.0], ["post_peak_slope", (1.0 / slip_unit)], ["residual_friction", 1.0]]));
+for (key of $iter([...(function* () { for (const key of $iter(factors)) { if (!(($in(key, row)))) continue; yield key; } })()])) {
+try {
+$put(trends, $m.lower(key), trends__read_trend($at(row, key), pressure_unit, $at(factors, key)));
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", key]]); } })()]));
+} else throw $error;
+}
+}
+laws___raise(problems);
+return $call(Piece, [], [...trends]);
+}
+function laws___useless_slope(key) {
+return $call(Problem, [], [["key", key], ["message", "missing, and without it friction stays at its peak, whatever the slope"], ["remedy", "Give the level that friction falls to."]]);
+}
+function trends__read_trend(text, pressure_unit = 1.0, factor = 1.0) {
+let exponent, single, terms, trend;
+
+(terms = trends___terms(text));
+(single = (($eq($b.len(terms), 1)) ? $at(terms, 0) : null));
+if (($truth(single) && (single.exponent != null))) {
+(trend = trends___scaled_exponent($bound(single, "exponent"), $mul(single.coefficient, $b.Decimal(factor)), text));
+} else {
+if (($truth(single) && ($eq(single.function, "p")) && (!$in(single.power, [0, 1, 2, 3])))) {
+(exponent = $call(Trend, [], [["form", "logarithmic"], ["coefficients", [0.0, single.power]]]));
+(trend = trends___scaled_exponent(exponent, $mul(single.coefficient, $b.Decimal(factor)), text));
+} else {
+(trend = trends___sum(terms, text, $b.Decimal(factor)));
+}
+}
+return trends___over_pascal(trend, pressure_unit);
+}
+function trends___terms(text) {
+let match, pattern, position, terms;
+(pattern = $once(trends___grammar, $kept_trends___grammar)());
+(terms = []);
+(position = 0);
+while ((position < $b.len(text))) {
+(match = $m.match(pattern, text, position));
+if (((match == null) || ($eq($m.end(match), position)))) {
+throw trends___refused(text, "no equation over the pressure p");
+}
+if ((!($truth($at(match, "number")) || $truth($at(match, "factor"))) || ($truth(terms) && !$truth($at(match, "sign"))))) {
+throw trends___refused(text, "no equation over the pressure p");
+}
+$m.append(terms, trends___term(match, text));
+(position = $m.end(match));
+}
+if (!$truth(terms)) {
+throw trends___refused(text, "empty, where an equation is needed");
+}
+return terms;
+}
+function trends___grammar() {
+
+return $c53;
+}
+const $kept_trends___grammar = new Map();
+function trends___refused(text, message) {
+return new InputError($call(Problem, [], [["message", message], ["remedy", "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."], ["value", $shown(text)]]));
+}
+function trends___term(match, text) {
+let coefficient, factor, inner, power;
+(coefficient = $b.Decimal($or($at(match, "number"), () => "1")));
+if (($eq($at(match, "sign"), "-"))) {
+(coefficient = $neg(coefficient));
+}
+(factor = $or($at(match, "factor"), () => ""));
+if ($truth($m.startswith(factor, "ln"))) {
+return new _Term(coefficient, "ln", $b.float($or($at(match, "log_power"), () => 1)), null);
+}
+if ($truth($m.startswith(factor, "exp"))) {
+(inner = trends___sum(trends___terms($at(match, "exponent")), text, $b.Decimal(1)));
+return new _Term(coefficient, "exp", 0.0, inner);
+}
+(power = ($truth(factor) ? $b.float($or($at(match, "within"), () => $or($at(match, "power"), () => "1"))) : 0.0));
+return new _Term(coefficient, "p", power, null);
+}
+function trends___sum(terms, text, factor) {
+let coefficients, count, form, functions, seen, term;
+
+(functions = new Set((function* () { for (const term of $iter(terms)) { if (!($truth(term.power))) continue; yield term.function; } })()));
+if ((($b.len(functions) > 1) || ($in("exp", new Set((function* () { for (const term of $iter(terms)) { yield term.function; } })()))))) {
+throw trends___refused(text, "mixes kinds of trend lines");
+}
+(coefficients = $mul([0.0], 4));
+(seen = $b.set());
+for (term of $iter(terms)) {
+if ((!$in(term.power, [0, 1, 2, 3]))) {
+throw trends___refused(text, "a power of p that is not 1, 2 or 3 cannot be added to others");
+}
+if (($in(term.power, seen))) {
+throw trends___refused(text, "has two terms of the same kind");
+}
+seen.add($bound(term, "power"));
+$put(coefficients, $b.int($bound(term, "power")), trends___finite($mul(term.coefficient, factor), text));
+}
+(count = $add(1, $b.int($b.max(seen))));
+(form = (($eq(functions, new Set(["ln"]))) ? "logarithmic" : "polynomial"));
+return $call(Trend, [], [["form", form], ["coefficients", $b.tuple($slice(coefficients, null, count))]]);
+}
+function trends___finite(number, text) {
+let value;
+(value = $b.float(number));
+if (!$truth($math.isfinite(value))) {
+throw trends___refused(text, "a number that is not finite");
+}
+return value;
+}
+function trends___scaled_exponent(exponent, coefficient, text) {
+let c, first, form, sign, size;
+
+(size = $b.abs(trends___finite(coefficient, text)));
+if (($eq(size, 0.0))) {
+throw trends___refused(text, "is 0 everywhere");
+}
+(c = exponent.coefficients);
+(first = $add($at(c, 0), $math.log(size)));
+(form = (($eq(exponent.form, "logarithmic")) ? "power" : "exponential"));
+(sign = ((coefficient > 0) ? 1 : $neg(1)));
+return $call(Trend, [], [["form", form], ["coefficients", [first, ...$iter($slice(c, 1, null))]], ["sign", sign]]);
+}
+function trends___over_pascal(trend, unit) {
+let c;
+
+(c = trend.coefficients);
+if ((!$eq(unit, 1.0))) {
+if (($in(trend.form, ["logarithmic", "power"]))) {
+(c = trends___shifted(c, $neg($math.log(unit))));
+} else {
+(c = $b.tuple((function* () { for (const [power, value] of $iter($b.enumerate(c))) { yield (value / $pow(unit, power)); } })()));
+}
+}
+return $call(Trend, [], [["form", trend.form], ["coefficients", c], ["sign", trend.sign]]);
+}
+function trends___shifted(c, shift) {
+
+return $b.tuple((function* () { for (const power of $iter($b.range($b.len(c)))) { yield $math.fsum((function* () { for (const k of $iter($b.range(power, $b.len(c)))) { yield $mul($mul($at(c, k), $math.comb(k, power)), $pow(shift, $sub(k, power))); } })()); } })());
+}
+function laws___knots(record) {
+let key, rows, tail;
+for (key of $iter(["slip_unit", "pressure_unit", "continuity"])) {
+if (($in(key, record))) {
+throw laws___problem(key, "belongs to pieces; each number of knots has its own unit");
+}
+}
+(rows = $at(record, "knots"));
+laws___check_order(rows, "knots");
+laws___raise((function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((($m.get(row, "post_peak_slope", 0.0) < 0.0) && (!$in("residual_friction", row))))) continue; yield laws___useless_slope(("" + "knots[" + $str(number) + "].residual_friction")); } })());
+(tail = $b.any((function* () { for (const row of $iter(rows)) { yield $or(($in("post_peak_slope", row)), () => ($in("residual_friction", row))); } })()));
+return $call(PressureKnots, [], [["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["peak_friction", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_friction"); } })())], ["peak_slip", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_slip"); } })())], ["post_peak_slope", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "post_peak_slope", 0.0); } })()) : [])], ["residual_friction", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "residual_friction", $at(row, "peak_friction")); } })()) : [])]]);
+}
+function lagging_build___factors(tested, law, record, report) {
+let found, key, made, source, table, tables;
+
+(tables = $map([]));
+for ([key, table] of $iter([["slip_speed", $c54], ["temperature", $c55]])) {
+if (($in(("" + $str(key) + "_factor"), law))) {
+(source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
+(found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
+if ((found == null)) {
+return null;
+}
+$put(tables, ("" + "by_" + $str(key)), found);
+}
+if (($in(key, record))) {
+$put(tables, key, $at(record, key));
+}
+}
+if (!$truth(tables)) {
+return null;
+}
+(made = report.tried((() => $call(Factors, [], [["law", tested], ...tables])), $bound(record, "place"), $bound(record, "raw")));
+return made;
+}
+function lagging_build___check_conditions(laws, report) {
+let condition, law, message, place, seen;
+(seen = $b.set());
+for (law of $iter(laws)) {
+(condition = $m.get(law, "condition", "dry"));
+if (($in(condition, seen))) {
+(message = "a second law for this condition");
+(place = [...$iter(law.place), "condition"]);
+report.add(place, message, "Give each law its own condition.", condition);
+}
+seen.add(condition);
+}
+}
+function lagging_file__is_path(text) {
+
+return $or($m.endswith(text, ".toml"), () => $or(($in("/", text)), () => ($in("/", text))));
+}
+function lagging_file__catalogue_laggings(name) {
+
+return $once(lagging_file___catalogue_laggings, $kept_lagging_file___catalogue_laggings)(name, laggingText(name));
+}
+function lagging_file___catalogue_laggings(name, text) {
+return lagging_file___built($once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name, text), ("" + "catalogue lagging " + $str(name)));
+}
+const $kept_lagging_file___catalogue_laggings = new Map();
+function lagging_file___catalogue_record(name, text) {
+let record;
+(record = lagging_file___record(text, ("" + "catalogue lagging " + $str(name))));
+if ((!$eq($at(record, "name"), name))) {
+throw new InputError($call(Problem, [], [["file", ("" + "catalogue lagging " + $str(name))], ["key", "name"], ["value", $shown($at(record, "name"))], ["message", "is not the name of its file"], ["remedy", ("" + "Write name = " + $str($shown(name)) + ", or rename the file.")]]));
+}
+return record;
+}
+const $kept_lagging_file___catalogue_record = new Map();
+function lagging_file___record(text, file) {
+return lagging_file___checked_record(parsed(text, file), file);
+}
+function lagging_file___checked_record(document, file) {
+let record, report;
+
+([record, report] = source__read_tables($c57, document, file));
+if ($truth(report.problems)) {
+lagging_build__build_laggings(record, report);
+report.raise_all();
+}
+return record;
+}
+function lagging_file___built(record, file) {
+let laggings, report;
+(report = new Report(file));
+(laggings = lagging_build__build_laggings(record, report));
+report.raise_all();
+return laggings;
+}
+function drive_build___at_home(error) {
+
+return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : $call(Problem, [], [["message", ("" + $str(problem.file) + " " + $str(problem.message))], ["remedy", problem.remedy]])); } })());
+}
+function lagging_file__lagging_record(name_or_path, folder, allow_paths) {
+let path, text;
+
+if (!$truth(lagging_file__is_path(name_or_path))) {
+(text = laggingText(name_or_path));
+return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
+}
+if (!$truth(allow_paths)) {
+throw new InputError($call(Problem, [], [["message", "the path of a file cannot be used here"], ["remedy", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table.")], ["value", $shown(name_or_path)]]));
+}
+(path = readText(folder, name_or_path));
+return [lagging_file___record(readText(path), path), path];
+}
+function drive_build___merged_origins(base, given) {
+let own, provenance, sources;
+
+(own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
+(sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c59)))) continue; yield [key, own]; } })()])));
+(provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
+return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
+}
+function drive_build___given_instead(given) {
+let note;
+
+(note = ("" + "instead of that of " + $str($at(given, "preset"))));
+return new Record($map([["kind", "given"], ["note", note]]), $bound(given, "place"), $map([]));
+}
+function limits__limit_problems(thing, limits) {
+let given, key, limit, message, problems, value;
+
+(problems = []);
+for ([key, limit] of $iter($m.items(limits))) {
+(value = $b.getattr(thing, key));
+(message = ((value == null) ? "" : limit.refusal(value)));
+if ($truth(message)) {
+(given = ($truth(isNumber(value)) ? display__display($b.float(value), $bound(limit, "dimension")) : $shown(value)));
+$m.append(problems, $call(Problem, [], [["key", key], ["value", given], ["message", message]]));
+}
+}
+return problems;
+}
+function conditions__design_ratio(standard, surface, condition, tested = "dry") {
+let band, dry, here, high, known, low, note, source, there;
+
+(there = [...(function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
+(dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
+if (((here == null) || (dry == null))) {
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
+}
+([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
+(band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
+(note = ("" + $str(surface) + " " + $str(condition) + " " + $str(conditions___ends(here)) + " over " + $str(tested) + " " + $str(conditions___ends(dry)) + ", middle values" + $str(band) + "; a ratio of constant design values applied to the whole law"));
+(source = new Provenance("published", $bound(here.provenance, "source"), $bound(here.provenance, "date"), note));
+return [($b.sum($bound(here, "friction")) / $b.sum($bound(dry, "friction"))), source];
+}
+function conditions___ends(design) {
+let high, low;
+([low, high] = design.friction);
+return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, ("" + "g")) + "-" + $format(high, ("" + "g"))));
+}
+function conditions__published_conditions(surface) {
+let values;
+
+(values = (function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
+}
+function tension_rules__overridden(of, over, fixed, at, runs) {
+let between, by, ends, half, pull;
+
+if (($b.len(tension_rules__families(over)) >= 2)) {
+return over;
+}
+(pull = tension_rules__pull_given(over, at));
+if (($truth(fixed) && (pull != null) && ($eq($b.len(tension_rules__effective_keys(over)), 1)))) {
+(ends = tension_rules__ends_of(tension_rules__less_runs(of, $bound(runs, "base"), at), at));
+if (((ends.entry == null) || (ends.exit == null))) {
+return over;
+}
+([half, between] = [$mul(0.5, $add(ends.entry, ends.exit)), $mul(0.5, $sub(pull, runs.case))]);
+return new LoadGiven($add(half, between), $sub(half, between), null, null, null);
+}
+(by = (($b.len(tension_rules__effective_keys(over)) > 0) ? over : of));
+return new LoadGiven(((over.entry_tension == null) ? of.entry_tension : over.entry_tension), ((over.exit_tension == null) ? of.exit_tension : over.exit_tension), $bound(by, "effective_tension"), $bound(by, "torque"), $bound(by, "power"));
+}
+function tension_rules__less_runs(of, runs, at) {
+let pull;
+
+(pull = tension_rules__pull_given(of, at));
+if ((($eq(runs, 0.0)) || (pull == null))) {
+return of;
+}
+return new LoadGiven($bound(of, "entry_tension"), $bound(of, "exit_tension"), $sub(pull, runs), null, null);
+}
+function load_case__exit_behind(entry, leaving) {
+
+return (($b.abs($sub(entry, leaving)) <= $mul(1e-12, entry)) ? entry : leaving);
+}
+function criteria__choice_problems(thing, choices) {
+
+return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield $call(Problem, [], [["key", key], ["value", $shown($b.getattr(thing, key))], ["message", ("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })())))]]); } })()];
+}
+function limits__name_problems(key, name) {
+let message;
+
+if (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($b.len(name) <= 60) && $truth($m.isprintable(name)))) {
+return [];
+}
+(message = "must be a printable text of 1 to 60 characters");
+return [$call(Problem, [], [["key", key], ["value", $shown(name)], ["message", message]])];
+}
+function drive___wrong_pulleys(case_, names) {
+let missing, parts, unknown;
+([missing, unknown] = [$b.sorted($sub(names, $m.keys(case_.tensions))), $b.sorted($sub($m.keys(case_.tensions), names))]);
+(parts = ($truth(missing) ? [("" + "no tensions for " + $str($shown(missing)))] : []));
+(parts = $add(parts, ($truth(unknown) ? [("" + "tensions for " + $str($shown(unknown)) + ", which the drive does not have")] : [])));
+return $call(Problem, [], [["key", ("" + "load_case." + $str(case_.name))], ["message", $m.join(" and ", parts)]]);
+}
+function drive__condition_problems(case_, condition, pulleys) {
+
+return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield $call(Problem, [], [["key", ("" + "load_case." + $str(case_) + ".condition")], ["value", $shown(condition)], ["message", ("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition")]]); } })()];
+}
+function drive__side_problems(belt, pulleys) {
+
+if ($truth($b.all((function* () { for (const key of $iter([...$iter($c63), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
+return [];
+}
+return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield $call(Problem, [], [["message", "the pulley meets the carry side, and carry_cover of the belt is not given"], ["remedy", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers."], ["key", ("" + "pulley." + $str(pulley.name) + ".side")], ["value", $shown($bound(pulley, "side"))]]); } })()];
+}
+function drive__flying_problems(belt, key, least) {
+let force;
+
+(force = pitch__centrifugal_of(belt));
+if ((force < least)) {
+return [];
+}
+return [$call(Problem, [], [["message", ("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force")))], ["remedy", "Give the mass of a metre of belt, not that of the whole belt."], ["key", key]])];
+}
+function train___count_problems(key, values, count) {
+let message;
+if (($eq($b.len(values), count))) {
+return [];
+}
+(message = ("" + "must have one value for each of the " + $str(count) + " pulleys"));
+return [$call(Problem, [], [["key", key], ["value", ("" + $str($b.len(values)) + " values")], ["message", message]])];
+}
+function train___case_problems(case_, names) {
+let count, division, given, message, problems, speeds, where;
+
+([where, count] = [("" + "load_case." + $str(case_.name)), $b.len(names)]);
+(problems = []);
+if (($truth(case_.runs) && (!$eq($b.len($bound(case_, "runs")), $sub(count, 1))))) {
+(message = ("" + "must have one value for each of the " + $str($sub(count, 1)) + " runs between pulleys"));
+(given = ("" + $str($b.len($bound(case_, "runs"))) + " values"));
+$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["value", given], ["message", message]]));
+} else {
+if (!$truth($b.all($b.map($math.isfinite, $bound(case_, "runs"))))) {
+$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["message", "must be finite"]]));
+}
+}
+if ($truth(problems)) {
+return problems;
+}
+(division = case_.division);
+if ($truth($b.isinstance(division, Shares))) {
+return train___share_problems(("" + $str(where) + ".share"), $bound(division, "fractions"), case_, count);
+}
+if ($truth($b.isinstance(division, Pulls))) {
+return train___pull_problems(("" + $str(where) + ".share"), $bound(division, "effective_tensions"), case_, count);
+}
+if ($truth($b.isinstance(division, Speeds))) {
+(speeds = division.rotation_speeds);
+(problems = train___count_problems(("" + $str(where) + ".speeds"), speeds, count));
+if (!$truth($b.all((function* () { for (const speed of $iter(speeds)) { yield (0.0 < speed && speed < Infinity); } })()))) {
+(message = "every speed must be positive and finite");
+$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".speeds")], ["message", message]]));
+}
+return problems;
+}
+return train___motor_problems(("" + $str(where) + ".motor"), $bound(division, "motors"), names);
+}
+function train___share_problems(key, fractions, case_, count) {
+let given, message, problems, pulls, remedy, total;
+(problems = train___count_problems(key, fractions, count));
+(total = $math.fsum(fractions));
+if ((!$truth(problems) && !($b.abs($sub(total, 1.0)) <= 1e-06))) {
+(given = $m.join(", ", (function* () { for (const f of $iter(fractions)) { yield ("" + $format(f, ("" + "g"))); } })()));
+(message = ("" + "the shares must sum to 1 and sum to " + $format(total, ("" + ".6g"))));
+(remedy = "Give fractions like 0.5 or 50 %.");
+$m.append(problems, $call(Problem, [], [["key", key], ["value", ("" + "[" + $str(given) + "]")], ["message", message], ["remedy", remedy]]));
+}
+(pulls = [...(function* () { for (const f of $iter(fractions)) { yield $mul(f, case_.effective_tension); } })()]);
+return $or(problems, () => train___slack_problems(key, pulls, case_));
+}
+function train___slack_problems(key, pulls, case_) {
+let low, message, remedy;
+(low = $b.min((function* () { for (const pair of $iter(train__tensions_at(case_, pulls))) { yield $b.min(pair); } })()));
+if ((low > 0.0)) {
+return [];
+}
+(message = ("" + "leaves a tension of " + $str(display__display(low, "force")) + " in the belt, and a belt cannot push"));
+(remedy = "Give other shares, or more tension on the slack side.");
+return [$call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]])];
+}
+function train__tensions_at(case_, pulls) {
+let runs;
+
+(runs = [...(function* () { for (const i of $iter($b.range($b.len(pulls)))) { yield case_.run(i); } })()]);
+return train__along($bound(case_, "entry_tension"), $bound(case_, "exit_tension"), runs, pulls);
+}
+function train__along(entry, exit_, runs, pulls) {
+let i, now, out, pairs, pull, run;
+
+(pairs = []);
+(now = entry);
+for ([i, [pull, run]] of $iter($b.enumerate($b.zip(pulls, runs, $k({strict: true}))))) {
+(out = (($eq(i, $sub($b.len(pulls), 1))) ? exit_ : $sub(now, pull)));
+$m.append(pairs, new Pair(now, out));
+(now = $add(out, run));
+}
+return pairs;
+}
+function train___pull_problems(key, pulls, case_, count) {
+let asked, message, problems, size, total;
+(problems = train___count_problems(key, pulls, count));
+([total, asked] = [$math.fsum(pulls), case_.effective_tension]);
+(size = $b.max($bound(case_, "entry_tension"), $bound(case_, "exit_tension")));
+if ((!$truth(problems) && !($b.abs($sub(total, asked)) <= $mul(1e-06, size)))) {
+(message = ("" + "the pulleys together pull " + $str($call(display__display, [total, "force"], [["digits", 6]])) + ", and the tensions at both ends ask for " + $str($call(display__display, [asked, "force"], [["digits", 6]]))));
+$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+}
+return $or(problems, () => train___slack_problems(key, pulls, case_));
+}
+function train___motor_problems(key, motors, names) {
+let by_name, leads, message, motor, name, problems, where;
+(problems = train___count_problems(key, motors, $b.len(names)));
+if ($truth(problems)) {
+return problems;
+}
+(by_name = $b.dict($b.zip(names, motors, $k({strict: true}))));
+for ([name, motor] of $iter($m.items(by_name))) {
+if (!$truth($b.isinstance(motor, TorqueFollower))) {
+continue;
+}
+(leads = $m.get(by_name, $bound(motor, "master")));
+(where = ("" + $str(key) + "." + $str(name) + ".master"));
+if ((leads == null)) {
+(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
+$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+} else {
+if ($truth($b.isinstance(leads, TorqueFollower))) {
+(message = "the drive that is followed must not follow another one itself");
+$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+}
+}
+}
+if (($eq($at($b.Counter($b.map($b.type, motors)), TorqueFollower), $b.len(motors)))) {
+(message = "every drive follows another one: one must hold the speed");
+$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+}
+return problems;
+}
+function train___case_of(drive, case_) {
+let pairs, runs;
+(pairs = [...(function* () { for (const p of $iter(drive.pulleys)) { yield $at(case_.tensions, p.name); } })()]);
+(runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
+return $call(TrainCase, [], [["name", case_.name], ["entry_tension", $at(pairs, 0).entry], ["exit_tension", $at(pairs, $neg(1)).exit], ["division", new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })()))], ["runs", ($truth($b.any(runs)) ? runs : [])], ["kind", case_.kind], ["condition", case_.condition]]);
+}
+function drive__named(what, name, among, of = "the drive") {
+let one;
+
+for (one of $iter(among)) {
+if (($in(name, [null, one.name]))) {
+return one;
+}
+}
+throw $call(errors__no_such, [what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()]], [["of", of]]);
+}
+function errors__no_such(what, name, known, of = "the drive") {
+let names, there;
+
+(names = $b.list(known));
+(there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
+return new InputError($call(Problem, [], [["message", ("" + $str(of) + " has no such " + $str(what))], ["remedy", $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there)))], ["value", $shown(name)]]));
+}
+function tension_rules__behind_take_up(now, first, after, before) {
+let lost, pull, pull_0;
+
+if (((now.entry == null) || (now.exit == null) || (first.entry == null) || (first.exit == null))) {
+return null;
+}
+([pull, pull_0] = [$sub(now.entry, now.exit), $sub(first.entry, first.exit)]);
+(lost = $sub($mul(after.share, $add(pull, after.runs)), after.behind));
+(lost = $sub(lost, $sub($mul(before.share, $add(pull_0, before.runs)), before.behind)));
+return new NipTensions($add($sub(first.exit, lost), pull), $sub(first.exit, lost));
+}
+function base__check(...tests) {
+let failed;
+
+(failed = [...(function* () { for (const [passed, key, value, message] of $iter(tests)) { if (!(!$truth(passed))) continue; yield $call(Problem, [], [["key", key], ["value", value], ["message", message]]); } })()]);
+if ($truth(failed)) {
+throw new InputError(failed);
+}
+}
+function table___ascending(values) {
+return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
+}
+function coefficients___list(values, unit = "") {
+return $add($m.join(", ", (function* () { for (const v of $iter(values)) { yield ("" + $format(v, ("" + "g"))); } })()), ($truth(unit) ? ("" + " " + $str(unit)) : ""));
+}
+function coefficients__peak_from_ab(a, b) {
+let slip;
+
+(slip = $math.exp($sub((b / a), 1.0)));
+return [$mul($neg(a), slip), slip];
+}
+function factors___outside(key, value, table, dimension) {
+let ends, high, low, message, remedy;
+
+if ((value == null)) {
+return [];
+}
+if ((table == null)) {
+(message = ("" + "given, and the law has no " + $str(key) + "_factor"));
+(remedy = ("" + "Leave it out, or add [law." + $str(key) + "_factor] with its source."));
+return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", remedy]])];
+}
+([low, high] = [(($eq(key, "slip_speed")) ? 0.0 : $at(table.at, 0)), $at(table.at, $neg(1))]);
+if ((low <= value && value <= high)) {
+return [];
+}
+(ends = ("" + $str(display__display($at(table.at, 0), dimension)) + " to " + $str(display__display(high, dimension))));
+(message = ("" + "outside the " + $str(ends) + " that its factor is known for"));
+return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", "Test the lagging there, and add the factor to its table."]])];
+}
+function tables___kind_of(owner, attribute) {
+let kind, rigid, types;
+
+if ((owner == null)) {
+throw new $TypeError(("" + $str(attribute) + " has neither a kind nor a class that says it"));
+}
+if (($in(attribute, $b.getattr(owner, "LIMITS", $map([]))))) {
+(kind = tables__limited(owner, attribute));
+(rigid = $and((kind.limit != null), () => kind.limit.rigid));
+return ($truth(rigid) ? new WordOr("rigid", kind, Infinity) : kind);
+}
+(types = $map([...(function* () { for (const f of $iter($fields(owner))) { yield [f.name, f.type]; } })()]));
+if (($in($at(types, attribute), [$b.bool, "bool"]))) {
+return new Flag();
+}
+throw new $TypeError(("" + $str(owner.__name__) + " does not say what " + $str(attribute) + " may be"));
+}
+function tables__limited(owner, key) {
+let limit;
+
+(limit = $at(owner.LIMITS, key));
+return new Quantity($bound(limit, "dimension"), limit);
+}
+function tables__missing_remedy(entry) {
+let kind;
+
+(kind = entry.kind);
+if ($truth(entry.example)) {
+return ("" + "Write " + $str(entry.example) + ".");
+}
+if ($truth($b.isinstance(kind, Quantity))) {
+return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c11, kind.dimension), "example"))) + ".");
+}
+if ($truth($b.isinstance(kind, Choice))) {
+return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another of its words.");
+}
+return ("" + "Add " + $str(entry.key) + ".");
+}
+function tables___sound(value) {
+
+if ($truth($b.isinstance(value, Record))) {
+return value.sound();
+}
+if ($truth($b.isinstance(value, "dict"))) {
+return $b.all($b.map(tables___sound, $m.values(value)));
+}
+if ($truth($b.isinstance(value, "list"))) {
+return $b.all($b.map(tables___sound, value));
+}
+return (value !== $c6);
+}
+function tables___frozen(value) {
+return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
+}
+function tables__need(key, meaning = "", kind = $c602, more = new Map()) {
+
+return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
+}
+function resistance__no_coefficient(length) {
+let least;
+
+if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
+return [];
+}
+(least = $at($at($c606, 0), 0));
+return [$call(Problem, [], [["key", "length"], ["value", display__display(length, "length")], ["message", ("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated")], ["remedy", "Give secondary_resistance, or a length_coefficient of your own."]])];
+}
+function resistance__coefficient_at(length) {
+let end, found, high, low, start;
+
+(found = ((length < $at($at($c606, 0), 0)) ? NaN : $at($at($c606, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c606))) {
+if ((start <= length && length <= end)) {
+return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
+}
+}
+return found;
+}
+function conveyor___known(value, other) {
+return ((value == null) ? other : value);
+}
+function conveyor___slack(state, least) {
+let message, remedy, where;
+
+(where = (($in(least, [state.entry, state.exit])) ? "beside the drive pulley" : "at the far end"));
+(message = ("" + "leaves a belt tension of " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name) + ", and a belt cannot push"));
+(remedy = "Give a larger take-up tension.");
+return $call(Problem, [], [["key", "take_up_tension"], ["message", message], ["remedy", remedy]]);
+}
+function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
+let cosine;
+
+(cosine = $math.sqrt($sub(1.0, $pow((lift / length), 2))));
+return $mul($mul($mul(friction_factor, length), 9.80665), $add(rotating, $mul(carried, cosine)));
+}
+function resistance__slope_resistance(lift, carried) {
+
+return $mul($mul(9.80665, lift), carried);
+}
+function resistance__inertia(acceleration, length, moving) {
+
+return $mul($mul(acceleration, length), moving);
+}
+function motors___rpm(speed) {
+return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
+}
+function kinds__table_labels(rows) {
+let names;
+
+(names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
+return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
+}
+function quantity_text__quantity_text(value, dimension) {
+let digits, exact, factor, number, plain, text, unit;
+
+([unit, factor] = display__display_unit(dimension));
+(number = (value / factor));
+(exact = ($b.Decimal($b.repr(value)) / $b.Decimal($b.repr(factor))));
+for (digits of $iter([("" + $format(number, ("" + ".15g"))), ("" + $format(number, ("" + ".16g"))), ("" + $format(number, ("" + ".17g"))), $b.str(exact)])) {
+(plain = ("" + $format($b.Decimal(digits), ("" + "f"))));
+(text = ("" + $str((($b.len(plain) < 20) ? plain : digits)) + " " + $str(unit)));
+if (($eq(parse__parse_quantity(text, dimension), value))) {
+return text;
+}
+}
+return ("" + $repr(value) + " " + $str($at($c11, dimension).si_unit));
+}
+function display__display_unit(dimension, system = "si") {
+let unit;
+
+(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c10, system), dimension), 0)));
+return [unit, parse__unit_factor(unit, dimension)];
+}
+class Problem extends $Object {
+$init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
+__str__() {
+const self = this; let given, place, sentence;
+(place = self.file);
+if ((self.line != null)) {
+(place = ($truth(place) ? ("" + $str(place) + ", line " + $str(self.line)) : ("" + "line " + $str(self.line))));
+}
+(given = $m.join(" = ", (function* () { for (const part of $iter([self.key, self.value])) { if (!($truth(part))) continue; yield part; } })()));
+(sentence = $m.join(": ", (function* () { for (const part of $iter([place, given, self.message])) { if (!($truth(part))) continue; yield part; } })()));
+return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
+}
+}
+class WraparcError extends $Error {
+}
+class InputError extends WraparcError {
+$init(problems) {
+const self = this; (self.problems = ($truth($b.isinstance(problems, Problem)) ? [problems] : $b.tuple(problems)));
+if (!$truth(self.problems)) {
+throw new $TypeError("InputError needs at least one Problem");
+}
+super.$init($bound(self, "problems"));
+}
+__str__() {
+const self = this; let lines;
+if (($eq($b.len($bound(self, "problems")), 1))) {
+return $b.str($at(self.problems, 0));
+}
+(lines = $m.join("\n", (function* () { for (const problem of $iter(self.problems)) { yield ("" + "  - " + $str(problem)); } })()));
+return ("" + $str($b.len($bound(self, "problems"))) + " problems:\n" + $str(lines));
+}
+}
+class Report extends $Object {
+$init(file = "") {
+const self = this; (self.file = file);
+(self.problems = []);
+(self._left_out = 0);
+}
+add(place, message, remedy = "", value = $c6) {
+const self = this; let given;
+
+if ($truth(self.full)) {
+(self._left_out = $add(self._left_out, 1));
+return null;
+}
+(given = ((value === $c6) ? "" : $shown(value)));
+self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", problems__place_text(place)], ["value", given]]));
+}
+take(error, place, raw = $c6, names = null) {
+const self = this; let below, given, key, problem, value;
+
+for (problem of $iter(error.problems)) {
+if ($truth(problem.file)) {
+self._append(problem);
+continue;
+}
+(below = problems___renamed($bound(problem, "key"), $or(names, () => $map([]))));
+(given = problems__value_at(raw, below));
+(value = ((given === $c6) ? problem.value : $shown(given)));
+if ($truth($b.isinstance(given, "list", "dict"))) {
+(value = problem.value);
+}
+(key = problems__place_text($add(place, below)));
+self._append($replaced(problem, new Map([["key", key], ["value", value], ["file", self.file]])));
+}
+}
+tried(make, place, raw = $c6, names = null) {
+const self = this; let error;
+
+try {
+return make();
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+self.take(error, place, raw, names);
+return null;
+} else throw $error;
+}
+}
+sure(make, place = []) {
+const self = this; let made;
+
+(made = self.tried(make, place));
+self.raise_all();
+
+return made;
+}
+_append(problem) {
+const self = this; (problem = ($truth(problem.file) ? problem : $replaced(problem, new Map([["file", self.file]]))));
+if (($in(problem, self.problems))) {
+return null;
+}
+if (($b.len($bound(self, "problems")) < 50)) {
+$m.append(self.problems, problem);
+} else {
+(self._left_out = $add(self._left_out, 1));
+}
+}
+raise_all() {
+const self = this; let message;
+
+if ($truth(self._left_out)) {
+(message = ("" + $str(self._left_out) + " more problems are not listed"));
+$m.append(self.problems, $call(Problem, [], [["message", message], ["file", self.file]]));
+}
+if ($truth(self.problems)) {
+throw new InputError($bound(self, "problems"));
+}
+}
+get full() {
+const self = this; 
+return ($b.len($bound(self, "problems")) >= 50);
+}
+}
+class Record extends $Dict {
+$init(values, place, raw, faulty = []) {
+const self = this; super.$init(values);
+(self.place = place);
+(self.raw = raw);
+(self.faulty = $b.set(faulty));
+}
+sound(...keys) {
+const self = this; 
+return ($truth(keys) ? $m.isdisjoint(self.faulty, keys) : !$truth(self.faulty));
+}
+}
+class Provenance extends $Object {
+$init(kind = "given", source = "", date = "", note = "") { this.kind = kind; this.source = source; this.date = date; this.note = note; this.__post_init__?.(); }
+__post_init__() {
+const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
+throw new InputError($call(Problem, [], [["message", "a published number without a source"], ["remedy", "Name the publication, or call the number given or illustrative."]]));
+}
+}
+__str__() {
+const self = this; let origin, stated;
+(origin = $m.join(", ", (function* () { for (const part of $iter([self.source, self.date])) { if (!($truth(part))) continue; yield part; } })()));
+(stated = ($truth(origin) ? ("" + $str(self.kind) + ": " + $str(origin)) : $b.str($bound(self, "kind"))));
+return ($truth(self.note) ? ("" + $str(stated) + " (" + $str(self.note) + ")") : stated);
+}
+}
+class Laggings extends $Object {
+$init(own, folder, allow_paths, report) {
+const self = this; (self._report = report);
+(self._folder = folder);
+(self._allow_paths = allow_paths);
+(self._names = $b.tuple(own));
+(self._own = $map([]));
+(self._built = $map([]));
+(self._own = $map([...(function* () { for (const [name, record] of $iter($m.items(own))) { yield [name, ($truth($b.isinstance(record, Record)) ? self._merged(record, name) : null)]; } })()]));
+(self._built = $map([...(function* () { for (const [name, record] of $iter($m.items(self._own))) { yield [name, ($truth(record) ? lagging_build__build_laggings(record, report) : [])]; } })()]));
+}
+of(value, place) {
+const self = this; let kept, merged, name, record;
+
+if ($truth($b.isinstance(value, Record))) {
+(merged = self._merged(value, ""));
+return ($truth(merged) ? lagging_build__build_laggings(merged, $bound(self, "_report")) : []);
+}
+if (($in(value, self._built))) {
+return $at(self._built, $b.str(value));
+}
+(name = $b.str(value));
+(record = self._found(name, place));
+if ((record == null)) {
+return [];
+}
+if ($truth(lagging_file__is_path(name))) {
+return lagging_build__build_laggings(record, $bound(self, "_report"));
+}
+(kept = self._report.tried((() => lagging_file__catalogue_laggings(name)), place, name));
+return $or(kept, () => []);
+}
+_found(name, place) {
+const self = this; let error, known;
+
+if (($in(name, self._own))) {
+return ($truth($at(self._built, name)) ? $at(self._own, name) : null);
+}
+try {
+(known = [...$iter(self._names), ...$iter(laggingNames())]);
+if ((!$truth(lagging_file__is_path(name)) && (!$in(name, known)))) {
+throw loader__unknown_name("lagging", name, known, "wraparc laggings");
+}
+return $at(lagging_file__lagging_record(name, $bound(self, "_folder"), $bound(self, "_allow_paths")), 0);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+self._report.take(drive_build___at_home(error), place, name);
+return null;
+} else throw $error;
+}
+}
+_merged(given, name) {
+const self = this; let base, group, key, owner, values;
+
+(base = null);
+if (($in("preset", given))) {
+(base = self._found($at(given, "preset"), [...$iter(given.place), "preset"]));
+if ((base == null)) {
+return null;
+}
+}
+(values = $b.dict($or(base, () => $map([]))));
+for (group of $iter($c58)) {
+if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
+for (key of $iter(group)) {
+$m.pop(values, key, null);
+}
+}
+}
+(owner = (($b.len($bound(given, "place")) > 1) ? $b.str($at(given.place, $neg(2))) : "lagging"));
+(values = $map([["name", $or(name, () => owner)], ...values, ...given]));
+if ((base != null)) {
+(values = $merged(values, drive_build___merged_origins(base, given)));
+}
+return new Record(values, $bound(given, "place"), $bound(given, "raw"), $bound(given, "faulty"));
+}
+}
+class Condition extends $Object {
+$init(name, factor = null, factors = new Map(), standard = "", source = new Provenance()) { this.name = name; this.factor = factor; this.factors = factors; this.standard = standard; this.source = source; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+lagging(lagging) {
+const self = this; let factor, source;
+
+if (($eq(lagging.condition, self.name))) {
+return lagging;
+}
+([factor, source] = self.factor_of(lagging));
+return $replaced(lagging, new Map([["law", lagging.law.scaled(factor)], ["condition", self.name], ["sources", $map([...lagging.sources, ["condition", source]])], ["fit", null], ["factors", null], ["notes", [...$iter(lagging.notes), self._told(lagging, factor, source)]]]));
+}
+_told(lagging, factor, source) {
+const self = this; let by;
+
+(by = ((source.kind === "published") ? ("" + ", " + $str($at($m.partition(source.source, " and "), 0))) : ""));
+return ("" + $str(self.name) + ": friction " + $format(factor, ("" + ".3g")) + " of " + $str(lagging.condition) + $str(by));
+}
+of(laws) {
+const self = this; let tested;
+
+(tested = $b.next((function* () { for (const lagging of $iter(laws)) { if (!(($eq(lagging.condition, self.name)))) continue; yield lagging; } })(), null));
+if ((tested != null)) {
+return tested;
+}
+return self.lagging($b.next((function* () { for (const lag of $iter(laws)) { if (!(($eq(lag.condition, "dry")))) continue; yield lag; } })(), $at(laws, 0)));
+}
+factor_of(lagging) {
+const self = this; let own;
+
+(own = $m.get(lagging.condition_factors, $bound(self, "name")));
+if ((own != null)) {
+return [own.factor, own.source];
+}
+if (($in(lagging.surface, self.factors))) {
+return [$at(self.factors, lagging.surface), self.source];
+}
+if ($truth(self.standard)) {
+return conditions__design_ratio($bound(self, "standard"), $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
+}
+if ((self.factor != null)) {
+return [self.factor, self.source];
+}
+if (($eq(self.name, "dry") && $eq("dry", lagging.condition))) {
+return [1.0, new Provenance()];
+}
+return self._published(lagging);
+}
+_published(lagging) {
+const self = this; let standard, tables;
+
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
+try {
+return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
+} catch ($error) {
+if ($error instanceof InputError) {
+continue;
+} else throw $error;
+}
+}
+throw new InputError(self._uncovered(lagging));
+}
+_uncovered(lagging) {
+const self = this; let covered, known, name;
+(known = conditions__published_conditions($bound(lagging, "surface")));
+(covered = ($truth(known) ? ("" + "of " + $str(lagging.surface) + " " + $str($m.join(", ", known))) : "of its surface none"));
+if (!$truth(lagging.surface)) {
+(covered = "its surface is not said, so that no published value applies");
+}
+(name = $shown($bound(self, "name")));
+return $call(Problem, [], [["key", ("" + "condition." + $str(self.name))], ["message", ("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")")], ["remedy", $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })())]]);
+}
+}
+class Conditions extends $Object {
+$init(main = [], cases = []) { this.main = main; this.cases = cases;  }
+get several() {
+const self = this; 
+return [...$iter((($b.len($bound(self, "main")) > 1) ? self.main : [])), ...$iter(self.cases)];
+}
+}
+class Point extends $Object {
+$init(x, y, diameter = 0.0, turn = "clockwise") { this.x = x; this.y = y; this.diameter = diameter; this.turn = turn; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+get side() {
+const self = this; 
+return $mul((self.diameter / 2.0), (($eq(self.turn, "counterclockwise")) ? 1.0 : $neg(1.0)));
+}
+}
+class _UnitTextError extends $Error {
+$init(message, remedy) {
+const self = this; super.$init(message);
+(self.remedy = remedy);
+}
+}
+class Unit extends $Object {
+$init(factor, powers, zero = $c67) { this.factor = factor; this.powers = powers; this.zero = zero;  }
+*[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
+}
+class WidthProfile extends $Object {
+$init(position = [], value = [], crown = 0.0, uncertainty = null) { this.position = position; this.value = value; this.crown = crown; this.uncertainty = uncertainty; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, numbers, problems, wrong;
+(problems = []);
+(numbers = [...$iter(self.position), ...$iter(self.value), self.crown]);
+if ((!$truth($b.all($b.map($math.isfinite, numbers))) || (!$eq($b.len($bound(self, "position")), $b.len($bound(self, "value")))))) {
+(message = "must be pairs of finite numbers, position and value");
+$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", $b.str($b.len($bound(self, "position")))], ["message", message]]));
+} else {
+if (($eq($b.len($bound(self, "position")), 1))) {
+(message = "one row alone makes no profile");
+$m.append(problems, $call(Problem, [], [["key", "rows"], ["message", message], ["remedy", "Give two rows or more."]]));
+}
+}
+(wrong = [...(function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "position")))) { if (!((b <= a))) continue; yield b; } })()]);
+if ($truth(wrong)) {
+$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", display__display($at(wrong, 0), "length")], ["message", "the positions must ascend from one edge of the belt to the other"], ["remedy", "Sort the rows by position, the middle of the belt being 0."]]));
+}
+limits__raise_all(problems);
+}
+
+problems(key, width) {
+const self = this; let beyond, edge;
+
+(edge = $mul($mul(0.5, width), $add(1.0, 1e-09)));
+(beyond = [...(function* () { for (const y of $iter(self.position)) { if (!(($b.abs(y) > edge))) continue; yield y; } })()]);
+if (!$truth(beyond)) {
+return [];
+}
+return [$call(Problem, [], [["key", key], ["value", display__display($at(beyond, 0), "length")], ["message", ("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length")))], ["remedy", "Give positions from the middle of the belt, and leave out rows beside it."]])];
+}
+get largest() {
+const self = this; 
+return $add($b.max([...$iter(self.value), 0.0]), $b.max($bound(self, "crown"), 0.0));
+}
+}
+class Criteria extends $Object {
+$init(take_up = new TakeUp(), standard = new DesignStandard(), safety = new SafetyFactors(), sag = null) { this.take_up = take_up; this.standard = standard; this.safety = safety; this.sag = sag;  }
+}
+class Layers extends $Object {
+$init(pulley_cover, carry_cover, carcass) { this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass;  }
+*[Symbol.iterator]() { yield this.pulley_cover; yield this.carry_cover; yield this.carcass; }
+}
+class Given extends $Object {
+$init(name, place, values, raw, diameter, inherited = []) { this.name = name; this.place = place; this.values = values; this.raw = raw; this.diameter = diameter; this.inherited = inherited;  }
+static of(name, record, diameter) {
+const cls = this; let values;
+
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
+return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
+}
+at(speed) {
+const self = this; 
+return new DrumAt($bound(self, "diameter"), speed);
+}
+overridden(record, fixed = false, speed = null, runs = $c61) {
+const self = this; let kept, over, own, values;
+
+(over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
+(values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
+(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
+(kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
+return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
+}
+less_runs(runs, speed) {
+const self = this; 
+return $replaced(self, new Map([["values", tension_rules__less_runs($bound(self, "values"), runs, self.at(speed))]]));
+}
+}
+class NipTensions extends $Object {
+$init(entry, exit) { this.entry = entry; this.exit = exit;  }
+*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+}
+class LoadFault extends $Object {
+$init(message, remedy, lacks) { this.message = message; this.remedy = remedy; this.lacks = lacks;  }
+*[Symbol.iterator]() { yield this.message; yield this.remedy; yield this.lacks; }
+}
+class Tensions extends $Object {
+$init(entry, exit, computed = new Map()) { this.entry = entry; this.exit = exit; this.computed = computed; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+(self.exit = load_case__exit_behind($bound(self, "entry"), $bound(self, "exit")));
+}
+get effective() {
+const self = this; 
+return $sub(self.entry, self.exit);
+}
+}
+class LoadCase extends $Object {
+$init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let problems;
+(problems = criteria__choice_problems(self, $map([["kind", $c62]])));
+limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
+}
+}
+class Viewable extends $Object {
+
+
+}
+class Drive extends Viewable {
+$init(title = "", belt, pulleys, load_cases, creep_limit = 0.00635, criteria = new Criteria(), description = "", conveyor = null) { this.title = title; this.belt = belt; this.pulleys = pulleys; this.load_cases = load_cases; this.creep_limit = creep_limit; this.criteria = criteria; this.description = description; this.conveyor = conveyor; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let case_, key, message, names, problems, pulley;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if (!(1 <= $b.len($bound(self, "pulleys")) && $b.len($bound(self, "pulleys")) <= 10)) {
+(message = ("" + "a drive needs 1 to " + $str(10) + " pulleys"));
+$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str($b.len($bound(self, "pulleys")))], ["message", message]]));
+}
+(problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
+(problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.load_cases)) { yield c.name; } })())));
+(problems = $add(problems, self.criteria.take_up.place_problems([...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()])));
+(names = new Set((function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()));
+for (case_ of $iter(self.load_cases)) {
+if ((!$eq($m.keys(case_.tensions), names))) {
+$m.append(problems, drive___wrong_pulleys(case_, names));
+}
+(problems = $add(problems, drive__condition_problems($bound(case_, "name"), $bound(case_, "condition"), $bound(self, "pulleys"))));
+}
+(problems = $add(problems, drive__side_problems($bound(self, "belt"), $bound(self, "pulleys"))));
+(problems = $add(problems, self._mass_problems()));
+for (pulley of $iter(self.pulleys)) {
+if ((pulley.across != null)) {
+(key = ("" + "pulley." + $str(pulley.name) + ".across"));
+(problems = $add(problems, pulley.across.problems(key, $bound(self.belt, "width"))));
+}
+}
+limits__raise_all(problems);
+}
+_mass_problems() {
+const self = this; let case_, least, mass, other, problems;
+
+(problems = []);
+(mass = self.belt.mass);
+if ((mass == null)) {
+return problems;
+}
+if (((self.conveyor != null) && ($b.abs($sub((self.conveyor.belt_mass / mass), 1.0)) > 0.005))) {
+(other = display__display($bound(self.conveyor, "belt_mass"), "mass_per_length"));
+$m.append(problems, $call(Problem, [], [["message", ("" + "the belt of [conveyor] has belt_mass = " + $str(other))], ["remedy", "Both are the mass of a metre of belt: give one, or the same twice."], ["key", "belt.mass"], ["value", display__display(mass, "mass_per_length")]]));
+}
+for (case_ of $iter(self.load_cases)) {
+(least = $b.min((function* () { for (const t of $iter($m.values(case_.tensions))) { yield $b.min($bound(t, "entry"), $bound(t, "exit")); } })(), $k({default: Infinity})));
+(problems = $add(problems, drive__flying_problems($bound(self, "belt"), ("" + "load_case." + $str(case_.name)), least)));
+}
+return problems;
+}
+get conditions() {
+const self = this; 
+return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.load_cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
+}
+take_up_tension(case_) {
+const self = this; let after;
+
+(after = self.criteria.take_up.after);
+return ($truth(after) ? $at(case_.tensions, after).exit : self.slack_end(case_));
+}
+slack_end(case_) {
+const self = this; let first, last, pull;
+
+([first, last] = (function* () { for (const p of $iter([$at(self.pulleys, 0), $at(self.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
+(pull = $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })()));
+return ((pull >= 0.0) ? last.exit : first.entry);
+}
+}
+class Train extends $Object {
+$init(title = "", description = "", belt, pulleys, cases, nominal_diameters = [], creep_limit = 0.00635, criteria = new Criteria()) { this.title = title; this.description = description; this.belt = belt; this.pulleys = pulleys; this.cases = cases; this.nominal_diameters = nominal_diameters; this.creep_limit = creep_limit; this.criteria = criteria; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let case_, count, given, least, message, names, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+(count = $b.len($bound(self, "pulleys")));
+if (!(1 <= count && count <= 10)) {
+(message = ("" + "a train needs 1 to " + $str(10) + " pulleys"));
+$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str(count)], ["message", message]]));
+}
+(problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
+(problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.cases)) { yield c.name; } })())));
+(problems = $add(problems, self.criteria.take_up.place_problems([...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()])));
+if (!$truth(self.cases)) {
+$m.append(problems, $call(Problem, [], [["key", "load_case"], ["message", "a train needs a load case"]]));
+}
+if ($truth(self.nominal_diameters)) {
+(problems = $add(problems, train___count_problems("nominal_diameters", $bound(self, "nominal_diameters"), count)));
+if (!$truth($b.all((function* () { for (const d of $iter(self.nominal_diameters)) { yield (0.0 < d && d < Infinity); } })()))) {
+(message = "must be positive and finite");
+(given = $b.str($b.list($bound(self, "nominal_diameters"))));
+$m.append(problems, $call(Problem, [], [["key", "nominal_diameters"], ["value", given], ["message", message]]));
+}
+}
+(names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
+for (case_ of $iter(self.cases)) {
+(problems = $add(problems, train___case_problems(case_, names)));
+(problems = $add(problems, drive__condition_problems($bound(case_, "name"), $bound(case_, "condition"), $bound(self, "pulleys"))));
+(least = $b.min($bound(case_, "entry_tension"), $bound(case_, "exit_tension")));
+(problems = $add(problems, drive__flying_problems($bound(self, "belt"), ("" + "load_case." + $str(case_.name)), least)));
+}
+(problems = $add(problems, drive__side_problems($bound(self, "belt"), $bound(self, "pulleys"))));
+limits__raise_all(problems);
+}
+static of(drive) {
+const cls = this; 
+return $call(cls, [], [["title", drive.title], ["description", drive.description], ["belt", drive.belt], ["pulleys", drive.pulleys], ["cases", $b.tuple((function* () { for (const case_ of $iter(drive.load_cases)) { yield train___case_of(drive, case_); } })())], ["creep_limit", drive.creep_limit], ["criteria", drive.criteria]]);
+}
+get nominal() {
+const self = this; 
+return $or(self.nominal_diameters, () => $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.diameter; } })()));
+}
+case(name = "") {
+const self = this; 
+return $call(drive__named, ["load case", $or(name, () => null), $bound(self, "cases")], [["of", "the train"]]);
+}
+get conditions() {
+const self = this; 
+return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
+}
+}
+class Reader extends $Object {
+$init(record, belt, pulleys, report, take_up) {
+const self = this; ([self.belt, self.pulleys, self._report, self._take_up] = [belt, pulleys, report, take_up]);
+(self._record = record);
+(self._train = $at(record, "train"));
+(self.nominal = $b.tuple((function* () { for (const p of $iter(pulleys)) { yield p.diameter; } })()));
+(self.actual = self._with_actual_diameters());
+}
+_with_actual_diameters() {
+const self = this; let diameters;
+(diameters = $m.get(self._train, "diameters"));
+if (((diameters == null) || !$truth(self._counted($bound(self, "_train"), "diameters")))) {
+return $b.tuple($bound(self, "pulleys"));
+}
+return $b.tuple((function* () { for (const [pulley, d] of $iter($b.zip($bound(self, "pulleys"), diameters, $k({strict: true})))) { yield $replaced(pulley, new Map([["diameter", d]])); } })());
+}
+_counted(record, key) {
+const self = this; let message;
+
+if (($eq($b.len($at(record, key)), $b.len($bound(self, "pulleys"))))) {
+return true;
+}
+(message = ("" + "must have one value for each of the " + $str($b.len($bound(self, "pulleys"))) + " pulleys, in belt order"));
+$method(self._report, "add", [[...$iter(record.place), key], message], [["value", $at(record.raw, key)]]);
+return false;
+}
+cases() {
+const self = this; let built, case_, empty, over, speed, table, tables, train;
+
+([train, speed] = [self._train, self.belt.speed]);
+(tables = [...(function* () { for (const c of $iter($or($m.get(self._record, "load_case"), () => []))) { if (!($truth($b.isinstance(c, Record)))) continue; yield c; } })()]);
+(built = []);
+if ((!$truth(tables) || $truth(tensions__complete([self._given(train, null)], speed)) || $truth(self._powers(train)))) {
+$m.append(built, self._case("design", train, null));
+}
+for (table of $iter(tables)) {
+(over = $m.get(table, "train"));
+(empty = new Record($map([]), [...$iter(table.place), "train"], $map([])));
+(case_ = self._case($at(table, "name"), train, ((over != null) ? over : empty)));
+$m.append(built, $and(case_, () => $replaced(case_, new Map([["kind", $m.get(table, "kind", "running")], ["condition", conditions__condition_name(table)]]))));
+}
+return [...(function* () { for (const case_ of $iter(built)) { if (!((case_ != null))) continue; yield case_; } })()];
+}
+_case(name, train, over) {
+const self = this; let division, error, given, message, place, pull, runs, tensions, total;
+(place = ((over == null) ? train.place : over.place));
+(runs = self._runs(train, over));
+(division = self._division(train, over));
+(given = self._given(train, over));
+(pull = self._powers((((over == null) || (!$in("share", over))) ? train : over)));
+if (($truth(pull) && ($b.len(tension_rules__families($bound(given, "values"))) < 2))) {
+(given = $replaced(given, new Map([["values", $replaced(given.values, new Map([["effective_tension", pull]]))]])));
+}
+(given = given.less_runs($b.sum(runs), $bound(self.belt, "speed")));
+(given = self._held(given, train, over, runs, division));
+(tensions = $m.get(tensions__resolve([given], $bound(self.belt, "speed"), $bound(self, "_report")), $bound(given, "name")));
+if (((division == null) || (tensions == null))) {
+return null;
+}
+(total = $add(tensions.effective, $b.sum(runs)));
+if (($truth(pull) && ($b.abs($sub(total, pull)) > $mul(0.005, $b.abs(pull))))) {
+(message = ("" + "the powers make a pull of " + $str(display__display(pull, "force")) + " at the belt speed, and the tensions one of " + $str(display__display(total, "force"))));
+self._report.add([...$iter(place), "share"], message, "Leave one of them out.");
+return null;
+}
+try {
+return $call(TrainCase, [], [["name", name], ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["division", division], ["runs", ($truth($b.any(runs)) ? runs : [])]]);
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+self._report.take(error, place);
+return null;
+} else throw $error;
+}
+}
+_given(train, over) {
+const self = this; let fixed, given, runs;
+(given = Given.of("train", train, null));
+if ((over == null)) {
+return given;
+}
+([runs, fixed] = [$c61, self._take_up.fixed]);
+if ($truth(fixed)) {
+(runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
+}
+return $method(given, "overridden", [over], [["fixed", fixed], ["speed", self.belt.speed], ["runs", runs]]);
+}
+_held(given, train, over, runs, division) {
+const self = this; let after, base, ends, first, k, message, names, own, remedy;
+
+([names, after] = [[...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()], self._take_up.after]);
+if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
+return given;
+}
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c34), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
+return given;
+}
+([own, base] = [self._runs(train, null), self._division(train, null)]);
+if ((!$truth($b.isinstance(division, Shares)) || !$truth($b.isinstance(base, Shares)))) {
+(message = "gives its pull alone, and how much of it the drives behind the take-up take follows from their speeds or motors");
+(remedy = ("" + "Give exit_tension too, so that the belt behind " + $str(after) + " keeps its tension."));
+self._report.add($bound(over, "place"), message, remedy);
+return given;
+}
+(first = self._given(train, null).less_runs($b.sum(own), $bound(self.belt, "speed")));
+(k = $add($m.index(names, after), 1));
+(ends = tension_rules__behind_take_up(self._ends(given), self._ends(first), new BehindTakeUp($math.fsum($slice(division.fractions, k, null)), $b.sum($slice(runs, $sub(k, 1), null)), $b.sum(runs)), new BehindTakeUp($math.fsum($slice(base.fractions, k, null)), $b.sum($slice(own, $sub(k, 1), null)), $b.sum(own))));
+if ((ends == null)) {
+return given;
+}
+return $replaced(given, new Map([["values", $b.type($bound(given, "values"))(...$iter(ends))], ["inherited", []]]));
+}
+_ends(given) {
+const self = this; return tension_rules__ends_of($bound(given, "values"), given.at($bound(self.belt, "speed")));
+}
+_runs(train, over) {
+const self = this; let message, name, names, place, places, remedy, table, there;
+(table = $b.dict($m.get(train, "run", $map([]))));
+(places = $b.fromkeys(table, train.place));
+if ((over != null)) {
+(table = $merged(table, $m.get(over, "run", $map([]))));
+(places = $merged(places, $b.fromkeys($m.get(over, "run", $map([])), over.place)));
+}
+(names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
+for ([name, place] of $iter($m.items(places))) {
+if ((!$in(name, $slice(names, 1, null)))) {
+(there = $m.join(", ", $b.map($shown, $slice(names, 1, null))));
+(message = (($in(name, names)) ? "the first pulley has no run before it" : ("" + "no such pulley; runs lead to " + $str(there))));
+(remedy = errors__nearest(name, $slice(names, 1, null)));
+self._report.add([...$iter(place), "run", name], message, remedy);
+}
+}
+return $b.tuple((function* () { for (const name of $iter($slice(names, 1, null))) { yield $m.get(table, name, 0.0); } })());
+}
+_division(train, over) {
+const self = this; let message, modes, record;
+
+(record = train);
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c64)) { yield ($in(mode, over)); } })())))) {
+(record = over);
+}
+(modes = [...(function* () { for (const mode of $iter($c64)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+if (($b.len(modes) > 1)) {
+(message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
+self._report.add($bound(record, "place"), message, "Keep one of them.");
+return null;
+}
+if (!$truth(modes)) {
+if (($in("diameters", train))) {
+return new Speeds($b.tuple((function* () { for (const d of $iter(self.nominal)) { yield (1.0 / d); } })()));
+}
+if (($eq($b.len($bound(self, "pulleys")), 1))) {
+return new Shares([1.0]);
+}
+self._report.add($bound(record, "place"), "nothing says how the load divides", "Write share = [\"50 %\", \"50 %\"], speeds = \"equal\", or a [train.motor.NAME] for each pulley.");
+return null;
+}
+if (($eq(modes, ["motor"]))) {
+return self._motors($at(record, "motor"), train);
+}
+return (($eq(modes, ["share"])) ? self._shares(record) : self._speeds(record));
+}
+_shares(record) {
+const self = this; let kind, message, total, values;
+if ((!$truth(self._counted(record, "share")) || !$truth(self._one_kind(record, "share")))) {
+return null;
+}
+([kind, values] = [$at($at($at(record, "share"), 0), 0), [...(function* () { for (const [_, value] of $iter($at(record, "share"))) { yield value; } })()]]);
+(total = (($eq(kind, "power")) ? $math.fsum(values) : 1.0));
+if (($eq(total, 0.0))) {
+(message = "the powers sum to 0, so that there is nothing to share");
+$method(self._report, "add", [[...$iter(record.place), "share"], message], [["value", $at(record.raw, "share")]]);
+return null;
+}
+return new Shares($b.tuple((function* () { for (const value of $iter(values)) { yield (value / total); } })()));
+}
+_powers(record) {
+const self = this; let values;
+
+(values = $m.get(record, "share"));
+if ((!$truth(values) || ($in($c6, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
+return null;
+}
+return ($math.fsum((function* () { for (const [_, value] of $iter(values)) { yield value; } })()) / self.belt.speed);
+}
+_speeds(record) {
+const self = this; let kind, values;
+if (($eq($at(record, "speeds"), "equal"))) {
+return new Speeds($mul([1.0], $b.len($bound(self, "pulleys"))));
+}
+if ((!$truth(self._counted(record, "speeds")) || !$truth(self._one_kind(record, "speeds")))) {
+return null;
+}
+([kind, values] = [$at($at($at(record, "speeds"), 0), 0), [...(function* () { for (const [_, value] of $iter($at(record, "speeds"))) { yield value; } })()]]);
+if (($eq(kind, "rotation_speed"))) {
+return $call(Speeds, [$b.tuple(values)], [["absolute", true]]);
+}
+return new Speeds($b.tuple((function* () { for (const [v, d] of $iter($b.zip(values, $bound(self, "nominal"), $k({strict: true})))) { yield (v / d); } })()));
+}
+_one_kind(record, key) {
+const self = this; let message;
+if (($eq($b.len(new Set((function* () { for (const [kind, _] of $iter($at(record, key))) { yield kind; } })())), 1))) {
+return true;
+}
+(message = "must be all of one kind");
+$method(self._report, "add", [[...$iter(record.place), key], message], [["value", $at(record.raw, key)]]);
+return false;
+}
+_motors(tables, train) {
+const self = this; let made, message, missing, motors, name, names, remedy;
+(names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
+for (name of $iter((function* () { for (const name of $iter(tables)) { if (!((!$in(name, names)))) continue; yield name; } })())) {
+(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
+self._report.add([...$iter(train.place), "motor", name], message, errors__nearest(name, names));
+}
+(missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
+for (name of $iter(missing)) {
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c65))) + "\"."));
+self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
+}
+if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
+return null;
+}
+(motors = [...(function* () { for (const name of $iter(names)) { yield self._motor($at(tables, name)); } })()]);
+(made = $b.tuple((function* () { for (const motor of $iter(motors)) { if (!((motor != null))) continue; yield motor; } })()));
+return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
+}
+_motor(record) {
+const self = this; let motor;
+(motor = $c66.built(record, $bound(self, "_report")));
+return motor;
+}
+}
+class CatalogueBelt extends $Object {
+$init(name, kind, rating, modulus, least_pulley_diameter = null, carcass = null, carcass_mass = null, cover_mass = null, provenance, carcass_source = null) { this.name = name; this.kind = kind; this.rating = rating; this.modulus = modulus; this.least_pulley_diameter = least_pulley_diameter; this.carcass = carcass; this.carcass_mass = carcass_mass; this.cover_mass = cover_mass; this.provenance = provenance; this.carcass_source = carcass_source;  }
+get sources() {
+const self = this; 
+return ($truth(self.carcass_source) ? $map([["carcass", self.carcass_source]]) : $map([]));
+}
+}
+class OfBelt extends $Dict {
+}
+class TestedRange extends $Object {
+$init(pressure_min, pressure_max, slip_max, slip_speed = null) { this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.slip_speed = slip_speed; this.__post_init__?.(); }
+__post_init__() {
+const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
+}
+}
+class FrictionLaw extends $Object {
+$init(slip_includes = null) { this.slip_includes = slip_includes;  }
+scaled(friction = 1.0, slip = 1.0) {
+const self = this; 
+return (($eq(friction, slip) && $eq(slip, 1.0)) ? self : self._scaled(friction, slip));
+}
+}
+class MeasuredTable extends FrictionLaw {
+$init(slip_includes = null, slip, pressure, values) { this.slip_includes = slip_includes; this.slip = slip; this.pressure = pressure; this.values = values; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let m, numbers;
+(m = $b.len($bound(self, "slip")));
+(numbers = [...$iter(self.slip), ...$iter(self.pressure), ...$iter((function* () { for (const row of $iter(self.values)) { for (const v of $iter(row)) { yield v; }} })())]);
+base__check([$b.all($b.map($math.isfinite, numbers)), "values", "", "the table must hold finite numbers only"], [$and((m >= 2), () => ($eq($at(self.slip, 0), 0.0))), "slip", ("" + $str(m) + " slips"), "at least two slips, the first of them 0, are needed"], [table___ascending($bound(self, "slip")), "slip", "", "the slips must be in ascending order"], [$or($b.all((function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "slip")))) { yield ($sub(b, a) >= 1e-09); } })()), () => !$truth(table___ascending($bound(self, "slip")))), "slip", "", "the slips must be at least 1 nm apart"], [!$truth($b.any((function* () { for (const slip of $iter(self.slip)) { yield (1000.0 < slip && slip < Infinity); } })())), "slip", ("" + $format($b.max($bound(self, "slip"), $k({default: 0.0})), ("" + "g")) + " m"), "the slips must be at most 1 km"], [$and($b.bool($bound(self, "pressure")), () => $and(table___ascending($bound(self, "pressure")), () => $b.all((function* () { for (const p of $iter(self.pressure)) { yield (p > 0); } })()))), "pressure", "", "the pressures must be positive and in ascending order"], [$and(($eq($b.len($bound(self, "values")), $b.len($bound(self, "pressure")))), () => $b.all((function* () { for (const row of $iter(self.values)) { yield ($eq($b.len(row), m)); } })())), "friction", "", ("" + "the table must have a row of " + $str(m) + " values for each of " + $str($b.len($bound(self, "pressure"))) + " pressures")], [$and($b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, null, 1))) { yield $or(($eq(v, 0.0)), () => (v >= 1e-06)); }} })()), () => $b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, 1, null))) { yield (v >= 1e-06); }} })())), "friction", "", ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " past slip 0, that or 0 at slip 0")], [($b.len(new Set((function* () { for (const row of $iter(self.values)) { if (!($truth(row))) continue; yield ($at(row, 0) > 0); } })())) <= 1), "friction", "", "friction at slip 0 must be 0 at every pressure or positive at every pressure"]);
+}
+
+_scaled(friction, slip) {
+const self = this; let rows;
+(rows = $b.tuple((function* () { for (const row of $iter(self.values)) { yield $b.tuple((function* () { for (const mu of $iter(row)) { yield $mul(mu, friction); } })()); } })()));
+return $replaced(self, new Map([["slip", $b.tuple((function* () { for (const x of $iter(self.slip)) { yield $mul(x, slip); } })())], ["values", rows]]));
+}
+get tested() {
+const self = this; 
+return $call(TestedRange, [], [["pressure_min", $at(self.pressure, 0)], ["pressure_max", $at(self.pressure, $neg(1))], ["slip_max", $at(self.slip, $neg(1))]]);
+}
+}
+class _Term extends $Object {
+$init(coefficient, function_, power, exponent) { this.coefficient = coefficient; this.function = function_; this.power = power; this.exponent = exponent;  }
+*[Symbol.iterator]() { yield this.coefficient; yield this.function; yield this.power; yield this.exponent; }
+}
+class Trend extends $Object {
+$init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coefficients = coefficients; this.sign = sign; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let n;
+(n = $b.len($bound(self, "coefficients")));
+base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+}
+times(factor) {
+const self = this; let c;
+
+(c = self.coefficients);
+if (($in(self.form, ["power", "exponential"]))) {
+return $replaced(self, new Map([["coefficients", [$add($at(c, 0), $math.log(factor)), ...$iter($slice(c, 1, null))]]]));
+}
+return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (const v of $iter(c)) { yield $mul(v, factor); } })())]]));
+}
+}
+class Piece extends $Object {
+$init(a, b, post_peak_slope = $c68, residual_friction = $c69) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
+}
+class CoefficientPieces extends $Object {
+$init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let n, problems;
+(n = $b.len($bound(self, "pieces")));
+base__check([(n >= 1), "pieces", $b.str(n), "at least one piece is needed"], [($eq($b.len($bound(self, "pressure")), $add(n, 1))), "pressure", coefficients___list($bound(self, "pressure"), "Pa"), ("" + "must have " + $str($add(n, 1)) + " pressures, the ends of " + $str(n) + " pieces")], [(0.0 < self.slip_unit && self.slip_unit < Infinity), "slip_unit", ("" + $format(self.slip_unit, ("" + "g")) + " m"), "the unit of slip must be positive and finite"], [$and($b.all((function* () { for (const [a, b] of $iter($b.zip($bound(self, "pressure"), $slice(self.pressure, 1, null), $k({strict: false})))) { yield (a < b); } })()), () => $b.all((function* () { for (const p of $iter(self.pressure)) { yield (0 < p && p < Infinity); } })())), "pressure", coefficients___list($bound(self, "pressure"), "Pa"), "the transition pressures must be positive, finite and in ascending order"]);
+(problems = $or([...(function* () { for (const i of $iter($b.range(n))) { for (const p of $iter(self._piece_problems(i))) { yield p; }} })()], () => self._jumps()));
+if ($truth(problems)) {
+throw new InputError(problems);
+}
+}
+
+_jumps() {
+const self = this; let bad, high, i, low, name, p, u, v;
+(bad = []);
+for (i of $iter($b.range($sub($b.len($bound(self, "pieces")), 1)))) {
+(p = $at(self.pressure, $add(i, 1)));
+([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab($b.float(s.a(p)), $b.float(s.b(p))); } })());
+for ([name, u, v] of $iter([["peak friction", $at(low, 0), $at(high, 0)], ["peak slip", $at(low, 1), $at(high, 1)]])) {
+if (($b.abs($sub((v / u), 1.0)) > self.continuity)) {
+$m.append(bad, $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]")], ["value", ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %")]]));
+}
+}
+(bad = $add(bad, self._tail_jumps(i, p, low, high)));
+}
+return bad;
+}
+_tail_jumps(i, p, low, high) {
+const self = this; let _, apart, friction, levels, lower, piece, slopes;
+
+([levels, slopes] = [[], []]);
+for ([piece, [friction, _]] of $iter($b.zip($slice(self.pieces, i, $add(i, 2)), [low, high], $k({strict: true})))) {
+$m.append(levels, $b.min($b.float(piece.residual_friction(p)), friction));
+$m.append(slopes, (($at(levels, $neg(1)) < friction) ? $b.float(piece.post_peak_slope(p)) : 0.0));
+}
+(apart = ($mul($mul($b.abs($sub($at(slopes, 1), $at(slopes, 0))), self.slip_unit), $at(low, 1)) / $at(low, 0)));
+(lower = ($truth($b.all(slopes)) ? ($mul($at(levels, 1), $at(low, 0)) / $mul($at(levels, 0), $at(high, 0))) : 1.0));
+return [...(function* () { for (const [name, key, pair, unit, of, jump] of $iter([["the slope past the peak", "post_peak_slope", slopes, " 1/m", " of the peak friction over a peak slip", apart], ["residual friction", "residual_friction", levels, "", "", $b.abs($sub(lower, 1.0))]])) { if (!((jump > self.continuity))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]." + $str(key))], ["value", ("" + $format($at(pair, 0), ("" + "g")) + " and " + $format($at(pair, 1), ("" + "g")) + $str(unit))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %" + $str(of))]]); } })()];
+}
+
+scaled(friction, slip) {
+const self = this; 
+return $replaced(self, new Map([["slip_unit", $mul(self.slip_unit, slip)], ["pieces", $b.tuple((function* () { for (const piece of $iter(self.pieces)) { yield $replaced(piece, new Map([["a", piece.a.times(friction)], ["b", piece.b.times(friction)], ["post_peak_slope", piece.post_peak_slope.times((friction / slip))], ["residual_friction", piece.residual_friction.times(friction)]])); } })())]]));
+}
+}
+class PressureKnots extends $Object {
+$init(pressure, peak_friction, peak_slip, post_peak_slope = [], residual_friction = []) { this.pressure = pressure; this.peak_friction = peak_friction; this.peak_slip = peak_slip; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let n;
+(n = $b.len($bound(self, "pressure")));
+base__check([(n >= 1), "pressure", $b.str(n), "at least one knot is needed"], ...$iter((function* () { for (const [name, values, optional] of $iter(self._columns())) { yield [$or(($eq($b.len(values), n)), () => $and(optional, () => !$truth(values))), name, ("" + $str($b.len(values)) + " values"), ("" + "must have " + $str(n) + " values, one for each pressure")]; } })()), ...$iter((function* () { for (const [name, values, _] of $iter(self._columns())) { yield [$b.all($b.map($math.isfinite, values)), name, $b.str(values), "must be finite numbers"]; } })()), [$and($b.all((function* () { for (const [a, b] of $iter($b.zip($bound(self, "pressure"), $slice(self.pressure, 1, null), $k({strict: false})))) { yield (a < b); } })()), () => $b.all((function* () { for (const p of $iter(self.pressure)) { yield (p > 0); } })())), "pressure", coefficients___list($bound(self, "pressure"), "Pa"), "the pressures of the knots must be positive and in ascending order"], [$b.all((function* () { for (const v of $iter(self.peak_friction)) { yield (v >= 1e-06); } })()), "peak_friction", coefficients___list($bound(self, "peak_friction")), ("" + "friction must be at least " + $format(1e-06, ("" + "g")))], [$b.all((function* () { for (const v of $iter(self.peak_slip)) { yield (1e-09 <= v && v <= 1000.0); } })()), "peak_slip", coefficients___list($bound(self, "peak_slip"), "m"), "slip at the peak must be 1 nm to 1 km"], [$b.all((function* () { for (const v of $iter(self.post_peak_slope)) { yield (v <= 0); } })()), "post_peak_slope", coefficients___list($bound(self, "post_peak_slope"), "1/m"), "the slope past the peak must be 0 or negative"], [$b.all((function* () { for (const v of $iter(self.residual_friction)) { yield (v >= 1e-06); } })()), "residual_friction", coefficients___list($bound(self, "residual_friction")), ("" + "residual friction must be at least " + $format(1e-06, ("" + "g")))]);
+}
+_columns() {
+const self = this; return [["pressure", self.pressure, false], ["peak_friction", self.peak_friction, false], ["peak_slip", self.peak_slip, false], ["post_peak_slope", self.post_peak_slope, true], ["residual_friction", self.residual_friction, true]];
+}
+scaled(friction, slip) {
+const self = this; 
+return $replaced(self, new Map([["peak_friction", $b.tuple((function* () { for (const v of $iter(self.peak_friction)) { yield $mul(v, friction); } })())], ["peak_slip", $b.tuple((function* () { for (const v of $iter(self.peak_slip)) { yield $mul(v, slip); } })())], ["post_peak_slope", $b.tuple((function* () { for (const v of $iter(self.post_peak_slope)) { yield ($mul(v, friction) / slip); } })())], ["residual_friction", $b.tuple((function* () { for (const v of $iter(self.residual_friction)) { yield $mul(v, friction); } })())]]));
+}
+}
+class IntegralLog extends FrictionLaw {
+$init(slip_includes = null, coefficients, tested = null) { this.slip_includes = slip_includes; this.coefficients = coefficients; this.tested = tested; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let p, t;
+if (((self.tested == null) || ($b.len($bound(self.coefficients, "pressure")) < 2))) {
+return null;
+}
+(p = self.coefficients.pressure);
+(t = self.tested);
+base__check([$and(($b.abs($sub((t.pressure_min / $at(p, 0)), 1.0)) < 1e-06), () => ($b.abs($sub((t.pressure_max / $at(p, $neg(1))), 1.0)) < 1e-06)), "tested", ("" + $format(t.pressure_min, ("" + "g")) + " .. " + $format(t.pressure_max, ("" + "g")) + " Pa"), ("" + "the tested pressures must be the ends of the law, " + $format($at(p, 0), ("" + "g")) + " .. " + $format($at(p, $neg(1)), ("" + "g")) + " Pa")]);
+}
+
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["coefficients", self.coefficients.scaled(friction, slip)]]));
+}
+
+}
+class Factors extends $Object {
+$init(law, by_slip_speed = null, by_temperature = null, slip_speed = null, temperature = null) { this.law = law; this.by_slip_speed = by_slip_speed; this.by_temperature = by_temperature; this.slip_speed = slip_speed; this.temperature = temperature; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all([...$iter(factors___outside("slip_speed", $bound(self, "slip_speed"), $bound(self, "by_slip_speed"), "speed")), ...$iter(factors___outside("temperature", $bound(self, "temperature"), $bound(self, "by_temperature"), "temperature"))]);
+}
+get used() {
+const self = this; let fastest, law, tested;
+
+(law = self.law.scaled($mul(self.of_slip_speed, self.of_temperature)));
+([tested, fastest] = [law.tested, self.fastest]);
+if (((tested == null) || (fastest == null) || $truth($b.isinstance(law, MeasuredTable)))) {
+return law;
+}
+return $replaced(law, new Map([["tested", $replaced(tested, new Map([["slip_speed", fastest]]))]]));
+}
+get sources() {
+const self = this; let tables;
+
+(tables = $map([["slip_speed_factor", self.by_slip_speed], ["temperature_factor", self.by_temperature]]));
+return $map([...(function* () { for (const [key, table] of $iter($m.items(tables))) { if (!((table != null))) continue; yield [key, table.source]; } })()]);
+}
+get fastest() {
+const self = this; let table;
+
+(table = self.by_slip_speed);
+return ((table == null) ? null : $or(self.slip_speed, () => $at(table.at, $neg(1))));
+}
+get of_slip_speed() {
+const self = this; let fastest, table;
+
+([table, fastest] = [self.by_slip_speed, self.fastest]);
+return (((table == null) || (fastest == null)) ? 1.0 : table.least($at(table.at, 0), fastest));
+}
+get of_temperature() {
+const self = this; let table;
+
+(table = self.by_temperature);
+if ((table == null)) {
+return 1.0;
+}
+if ((self.temperature != null)) {
+return table.least($bound(self, "temperature"), $bound(self, "temperature"));
+}
+return $b.min($bound(table, "factor"));
+}
+}
+class Lagging extends Viewable {
+$init(name, law, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, title = "", condition = "dry", surface = "", elastic_modulus = null, wear_coefficient = null, belt_energy_share = null, bond_strength = null, fatigue_limit = null, cost = null, fit = null, factors = null, condition_factors = new Map(), block = null, provenance = new Provenance(), sources = new Map(), notes = [], description = "") { this.name = name; this.law = law; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.title = title; this.condition = condition; this.surface = surface; this.elastic_modulus = elastic_modulus; this.wear_coefficient = wear_coefficient; this.belt_energy_share = belt_energy_share; this.bond_strength = bond_strength; this.fatigue_limit = fatigue_limit; this.cost = cost; this.fit = fit; this.factors = factors; this.condition_factors = condition_factors; this.block = block; this.provenance = provenance; this.sources = sources; this.notes = notes; this.description = description; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
+(problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
+if (($truth(self.surface) && (!$in(self.surface, $c598)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c598))));
+$m.append(problems, $call(Problem, [], [["key", "surface"], ["value", $shown($bound(self, "surface"))], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+}
+class LoadGiven extends $Object {
+$init(entry_tension = null, exit_tension = null, effective_tension = null, torque = null, power = null) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.effective_tension = effective_tension; this.torque = torque; this.power = power;  }
+*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.effective_tension; yield this.torque; yield this.power; }
+}
+class DrumAt extends $Object {
+$init(diameter, speed) { this.diameter = diameter; this.speed = speed;  }
+*[Symbol.iterator]() { yield this.diameter; yield this.speed; }
+}
+class Shares extends $Object {
+$init(fractions) { this.fractions = fractions;  }
+}
+class Pair extends $Object {
+$init(entry, exit) { this.entry = entry; this.exit = exit;  }
+*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+}
+class Pulls extends $Object {
+$init(effective_tensions) { this.effective_tensions = effective_tensions;  }
+}
+class Speeds extends $Object {
+$init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
+}
+class TorqueFollower extends $Object {
+$init(master, ratio = 1.0) { this.master = master; this.ratio = ratio; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+class TrainCase extends $Object {
+$init(name, entry_tension, exit_tension, division, runs = [], kind = "running", condition = "") { this.name = name; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.division = division; this.runs = runs; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+}
+get effective_tension() {
+const self = this; 
+return $add($sub(self.entry_tension, self.exit_tension), $b.sum($bound(self, "runs")));
+}
+run(index) {
+const self = this; 
+return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
+}
+}
+class RunsGain extends $Object {
+$init(base = 0.0, case_ = 0.0) { this.base = base; this.case = case_;  }
+*[Symbol.iterator]() { yield this.base; yield this.case; }
+}
+class BehindTakeUp extends $Object {
+$init(share, behind, runs) { this.share = share; this.behind = behind; this.runs = runs;  }
+*[Symbol.iterator]() { yield this.share; yield this.behind; yield this.runs; }
+}
+class Motors extends $Object {
+$init(motors) { this.motors = motors;  }
+}
+class TakeUp extends $Object {
+$init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave_ratio = sheave_ratio; this.after = after; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let given, message, problems, remedy;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c599)]]]))));
+if (($truth(self.after) && $truth(self.fixed))) {
+(message = "a fixed take-up holds the sum of both tensions wherever it stands");
+(remedy = "Leave it out, or correct the kind.");
+(given = $shown($bound(self, "after")));
+$m.append(problems, $call(Problem, [], [["key", "after"], ["value", given], ["message", message], ["remedy", remedy]]));
+}
+limits__raise_all(problems);
+}
+place_problems(pulleys) {
+const self = this; let given, message, remedy;
+
+if ((!$truth(self.after) || ($in(self.after, pulleys)))) {
+return [];
+}
+(message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, pulleys)))));
+(remedy = $or(errors__nearest($bound(self, "after"), pulleys), () => "Leave it out for a take-up on the slack side of the drives or at the tail."));
+(given = $shown($bound(self, "after")));
+return [$call(Problem, [], [["key", "take_up.after"], ["value", given], ["message", message], ["remedy", remedy]])];
+}
+get fixed() {
+const self = this; 
+return ($eq(self.kind, "fixed"));
+}
+counterweight(tension) {
+const self = this; 
+return ($mul(self.sheave_ratio, tension) / 9.80665);
+}
+}
+class DesignStandard extends $Object {
+$init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let given, message, problems, remedy, words;
+(words = $map([["name", ["", ...$iter($c600)]], ["condition", ["", ...$iter($c601)]]]));
+(problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
+if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
+(given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
+(message = "missing, where the standard is your own");
+(remedy = "Write friction = 0.30 beside it.");
+if ($truth(given)) {
+([message, remedy] = ["only a standard of your own has one", "Write name = \"own\"."]);
+}
+$m.append(problems, $call(Problem, [], [["key", "friction"], ["value", given], ["message", message], ["remedy", remedy]]));
+}
+if ((($eq(self.name, "none")) && $truth(self.binding))) {
+(message = "no standard was chosen that could bind");
+$m.append(problems, $call(Problem, [], [["key", "binding"], ["value", "true"], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+}
+class SafetyFactors extends $Object {
+$init(running = 1.25, starting = 1.1, braking = 1.1, source = "") { this.running = running; this.starting = starting; this.braking = braking; this.source = source; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+of(kind) {
+const self = this; 
+return $b.float($b.getattr(self, kind));
+}
+}
+class Kind extends $Object {
+built(value, report, more = new Map()) {
+const self = this; 
+return value;
+}
+}
+class Table extends Kind {
+$init(title, of = null, on_one_line = false, ...entries) {
+const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c602) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
+}
+read(raw, place, report) {
+const self = this; let entry, given, key, known, record, remedy, value;
+
+if (!$truth($b.isinstance(raw, "dict"))) {
+report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
+return $c6;
+}
+(given = self._renamed(raw, place, report));
+(known = self._known);
+for (key of $iter([...(function* () { for (const key of $iter(given)) { if (!((!$in(key, known)))) continue; yield key; } })()])) {
+(remedy = ($truth(report.full) ? "" : tables__unknown_key_remedy(key, known)));
+report.add([...$iter(place), key], "unknown key", remedy, $at(given, key));
+}
+(record = new Record($map([]), place, given));
+for ([key, entry] of $iter($m.items(known))) {
+if (($in(key, given))) {
+(value = entry.kind.read($at(given, key), [...$iter(place), key], report));
+if (!$truth(tables___sound(value))) {
+record.faulty.add(key);
+}
+if ((value !== $c6)) {
+$put(record, key, value);
+}
+} else {
+if (($truth(entry.required) && !($truth(entry.unless) && ($in(entry.unless, given))))) {
+record.faulty.add(key);
+report.add([...$iter(place), key], "missing", tables__missing_remedy(entry));
+}
+}
+}
+return record;
+}
+built(value, report, more = new Map()) {
+const self = this; let made, names, record, values;
+
+if ((!$truth($b.isinstance(value, Record)) || !$truth(value.sound()) || (self.of == null))) {
+return null;
+}
+([made, record] = [self.of, value]);
+(values = $map([...(function* () { for (const e of $iter(self.entries)) { if (!((($in(e.key, record)) && ($in(e.attribute, self._fields)) && !$truth($b.isinstance($at(record, e.key), "dict"))))) continue; yield [e.attribute, tables___frozen($at(record, e.key))]; } })()]));
+(names = $map([...(function* () { for (const e of $iter(self.entries)) { yield [e.attribute, e.key]; } })()]));
+return report.tried((() => $call(made, [], [...$map([...values, ...more])])), $bound(record, "place"), $bound(record, "raw"), names);
+}
+_renamed(raw, place, report) {
+const self = this; let entry, given, message, value;
+(given = $b.dict(raw));
+for (entry of $iter(self.entries)) {
+if ((!$truth(entry.alias) || (!$in(entry.alias, given)))) {
+continue;
+}
+(value = $m.pop(given, $bound(entry, "alias")));
+if (($in(entry.key, given))) {
+(message = ("" + "means the same as " + $str(entry.key) + ", which is also there"));
+report.add([...$iter(place), entry.alias], message, "Keep one of them.", value);
+} else {
+$put(given, entry.key, value);
+}
+}
+return given;
+}
+get _fields() {
+const self = this; 
+return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fields(self.of))) { yield f.name; } })()) : $b.frozenset());
+}
+}
+class Entry extends $Object {
+$init(key, meaning = "", kind = $c602, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
+__post_init__() {
+const self = this; (self.title = $or(self.title, () => $m.replace(self.key, "_", " ").capitalize()));
+(self.attribute = $or(self.attribute, () => self.key));
+}
+}
+class Name extends Kind {
+$init(longest = 60) { this.longest = longest;  }
+read(raw, place, report) {
+const self = this; let value;
+
+(value = new Text($bound(self, "longest")).read(raw, place, report));
+if (((value !== $c6) && !$truth($m.strip(value)))) {
+report.add(place, "must not be empty", "Write a name.", raw);
+return $c6;
+}
+return value;
+}
+}
+class Text extends Kind {
+$init(longest = 200, lines = false) { this.longest = longest; this.lines = lines;  }
+read(raw, place, report) {
+const self = this; 
+if (!$truth($b.isinstance(raw, "str"))) {
+report.add(place, "must be text", "Put it in quotes.", raw);
+} else {
+if (($b.len(raw) > self.longest)) {
+report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
+} else {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c603) : raw)))) {
+report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
+} else {
+return raw;
+}
+}
+}
+return $c6;
+}
+}
+class Quantity extends Kind {
+$init(dimension, limit = null) { this.dimension = dimension; this.limit = limit;  }
+read(raw, place, report) {
+const self = this; let error, refusal, value;
+
+try {
+(value = parse__parse_quantity(raw, $bound(self, "dimension")));
+} catch ($error) {
+if ($error instanceof InputError) {
+error = $error;
+report.take(error, place, raw);
+return $c6;
+} else throw $error;
+}
+(refusal = ($truth(self.limit) ? self.limit.refusal(value) : ""));
+if ($truth(refusal)) {
+$method(report, "add", [place, refusal], [["value", raw]]);
+return $c6;
+}
+return value;
+}
+}
+class WordOr extends Kind {
+$init(word, kind, meaning = null) { this.word = word; this.kind = kind; this.meaning = meaning;  }
+read(raw, place, report) {
+const self = this; 
+return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
+}
+}
+class ByName extends Kind {
+$init(kind, most = 200) { this.kind = kind; this.most = most;  }
+read(raw, place, report) {
+const self = this; 
+if (!$truth($b.isinstance(raw, "dict"))) {
+report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
+return $c6;
+}
+if (($b.len(raw) > self.most)) {
+report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
+return $c6;
+}
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c6))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+}
+}
+class Limit extends $Object {
+$init(dimension, least = 0.0, most = Infinity, open = false, rigid = false) { this.dimension = dimension; this.least = least; this.most = most; this.open = open; this.rigid = rigid;  }
+__str__() {
+const self = this; let least;
+
+(least = self._shown($bound(self, "least")));
+if (($eq(self.most, Infinity))) {
+return ($truth(self.open) ? ("" + "more than " + $str(least)) : ("" + "at least " + $str(least)));
+}
+if (($eq(self.least, $neg(Infinity)))) {
+return ("" + "at most " + $str(self._shown($bound(self, "most"))));
+}
+if ($truth(self.open)) {
+return ("" + "more than " + $str(least) + " and at most " + $str(self._shown($bound(self, "most"))));
+}
+return ("" + "between " + $str(least) + " and " + $str(self._shown($bound(self, "most"))));
+}
+_shown(bound) {
+const self = this; return $call(display__display, [bound, $bound(self, "dimension")], [["digits", 3]]);
+}
+refusal(value) {
+const self = this; let unit;
+
+if (!$truth(isNumber(value))) {
+(unit = $at($c11, self.dimension).si_unit);
+return ($truth(unit) ? ("" + "must be a number [" + $str(unit) + "]") : "must be a number");
+}
+if (($truth($math.isnan(value)) || ($truth($math.isinf(value)) && !($truth(self.rigid) && (value > 0))))) {
+return "must be finite";
+}
+if ((!(self.least <= value && value <= self.most) || ($truth(self.open) && ($eq(value, self.least))))) {
+return ("" + "must be " + $str(self));
+}
+return "";
+}
+}
+class Belt extends $Object {
+$init(name, width, modulus, rating = null, strength = null, speed = null, kind = "", momentary_factor = null, least_pulley_diameter = null, largest_wrap_pressure = null, in_plane_shear_stiffness = null, pulley_cover = null, carry_cover = null, carcass = null, thickness = null, cover_shear_modulus = null, mass = null, provenance = new Provenance(), sources = new Map()) { this.name = name; this.width = width; this.modulus = modulus; this.rating = rating; this.strength = strength; this.speed = speed; this.kind = kind; this.momentary_factor = momentary_factor; this.least_pulley_diameter = least_pulley_diameter; this.largest_wrap_pressure = largest_wrap_pressure; this.in_plane_shear_stiffness = in_plane_shear_stiffness; this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass; this.thickness = thickness; this.cover_shear_modulus = cover_shear_modulus; this.mass = mass; this.provenance = provenance; this.sources = sources; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let problems;
+(problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+limits__raise_all($or(problems, () => self._layer_problems()));
+}
+_layer_problems() {
+const self = this; let given, key, message, remedy, rounding, short, total, whole;
+
+(given = $map([...(function* () { for (const key of $iter($c63)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
+([total, whole] = [$b.sum($m.values(given)), self.thickness]);
+([short, key, remedy] = [(total <= 0.06), "thickness", ""]);
+if ((whole == null)) {
+(key = $b.next($b.iter(given), "thickness"));
+(message = ("" + "more than " + $str(display__display(0.06, "length")) + ", the thickest belt"));
+(remedy = "Check their units.");
+} else {
+(rounding = $mul(1e-09, whole));
+(short = (total <= $add(whole, ((self.carcass != null) ? rounding : $neg(rounding)))));
+(message = ("" + "too much for a belt of " + $str(display__display(whole, "length"))));
+(remedy = "Give the thickness of the whole belt, or leave it out.");
+if ((($eq($b.len(given), $b.len($c63))) && (total < $mul(0.98, whole)))) {
+([short, message] = [false, ("" + "and the belt is " + $str(display__display(whole, "length")) + " thick")]);
+(remedy = "Leave out the one of the four that is not known.");
+}
+}
+if ($truth(short)) {
+return [];
+}
+(message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
+return [$call(Problem, [], [["message", message], ["remedy", remedy], ["key", key]])];
+}
+}
+class _Nothing extends $Object {
+}
+class TextOr extends Kind {
+$init(text, table) { this.text = text; this.table = table;  }
+read(raw, place, report) {
+const self = this; 
+return ($truth($b.isinstance(raw, "dict")) ? self.table : self.text).read(raw, place, report);
+}
+}
+class Flag extends Kind {
+$init() {   }
+read(raw, place, report) {
+const self = this; 
+if ($truth($b.isinstance(raw, "bool"))) {
+return raw;
+}
+report.add(place, "must be true or false", "Write it without quotes.", raw);
+return $c6;
+}
+}
+class Choice extends Kind {
+$init(options) { this.options = options;  }
+read(raw, place, report) {
+const self = this; let allowed;
+
+if (($truth($b.isinstance(raw, "str")) && ($in(raw, self.options)))) {
+return raw;
+}
+(allowed = $m.join(", ", (function* () { for (const option of $iter(self.options)) { yield $shown(option); } })()));
+report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw, $bound(self, "options")), raw);
+return $c6;
+}
+}
+class Across extends $Object {
+$init(shell_profile = null, worn_depth = null, build_up = null, misalignment = 0.0, deflection = 0.0, entry_profile = null, before = null, after = null, strips = 32) { this.shell_profile = shell_profile; this.worn_depth = worn_depth; this.build_up = build_up; this.misalignment = misalignment; this.deflection = deflection; this.entry_profile = entry_profile; this.before = before; this.after = after; this.strips = strips; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let key, least, message, problems, profile;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if (!(4 <= self.strips && self.strips <= 128)) {
+(message = ("" + "must be a whole number from " + $str(4) + " to " + $str(128)));
+$m.append(problems, $call(Problem, [], [["key", "strips"], ["value", $b.str($bound(self, "strips"))], ["message", message]]));
+}
+for (key of $iter(["worn_depth", "build_up"])) {
+(profile = $b.getattr(self, key));
+if (((profile != null) && ($b.min([...$iter(profile.value), profile.crown]) < 0.0))) {
+(least = display__display($b.min([...$iter(profile.value), profile.crown]), "length"));
+(message = "must not be negative");
+$m.append(problems, $call(Problem, [], [["key", key], ["value", least], ["message", message]]));
+}
+}
+limits__raise_all(problems);
+}
+problems(key, width) {
+const self = this; let found;
+
+(found = [...(function* () { for (const [name, profile] of $iter($m.items(self.profiles()))) { for (const problem of $iter(profile.problems(("" + $str(key) + "." + $str(name)), width))) { yield problem; }} })()]);
+if (($truth($b.isinstance(self.before, Transition)) && (self.before.centre_roll >= width))) {
+$m.append(found, $call(Problem, [], [["key", ("" + $str(key) + ".before.centre_roll")], ["value", display__display($bound(self.before, "centre_roll"), "length")], ["message", ("" + "wider than the belt, " + $str(display__display(width, "length")))], ["remedy", "Give the width of belt on the centre roll."]]));
+}
+return found;
+}
+profiles() {
+const self = this; let found;
+
+(found = $map([...(function* () { for (const f of $iter($fields(self))) { yield [f.name, $b.getattr(self, $bound(f, "name"))]; } })()]));
+return $map([...(function* () { for (const [k, v] of $iter($m.items(found))) { if (!($truth($b.isinstance(v, WidthProfile)))) continue; yield [k, v]; } })()]);
+}
+}
+class DimensionText extends $Object {
+$init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.example = example;  }
+*[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
+}
+class Definition extends $Object {
+$init(names, factor, unit, zero = $c609) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
+*[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
+}
+class Variant extends Kind {
+$init(tag, meaning, ...tables) {
+const self = this; (self.tag = tag);
+(self.tables = $map([...(function* () { for (const t of $iter(tables)) { yield [t.title, $call(Table, [$bound(t, "title"), tables__need(tag, meaning, new Choice([t.title])), ...$iter(t.entries)], [["of", t.of]])]; } })()]));
+}
+built(value, report, more = new Map()) {
+const self = this; 
+if ((!$truth($b.isinstance(value, Record)) || !$truth(value.sound()))) {
+return null;
+}
+return $method($at(self.tables, $at(value, self.tag)), "built", [value, report], [...more]);
+}
+read(raw, place, report) {
+const self = this; let allowed, options, word;
+
+if (!$truth($b.isinstance(raw, "dict"))) {
+report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
+return $c6;
+}
+(options = $b.tuple($bound(self, "tables")));
+if ((!$in(self.tag, raw))) {
+(allowed = $m.join(", ", (function* () { for (const option of $iter(options)) { yield $shown(option); } })()));
+report.add([...$iter(place), self.tag], "missing", ("" + "Write one of " + $str(allowed) + "."));
+return $c6;
+}
+(word = new Choice(options).read($at(raw, self.tag), [...$iter(place), self.tag], report));
+return ((word === $c6) ? $c6 : $at(self.tables, word).read(raw, place, report));
+}
+}
+class Pulley extends $Object {
+$init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, creep_limit = null, side = "pulley", mass = null, across = null, sources = new Map(), conditions = []) { this.name = name; this.diameter = diameter; this.wrap_angle = wrap_angle; this.lagging = lagging; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.side = side; this.mass = mass; this.across = across; this.sources = sources; this.conditions = conditions; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let problems, worn;
+(problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c604]]))));
+(worn = ($truth(self.across) ? self.across.worn_depth : null));
+if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
+$m.append(problems, $call(Problem, [], [["key", "across.worn_depth"], ["value", display__display($bound(worn, "largest"), "length")], ["message", $add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length"))], ["remedy", "Give the depth worn off, on radius, not what is left."]]));
+}
+limits__raise_all(problems);
+}
+}
+class Sag extends $Object {
+$init(spacing, line_mass, share = 0.02) { this.spacing = spacing; this.line_mass = line_mass; this.share = share; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+class Conveyor extends $Object {
+$init(length, lift = 0.0, belt_mass, carry_idler_mass, return_idler_mass, material_mass = null, capacity = null, friction_factor = 0.02, length_coefficient = null, secondary_resistance = null, special_resistance = 0.0, return_share = 0.0, start_factor = null, start_time = null, stop_time = null, take_up_tension = null, counterweight = null, take_up_distance = 0.0, drive_at = "head", speed = null, sheave_ratio = 2.0) { this.length = length; this.lift = lift; this.belt_mass = belt_mass; this.carry_idler_mass = carry_idler_mass; this.return_idler_mass = return_idler_mass; this.material_mass = material_mass; this.capacity = capacity; this.friction_factor = friction_factor; this.length_coefficient = length_coefficient; this.secondary_resistance = secondary_resistance; this.special_resistance = special_resistance; this.return_share = return_share; this.start_factor = start_factor; this.start_time = start_time; this.stop_time = stop_time; this.take_up_tension = take_up_tension; this.counterweight = counterweight; this.take_up_distance = take_up_distance; this.drive_at = drive_at; this.speed = speed; this.sheave_ratio = sheave_ratio; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+(problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
+if ((!$in(self.drive_at, $c605))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c605))));
+$m.append(problems, $call(Problem, [], [["key", "drive_at"], ["value", $shown($bound(self, "drive_at"))], ["message", message]]));
+}
+limits__raise_all($or(problems, () => $b.list(self.misfits())));
+}
+*misfits() {
+const self = this; let given, long, message;
+
+(long = display__display($bound(self, "length"), "length"));
+if (($b.abs($bound(self, "lift")) >= self.length)) {
+(given = display__display($bound(self, "lift"), "length"));
+yield $call(Problem, [], [["key", "lift"], ["value", given], ["message", ("" + "must be less than the length, " + $str(long))]]);
+}
+if ((self.take_up_distance > self.length)) {
+(given = display__display($bound(self, "take_up_distance"), "length"));
+(message = ("" + "is more than the length, " + $str(long) + ", which is the tail"));
+yield $call(Problem, [], [["key", "take_up_distance"], ["value", given], ["message", message]]);
+}
+if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
+yield* $iter(resistance__no_coefficient($bound(self, "length")));
+}
+}
+get take_up() {
+const self = this; 
+if ((self.take_up_tension != null)) {
+return self.take_up_tension;
+}
+return ($mul(conveyor___known($bound(self, "counterweight"), 0.0), 9.80665) / self.sheave_ratio);
+}
+get coefficient() {
+const self = this; 
+if ((self.secondary_resistance != null)) {
+return null;
+}
+return conveyor___known($bound(self, "length_coefficient"), resistance__coefficient_at($bound(self, "length")));
+}
+states() {
+const self = this; let states;
+
+(states = self.reckoned());
+limits__raise_all(self.unfit(states));
+return $b.tuple(states);
+}
+reckoned() {
+const self = this; let acceleration, full, kind, name, states;
+
+(full = self._state("full", "running", $bound(self, "material"), 0.0));
+(states = [full, self._state("empty", "running", 0.0, 0.0)]);
+for ([name, kind, acceleration] of $iter(self._changes($bound(full, "pull")))) {
+$m.append(states, self._state(name, kind, $bound(self, "material"), acceleration));
+}
+return states;
+}
+unfit(states) {
+const self = this; let least, message, problems, remedy, state;
+
+(problems = []);
+if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
+(message = "the full conveyor runs by itself, and no factor starts it");
+(remedy = "Write start_time = \"20 s\" instead.");
+$m.append(problems, $call(Problem, [], [["key", "start_factor"], ["message", message], ["remedy", remedy]]));
+}
+for (state of $iter(states)) {
+(least = $b.min($bound(state, "head"), $bound(state, "tail"), $bound(state, "entry"), $bound(state, "exit")));
+if ((least <= 0.0)) {
+$m.append(problems, conveyor___slack(state, least));
+}
+}
+return problems;
+}
+*_changes(pull) {
+const self = this; let moving;
+
+if ((self.start_factor != null)) {
+(moving = $add(self._moving($bound(self, "material")), self._moving(null)));
+yield ["start", "starting", ($mul($sub(self.start_factor, 1.0), pull) / $mul(self.length, moving))];
+}
+if (((self.start_time != null) && (self.speed != null))) {
+yield ["start", "starting", (self.speed / self.start_time)];
+}
+if (((self.stop_time != null) && (self.speed != null))) {
+yield ["stop", "braking", ($neg(self.speed) / self.stop_time)];
+}
+}
+_moving(material) {
+const self = this; 
+if ((material == null)) {
+return $add(self.return_idler_mass, self.belt_mass);
+}
+return $add($add(self.carry_idler_mass, self.belt_mass), material);
+}
+_state(name, kind, material, acceleration) {
+const self = this; let at_head, carrying, entry, head, leaving, resistances, returning, tail;
+(resistances = $b.tuple(self._resistances(material, acceleration)));
+(carrying = $b.sum((function* () { for (const r of $iter(resistances)) { yield r.carrying; } })()));
+(returning = $b.sum((function* () { for (const r of $iter(resistances)) { yield r.returning; } })()));
+(head = $sub(self.take_up, ($mul(returning, self.take_up_distance) / self.length)));
+(tail = $add(head, returning));
+(at_head = ($eq(self.drive_at, "head")));
+(entry = ($truth(at_head) ? $add(tail, carrying) : tail));
+(leaving = ($truth(at_head) ? head : $sub(head, carrying)));
+return new State(name, kind, resistances, head, tail, entry, leaving);
+}
+*_resistances(material, acceleration) {
+const self = this; let belt, carrying, coefficient, down, factor, length, lift, loaded, main, returning, secondary, share, source, special, up;
+([belt, loaded, share] = [self.belt_mass, $add(self.belt_mass, material), self.return_share]);
+([factor, length, lift] = [self.friction_factor, self.length, self.lift]);
+(main = new Resistance("main", resistance__main_resistance(factor, length, lift, $bound(self, "carry_idler_mass"), loaded), resistance__main_resistance(factor, length, lift, $bound(self, "return_idler_mass"), belt), ("" + $str("DIN 22101:2002-08, 6.2; ISO 5048:1989: f L g (m'R + (m'G + m'L) cos delta)") + ", f = " + $format(self.friction_factor, ("" + "g")) + $str(self._unusual))));
+yield main;
+([secondary, source] = [self.secondary_resistance, "given"]);
+if ((secondary == null)) {
+(coefficient = conveyor___known($bound(self, "coefficient"), 1.0));
+(secondary = $mul($sub(coefficient, 1.0), main.total));
+(source = ("" + $str("DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance") + ", C = " + $format(coefficient, ("" + ".3g"))));
+(source = $add(source, ((self.length_coefficient == null) ? "" : " (given)")));
+}
+yield new Resistance("secondary", $mul($sub(1.0, share), secondary), $mul(share, secondary), source);
+([up, down] = [resistance__slope_resistance($bound(self, "lift"), loaded), $neg(resistance__slope_resistance($bound(self, "lift"), belt))]);
+yield new Resistance("slope", up, down, "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other");
+(special = self.special_resistance);
+yield new Resistance("special", $mul($sub(1.0, share), special), $mul(share, special), "given");
+(carrying = resistance__inertia(acceleration, $bound(self, "length"), self._moving(material)));
+(returning = resistance__inertia(acceleration, $bound(self, "length"), self._moving(null)));
+yield new Resistance("inertia", carrying, returning, "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass");
+}
+get material() {
+const self = this; 
+if ((self.material_mass != null)) {
+return self.material_mass;
+}
+return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
+}
+get _unusual() {
+const self = this; let least, most;
+([least, most] = $c1278);
+if ((least <= self.friction_factor && self.friction_factor <= most)) {
+return "";
+}
+return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
+}
+}
+class Cost extends $Object {
+$init(material, installation, currency, area, life_years) { this.material = material; this.installation = installation; this.currency = currency; this.area = area; this.life_years = life_years; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems, years;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+(years = self.life_years);
+if (!(0.0 < $at(years, 0) && $at(years, 0) <= $at(years, 1) && $at(years, 1) < Infinity)) {
+(message = "must be the shortest and the longest life in years, both more than 0");
+$m.append(problems, $call(Problem, [], [["key", "life_years"], ["value", $shown($b.list(years))], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+}
+class Block extends $Object {
+$init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0) { this.shape = shape; this.width = width; this.height = height; this.stiffening = stiffening; this.contact_fraction = contact_fraction; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$in(self.shape, $c607))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c607))));
+$m.append(problems, $call(Problem, [], [["key", "shape"], ["value", $shown($bound(self, "shape"))], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+get shape_factor() {
+const self = this; 
+return compression__shape_factor(($eq(self.shape, "square")), $bound(self, "width"), $bound(self, "height"));
+}
+}
+class ConditionFactor extends $Object {
+$init(factor, source) { this.factor = factor; this.source = source; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+class FrictionFactor extends $Object {
+$init(at, factor, source) { this.at = at; this.factor = factor; this.source = source; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let bad, count, message, n, problems;
+([n, problems] = [$b.len($bound(self, "at")), $at($b.list, Problem)()]);
+if (((n < 2) || (!$eq($b.len($bound(self, "factor")), n)))) {
+(count = ("" + $str(n) + " values and " + $str($b.len($bound(self, "factor"))) + " factors"));
+(message = "must be as many factors as values, two at least");
+$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", count], ["message", message]]));
+}
+if ($truth($b.any((function* () { for (const [before, after] of $iter($b.pairwise($bound(self, "at")))) { yield (after <= before); } })()))) {
+$m.append(problems, $call(Problem, [], [["key", "at"], ["value", $shown($b.list($bound(self, "at")))], ["message", "must ascend"]]));
+}
+(bad = [...(function* () { for (const v of $iter(self.factor)) { if (!(!(0.0 < v && v <= 10.0))) continue; yield v; } })()]);
+if ($truth(bad)) {
+(message = "must be more than 0 and at most 10");
+$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", $shown($at(bad, 0))], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+
+}
+class Fit extends $Object {
+$init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, n, problems;
+(n = $b.len($bound(self, "parameters")));
+(problems = limits__limit_problems(self, $c608));
+if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
+(message = "must name each fitted parameter once");
+$m.append(problems, $call(Problem, [], [["key", "parameters"], ["value", $b.str(n)], ["message", message]]));
+}
+if (((!$eq($b.len($bound(self, "values")), n)) || !$truth($b.all($b.map($math.isfinite, $bound(self, "values")))))) {
+(message = ("" + "must be " + $str(n) + " finite numbers, one for each parameter"));
+$m.append(problems, $call(Problem, [], [["key", "values"], ["value", $b.str($b.len($bound(self, "values")))], ["message", message]]));
+}
+(problems = $add(problems, self._covariance_problems(n)));
+limits__raise_all(problems);
+}
+
+}
+class DesignFriction extends $Object {
+$init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
+}
+class Motor extends $Object {
+$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
+(message = "must be a whole number of motors");
+$m.append(problems, $call(Problem, [], [["key", "count"], ["value", ("" + $format(self.count, ("" + "g")))], ["message", message]]));
+}
+limits__raise_all($add(problems, self._problems()));
+}
+_problems() {
+const self = this; 
+return [];
+}
+}
+class VariableSpeed extends Motor {
+$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, setting = 1.0, droop = 0.0, torque_limit = Infinity) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.setting = setting; this.droop = droop; this.torque_limit = torque_limit; this.__post_init__?.(); }
+}
+class Induction extends Motor {
+$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.__post_init__?.(); }
+_problems() {
+const self = this; let message;
+if (($mul(0.8, self.synchronous_speed) <= self.rated_speed && self.rated_speed < self.synchronous_speed)) {
+return [];
+}
+(message = ("" + "must be below the synchronous speed " + $str(motors___rpm($bound(self, "synchronous_speed"))) + " by at most 20 %"));
+return [$call(Problem, [], [["key", "rated_speed"], ["value", motors___rpm($bound(self, "rated_speed"))], ["message", message]])];
+}
+}
+class FluidCoupling extends Induction {
+$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5, coupling_load, coupling_slip) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.coupling_load = coupling_load; this.coupling_slip = coupling_slip; this.__post_init__?.(); }
+_problems() {
+const self = this; let count, key, loads, message, problems, rising, slips, top, values;
+(problems = super._problems());
+([loads, slips] = [self.coupling_load, self.coupling_slip]);
+if (((!$eq($b.len(loads), $b.len(slips))) || ($b.len(loads) < 2))) {
+(count = ("" + $str($b.len(loads)) + " and " + $str($b.len(slips))));
+(message = "the curve needs as many torques as slips, two or more of each");
+$m.append(problems, $call(Problem, [], [["key", "coupling_slip"], ["value", count], ["message", message]]));
+}
+for ([key, values, top] of $iter([["coupling_load", loads, 10.0], ["coupling_slip", slips, 0.9]])) {
+(rising = $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })()));
+if (!($truth(values) && ($eq($at(values, 0), 0.0)) && $truth(rising) && ($at(values, $neg(1)) <= top))) {
+(message = ("" + "must rise from 0 to at most " + $format(top, ("" + "g"))));
+$m.append(problems, $call(Problem, [], [["key", key], ["value", $b.str($b.list(values))], ["message", message]]));
+}
+}
+return problems;
+}
+}
+class Transition extends $Object {
+$init(length, trough_angle, centre_roll, depth = "full") { this.length = length; this.trough_angle = trough_angle; this.centre_roll = centre_roll; this.depth = depth; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$in(self.depth, $c970))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c970))));
+$m.append(problems, $call(Problem, [], [["key", "depth"], ["value", $shown($bound(self, "depth"))], ["message", message]]));
+}
+limits__raise_all(problems);
+}
+}
+class State extends $Object {
+$init(name, kind, resistances, head, tail, entry, exit) { this.name = name; this.kind = kind; this.resistances = resistances; this.head = head; this.tail = tail; this.entry = entry; this.exit = exit;  }
+get pull() {
+const self = this; 
+return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
+}
+}
+class Resistance extends $Object {
+$init(name, carrying, returning, source) { this.name = name; this.carrying = carrying; this.returning = returning; this.source = source;  }
+get total() {
+const self = this; 
+return $add(self.carrying, self.returning);
+}
+}
+class OneOrMore extends Kind {
+$init(kind, most = 50) { this.kind = kind; this.most = most;  }
+read(raw, place, report) {
+const self = this; 
+if (!$truth($b.isinstance(raw, "list"))) {
+return [self.kind.read(raw, place, report)];
+}
+return new Rows($bound(self, "kind"), 1, $bound(self, "most")).read(raw, place, report);
+}
+}
+class Rows extends Kind {
+$init(kind, least = 0, most = 1000) { this.kind = kind; this.least = least; this.most = most;  }
+read(raw, place, report) {
+const self = this; let count, labels;
+
+if (!$truth($b.isinstance(raw, "list"))) {
+report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
+return $c6;
+}
+if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
+(count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
+report.add(place, ("" + "must have " + $str(count) + " entries, and has " + $str($b.len(raw))));
+return $c6;
+}
+(labels = kinds__table_labels(raw));
+return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
+}
+}
+class Constant extends FrictionLaw {
+$init(slip_includes = null, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let mu;
+(mu = self.friction_coefficient);
+base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
+}
+
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
+}
+}
+class ElasticPlastic extends FrictionLaw {
+$init(slip_includes = null, stiffness, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.stiffness = stiffness; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let k, mu;
+([mu, k] = [self.friction_coefficient, self.stiffness]);
+base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), "the stiffness must be positive and finite"]);
+}
+
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["stiffness", ($mul(self.stiffness, friction) / slip)], ["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
+}
+}
+class PressurePower extends FrictionLaw {
+$init(slip_includes = null, friction_coefficient, reference_pressure, exponent, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.reference_pressure = reference_pressure; this.exponent = exponent; this.tested = tested; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let mu, n, p;
+([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
+base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
+}
+
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
+}
+}
+class Profile extends Kind {
+$init(dimension, diameters = false) {
+const self = this; let entries, words;
+([self.dimension, self.diameters] = [dimension, diameters]);
+(self.rows = new Rows(new _Pair(dimension), 0, 500));
+(entries = [new Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", $bound(self, "rows")), new Entry("crown", "Height of a parabola in the middle over the edges of the belt.", new Quantity(dimension)), new Entry("factor", "Factor on all values: how much of the profile there is.", new Quantity("number", $call(Limit, ["number"], [["most", 100.0]]))), new Entry("uncertainty", "Standard uncertainty of the values.", new Quantity(dimension, new Limit(dimension)))]);
+if ($truth(diameters)) {
+(words = "Whether the values are on radius (if left out) or on diameter.");
+$m.append(entries, new Entry("on", words, new Choice(["radius", "diameter"])));
+}
+(self.within = new TextOr($bound(self, "rows"), $call(Table, ["Profile", ...$iter(entries)], [["on_one_line", true]])));
+}
+read(raw, place, report) {
+const self = this; let built, crown, factor, found, half, heights, mean, on, read, rows, table, values;
+
+(found = $b.len($bound(report, "problems")));
+(read = self.within.read(raw, place, report));
+if (((read === $c6) || ($b.len($bound(report, "problems")) > found))) {
+return $c6;
+}
+(table = ($truth($b.isinstance(read, Record)) ? read : $map([["rows", read]])));
+([rows, on] = [$m.get(table, "rows", []), $m.get(table, "on", "radius")]);
+if ((!$truth(rows) && (!$in("crown", table)))) {
+return null;
+}
+([half, factor] = [(($eq(on, "diameter")) ? 0.5 : 1.0), $m.get(table, "factor", 1.0)]);
+(values = [...(function* () { for (const [_, value] of $iter(rows)) { yield $mul(half, value); } })()]);
+if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
+(mean = ($b.sum(values) / $b.len(values)));
+(values = [...(function* () { for (const value of $iter(values)) { yield $sub(value, mean); } })()]);
+}
+(crown = $mul($mul(factor, half), $m.get(table, "crown", 0.0)));
+(values = [...(function* () { for (const value of $iter(values)) { yield $mul(factor, value); } })()]);
+(heights = [...$iter(values), crown]);
+if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
+return $c6;
+}
+(built = report.tried((() => $call(WidthProfile, [], [["position", $b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })())], ["value", $b.tuple(values)], ["crown", crown], ["uncertainty", (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null)]])), place));
+return ((built == null) ? $c6 : built);
+}
+_deviations(values, half, place, report) {
+const self = this; let worst;
+
+(worst = $b.max(values, $k({key: $b.abs, default: 0.0})));
+if (($b.abs(worst) <= 0.1)) {
+return true;
+}
+report.add(place, ("" + "a deviation of the radius is expected, at most " + $str(display__display(0.1, "length"))), "Give deviations from the even radius; for those of the diameter, or diameters, write { rows = [...], on = \"diameter\" }.", quantity_text__quantity_text((worst / half), "length"));
+return false;
+}
+}
+class GrippingPulley extends $Object {
+$init(distance) { this.distance = distance; this.__post_init__?.(); }
+__post_init__() {
+const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+}
+class Count extends Kind {
+$init(least, most) { this.least = least; this.most = most;  }
+read(raw, place, report) {
+const self = this; let message, whole;
+
+(whole = $and($b.isinstance(raw, "int"), () => !$truth($b.isinstance(raw, "bool"))));
+if (($truth(whole) && (self.least <= raw && raw <= self.most))) {
+return raw;
+}
+(message = ("" + "must be a whole number from " + $str(self.least) + " to " + $str(self.most)));
+$method(report, "add", [place, message], [["value", raw]]);
+return $c6;
+}
+}
+class Elsewhere extends Kind {
+$init() {   }
+read(raw, place, report) {
+const self = this; 
+return raw;
+}
+}
+class Either extends Kind {
+$init(first, second, words) { this.first = first; this.second = second; this.words = words;  }
+read(raw, place, report) {
+const self = this; let kind, value;
+
+for (kind of $iter([self.first, self.second])) {
+try {
+parse__parse_quantity(raw, $bound(kind, "dimension"));
+} catch ($error) {
+if ($error instanceof InputError) {
+continue;
+} else throw $error;
+}
+(value = kind.read(raw, place, report));
+return ((value === $c6) ? $c6 : [kind.dimension, value]);
+}
+$method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value", raw]]);
+return $c6;
+}
+}
+class SpeedList extends Kind {
+$init() {   }
+read(raw, place, report) {
+const self = this; 
+if (($eq(raw, "equal"))) {
+return "equal";
+}
+if ($truth($b.isinstance(raw, "str"))) {
+$method(report, "add", [place, ("" + "must be \"" + $str("equal") + "\" or an array of speeds")], [["value", raw]]);
+return $c6;
+}
+return self.rows.read(raw, place, report);
+}
+}
+class _OfClass extends Kind {
+read(raw, place, report) {
+const self = this; 
+throw $TypeError;
+}
+}
+class _Pair extends Kind {
+$init(dimension) {
+const self = this; (self.kinds = [new Quantity("length"), new Quantity(dimension)]);
+}
+read(raw, place, report) {
+const self = this; let pair;
+if ((!$truth($b.isinstance(raw, "list")) || (!$eq($b.len(raw), 2)))) {
+$method(report, "add", [place, "must be a pair, position and value"], [["value", raw]]);
+return $c6;
+}
+(pair = [...(function* () { for (const [kind, item, what] of $iter($b.zip($bound(self, "kinds"), raw, ["position", "value"], $k({strict: true})))) { yield kind.read(item, [...$iter(place), what], report); } })()]);
+return (($in($c6, pair)) ? $c6 : $b.tuple(pair));
+}
+}
+const $c635 = $made(Quantity, {dimension: "number", limit: null});
+const $c623 = $made(Entry, {key: "format", meaning: "Format of the file, 1.", kind: $c635, title: "Format", required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
+const $c636 = $made(Text, {longest: 200, lines: false});
+const $c624 = $made(Entry, {key: "title", meaning: "What the drive is called.", kind: $c636, title: "Title", required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c637 = $made(Text, {longest: 5000, lines: true});
+const $c625 = $made(Entry, {key: "description", meaning: "Anything worth saying.", kind: $c637, title: "Description", required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c583 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c638 = $made(Quantity, {dimension: "length", limit: $c583});
+const $c626 = $made(Entry, {key: "creep_limit", meaning: "Largest creep that is accepted; 6.35 mm is the conservative customary value.", kind: $c638, title: "Creep limit", required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c640 = $made(Name, {longest: 60});
+const $c648 = $made(Name, {longest: 60});
+const $c643 = $made(Entry, {key: "name", meaning: "dry, wet, wet and dirty ...", kind: $c648, title: "Name", required: true, alias: "", example: "", attribute: "name", unless: ""});
+const $c578 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
+const $c649 = $made(Quantity, {dimension: "number", limit: $c578});
+const $c644 = $made(Entry, {key: "friction_factor", meaning: "Friction over tested friction.", kind: $c649, title: "Friction factor", required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c650 = $made(ByName, {kind: $c649, most: 200});
+const $c645 = $made(Entry, {key: "friction_factors", meaning: "By surface.", kind: $c650, title: "Friction factors", required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
+const $c652 = ["DIN 22101", "practice"];
+const $c651 = $made(Choice, {options: $c652});
+const $c646 = $made(Entry, {key: "standard", meaning: "Take the ratio of its design values for the surface.", kind: $c651, title: "Standard", required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c660 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c659 = $made(Choice, {options: $c660});
+const $c655 = $made(Entry, {key: "kind", meaning: "How the number came to be.", kind: $c659, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c661 = $made(Text, {longest: 500, lines: false});
+const $c656 = $made(Entry, {key: "source", meaning: "Author or maker, title, year, page or table.", kind: $c661, title: "Source", required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c662 = $made(Text, {longest: 60, lines: false});
+const $c657 = $made(Entry, {key: "date", meaning: "When it was measured, published or retrieved.", kind: $c662, title: "Date", required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c663 = $made(Text, {longest: 1000, lines: false});
+const $c658 = $made(Entry, {key: "note", meaning: "What a reader must know before using it.", kind: $c663, title: "Note", required: false, alias: "", example: "", attribute: "note", unless: ""});
+const $c653 = [$c655, $c656, $c657, $c658];
+const $c654 = new Map([["kind", $c655], ["source", $c656], ["date", $c657], ["note", $c658]]);
+const $c2 = $made(Table, {title: "Provenance", of: Provenance, entries: $c653, _known: $c654});
+const $c647 = $made(Entry, {key: "provenance", meaning: "Where the factors came from.", kind: $c2, title: "Provenance", required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c641 = [$c643, $c644, $c645, $c646, $c647];
+const $c642 = new Map([["name", $c643], ["friction_factor", $c644], ["friction_factors", $c645], ["standard", $c646], ["provenance", $c647]]);
+const $c7 = $made(Table, {title: "Condition", of: Condition, entries: $c641, _known: $c642});
+const $c160 = $made(TextOr, {text: $c640, table: $c7});
+const $c639 = $made(OneOrMore, {kind: $c160, most: 8});
+const $c627 = $made(Entry, {key: "condition", meaning: "Dry, wet, wet and dirty ...; several are solved side by side.", kind: $c639, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c101 = $made(Name, {longest: 60});
+const $c81 = $made(Entry, {key: "preset", meaning: "A belt of the catalogue; other keys override it.", kind: $c101, title: "Belt", required: false, alias: "", example: "", attribute: "preset", unless: ""});
+const $c102 = $made(Name, {longest: 60});
+const $c82 = $made(Entry, {key: "name", meaning: "Designation of the belt.", kind: $c102, title: "Name", required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c103 = $made(Text, {longest: 60, lines: false});
+const $c83 = $made(Entry, {key: "kind", meaning: "Carcass, for example fabric or steel cord.", kind: $c103, title: "Kind", required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c122 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c104 = $made(Quantity, {dimension: "length", limit: $c122});
+const $c84 = $made(Entry, {key: "width", meaning: "Width of the belt, over which tension and friction are spread evenly.", kind: $c104, title: "Belt width", required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c123 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c106 = $made(Quantity, {dimension: "force_per_width", limit: $c123});
+const $c105 = $made(WordOr, {word: "rigid", kind: $c106, meaning: Infinity});
+const $c85 = $made(Entry, {key: "modulus", meaning: "Tension per unit width for unit strain of the belt.", kind: $c105, title: "Belt modulus", required: false, alias: "", example: "", attribute: "modulus", unless: ""});
+const $c124 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c107 = $made(Quantity, {dimension: "force_per_width", limit: $c124});
+const $c86 = $made(Entry, {key: "rating", meaning: "Rated (operating) tension per unit width.", kind: $c107, title: "Rating", required: false, alias: "", example: "", attribute: "rating", unless: ""});
+const $c125 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c108 = $made(Quantity, {dimension: "force_per_width", limit: $c125});
+const $c87 = $made(Entry, {key: "strength", meaning: "Breaking strength per unit width, for the safety factor of the belt; that in the name of a steel-cord belt, ST2000, if left out.", kind: $c108, title: "Strength", required: false, alias: "", example: "", attribute: "strength", unless: ""});
+const $c126 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c109 = $made(Quantity, {dimension: "speed", limit: $c126});
+const $c88 = $made(Entry, {key: "speed", meaning: "Running speed of the belt; power and wear need it.", kind: $c109, title: "Belt speed", required: false, alias: "", example: "", attribute: "speed", unless: ""});
+const $c127 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c110 = $made(Quantity, {dimension: "number", limit: $c127});
+const $c89 = $made(Entry, {key: "momentary_factor", meaning: "Tension allowed while starting and braking over the rating; 1 if left out.", kind: $c110, title: "Momentary factor", required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
+const $c128 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c111 = $made(Quantity, {dimension: "length", limit: $c128});
+const $c90 = $made(Entry, {key: "least_pulley_diameter", meaning: "Smallest drive pulley that the maker allows.", kind: $c111, title: "Least pulley diameter", required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
+const $c129 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c112 = $made(Quantity, {dimension: "pressure", limit: $c129});
+const $c91 = $made(Entry, {key: "largest_wrap_pressure", meaning: "Largest pressure on the pulley face that the maker allows.", kind: $c112, title: "Largest wrap pressure", required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
+const $c130 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
+const $c113 = $made(Quantity, {dimension: "force_per_width", limit: $c130});
+const $c92 = $made(Entry, {key: "in_plane_shear_stiffness", meaning: "Shear force per width over shear strain in the plane of the belt; estimated from the carcass if left out.", kind: $c113, title: "In plane shear stiffness", required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
+const $c131 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c114 = $made(Quantity, {dimension: "length", limit: $c131});
+const $c93 = $made(Entry, {key: "pulley_cover", meaning: "Thickness of the belt cover on the side of the pulleys.", kind: $c114, title: "Pulley cover", required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
+const $c132 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c115 = $made(Quantity, {dimension: "length", limit: $c132});
+const $c94 = $made(Entry, {key: "carry_cover", meaning: "Thickness of the belt cover that carries the load.", kind: $c115, title: "Carry cover", required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
+const $c133 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
+const $c116 = $made(Quantity, {dimension: "length", limit: $c133});
+const $c95 = $made(Entry, {key: "carcass", meaning: "Thickness of the carcass, or diameter of the cords.", kind: $c116, title: "Carcass", required: false, alias: "", example: "", attribute: "carcass", unless: ""});
+const $c134 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
+const $c117 = $made(Quantity, {dimension: "length", limit: $c134});
+const $c96 = $made(Entry, {key: "thickness", meaning: "Of the whole belt, covers and carcass in all; one of them follows from it.", kind: $c117, title: "Thickness", required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c135 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
+const $c119 = $made(Quantity, {dimension: "pressure", limit: $c135});
+const $c118 = $made(WordOr, {word: "rigid", kind: $c119, meaning: Infinity});
+const $c97 = $made(Entry, {key: "cover_shear_modulus", meaning: "Shear modulus of the covers; 1 MPa if left out, an estimate of what lies between 0.8 and 1.5 MPa.", kind: $c118, title: "Cover shear modulus", required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
+const $c136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c120 = $made(Quantity, {dimension: "mass_per_length", limit: $c136});
+const $c98 = $made(Entry, {key: "mass", meaning: "Mass of a metre of belt.", kind: $c120, title: "Mass", required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c99 = $made(Entry, {key: "provenance", meaning: "Where the numbers of this table came from.", kind: $c2, title: "Provenance", required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c121 = $made(ByName, {kind: $c2, most: 200});
+const $c100 = $made(Entry, {key: "sources", meaning: "Where single numbers came from, by key, if elsewhere.", kind: $c121, title: "Sources", required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c1 = [$c81, $c82, $c83, $c84, $c85, $c86, $c87, $c88, $c89, $c90, $c91, $c92, $c93, $c94, $c95, $c96, $c97, $c98, $c99, $c100];
+const $c664 = new Map([["preset", $c81], ["name", $c82], ["kind", $c83], ["width", $c84], ["modulus", $c85], ["rating", $c86], ["strength", $c87], ["speed", $c88], ["momentary_factor", $c89], ["least_pulley_diameter", $c90], ["largest_wrap_pressure", $c91], ["in_plane_shear_stiffness", $c92], ["pulley_cover", $c93], ["carry_cover", $c94], ["carcass", $c95], ["thickness", $c96], ["cover_shear_modulus", $c97], ["mass", $c98], ["provenance", $c99], ["sources", $c100]]);
+const $c5 = $made(Table, {title: "Belt", of: Belt, entries: $c1, _known: $c664});
+const $c628 = $made(Entry, {key: "belt", meaning: "The belt.", kind: $c5, title: "Belt", required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
+const $c155 = $made(Name, {longest: 60});
+const $c137 = $made(Entry, {key: "name", meaning: "Name of the pulley.", kind: $c155, title: "Name", required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
+const $c667 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c156 = $made(Quantity, {dimension: "length", limit: $c667});
+const $c138 = $made(Entry, {key: "diameter", meaning: "Pulley diameter over the unloaded lagging.", kind: $c156, title: "Diameter over lagging", required: true, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c668 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
+const $c157 = $made(Quantity, {dimension: "angle", limit: $c668});
+const $c139 = $made(Entry, {key: "wrap_angle", meaning: "Angle over which the belt lies on the pulley, from the entry nip to the exit nip.", kind: $c157, title: "Wrap angle", required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
+const $c579 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
+const $c676 = $made(Quantity, {dimension: "length", limit: $c579});
+const $c671 = $made(Entry, {key: "x", meaning: "Centre, to the right.", kind: $c676, title: "X", required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c677 = $made(Quantity, {dimension: "length", limit: $c579});
+const $c672 = $made(Entry, {key: "y", meaning: "Centre, upwards.", kind: $c677, title: "Y", required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c679 = ["clockwise", "counterclockwise"];
+const $c678 = $made(Choice, {options: $c679});
+const $c673 = $made(Entry, {key: "turn", meaning: "How it turns with the belt, seen with x to the right and y up; clockwise if left out.", kind: $c678, title: "Turn", required: false, alias: "", example: "", attribute: "turn", unless: ""});
+const $c686 = $made(Quantity, {dimension: "length", limit: $c579});
+const $c683 = $made(Entry, {key: "x", meaning: "Centre, to the right.", kind: $c686, title: "X", required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c687 = $made(Quantity, {dimension: "length", limit: $c579});
+const $c684 = $made(Entry, {key: "y", meaning: "Centre, upwards.", kind: $c687, title: "Y", required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c580 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
+const $c688 = $made(Quantity, {dimension: "length", limit: $c580});
+const $c685 = $made(Entry, {key: "diameter", meaning: "0 if left out: a point that the belt only touches.", kind: $c688, title: "Diameter", required: false, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c681 = [$c683, $c684, $c685, $c673];
+const $c682 = new Map([["x", $c683], ["y", $c684], ["diameter", $c685], ["turn", $c673]]);
+const $c680 = $made(Table, {title: "Neighbour", of: Point, entries: $c681, _known: $c682});
+const $c674 = $made(Entry, {key: "before", meaning: "What the belt passes before.", kind: $c680, title: "Before", required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
+const $c675 = $made(Entry, {key: "after", meaning: "What the belt passes next.", kind: $c680, title: "After", required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
+const $c669 = [$c671, $c672, $c673, $c674, $c675];
+const $c670 = new Map([["x", $c671], ["y", $c672], ["turn", $c673], ["before", $c674], ["after", $c675]]);
+const $c158 = $made(Table, {title: "Belt path", of: Point, entries: $c669, _known: $c670});
+const $c140 = $made(Entry, {key: "belt_path", meaning: "Where the pulleys stand, instead of the wrap angle.", kind: $c158, title: "Belt path", required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
+const $c689 = $made(Name, {longest: 500});
+const $c713 = $made(Name, {longest: 500});
+const $c693 = $made(Entry, {key: "preset", meaning: "Catalogue name or file; other keys override it.", kind: $c713, title: "Preset", required: false, alias: "", example: "", attribute: "preset", unless: ""});
+const $c714 = $made(Name, {longest: 60});
+const $c694 = $made(Entry, {key: "name", meaning: "Name it is called by, if not that of its table.", kind: $c714, title: "Name", required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c715 = $made(Text, {longest: 200, lines: false});
+const $c695 = $made(Entry, {key: "title", meaning: "Name in words.", kind: $c715, title: "Title", required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c716 = $made(Text, {longest: 5000, lines: true});
+const $c696 = $made(Entry, {key: "description", meaning: "What it looks like.", kind: $c716, title: "Description", required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c598 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c717 = $made(Choice, {options: $c598});
+const $c697 = $made(Entry, {key: "surface", meaning: "Material that touches the belt.", kind: $c717, title: "Surface", required: false, alias: "", example: "", attribute: "surface", unless: ""});
+const $c585 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c718 = $made(Quantity, {dimension: "length", limit: $c585});
+const $c698 = $made(Entry, {key: "thickness", meaning: "Thickness of the lagging that shears.", kind: $c718, title: "Lagging thickness", required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c588 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
+const $c719 = $made(Quantity, {dimension: "pressure", limit: $c588});
+const $c699 = $made(Entry, {key: "elastic_modulus", meaning: "Young's modulus E of the rubber.", kind: $c719, title: "Elastic modulus", required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c586 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c721 = $made(Quantity, {dimension: "pressure", limit: $c586});
+const $c720 = $made(WordOr, {word: "rigid", kind: $c721, meaning: Infinity});
+const $c700 = $made(Entry, {key: "shear_modulus", meaning: "Shear stress for unit tangent of the shear angle.", kind: $c720, title: "Shear modulus of the lagging", required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
+const $c587 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c723 = $made(Quantity, {dimension: "pressure", limit: $c587});
+const $c722 = $made(WordOr, {word: "rigid", kind: $c723, meaning: Infinity});
+const $c701 = $made(Entry, {key: "compression_modulus", meaning: "Effective modulus in compression through the thickness, channels and tiles included.", kind: $c722, title: "Compression modulus of the lagging", required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c607 = ["square", "strip"];
+const $c731 = $made(Choice, {options: $c607});
+const $c726 = $made(Entry, {key: "shape", meaning: "In plan: square, or a strip much longer than wide.", kind: $c731, title: "Shape", required: false, alias: "", example: "", attribute: "shape", unless: ""});
+const $c733 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
+const $c732 = $made(Quantity, {dimension: "length", limit: $c733});
+const $c727 = $made(Entry, {key: "width", meaning: "Side of the square, width of the strip.", kind: $c732, title: "Width", required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c735 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
+const $c734 = $made(Quantity, {dimension: "length", limit: $c735});
+const $c728 = $made(Entry, {key: "height", meaning: "Rubber that is compressed; else the thickness.", kind: $c734, title: "Height", required: false, alias: "", example: "", attribute: "height", unless: ""});
+const $c737 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c736 = $made(Quantity, {dimension: "number", limit: $c737});
+const $c729 = $made(Entry, {key: "stiffening", meaning: "1 for unfilled rubber, falling with hardness: 0.57 at 60 IRHD, 0.54 at 65 (the value if left out), 0.53 at 70.", kind: $c736, title: "Stiffening factor k", required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
+const $c739 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
+const $c738 = $made(Quantity, {dimension: "number", limit: $c739});
+const $c730 = $made(Entry, {key: "contact_fraction", meaning: "Part of the wrap area that the blocks cover; 1 if left out.", kind: $c738, title: "Contact fraction", required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
+const $c724 = [$c726, $c727, $c728, $c729, $c730];
+const $c725 = new Map([["shape", $c726], ["width", $c727], ["height", $c728], ["stiffening", $c729], ["contact_fraction", $c730]]);
+const $c48 = $made(Table, {title: "Blocks that carry the pressure", of: Block, entries: $c724, _known: $c725});
+const $c702 = $made(Entry, {key: "block", meaning: "Shape of the blocks, to estimate the compression modulus.", kind: $c48, title: "Blocks", required: false, alias: "", example: "", attribute: "block", unless: ""});
+const $c589 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c740 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
+const $c703 = $made(Entry, {key: "wear_coefficient", meaning: "Volume worn off the lagging per frictional energy.", kind: $c740, title: "Energetic wear coefficient", required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c590 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c741 = $made(Quantity, {dimension: "number", limit: $c590});
+const $c704 = $made(Entry, {key: "belt_energy_share", meaning: "Part of the frictional energy that the belt takes.", kind: $c741, title: "Belt energy share", required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c591 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c742 = $made(Quantity, {dimension: "pressure", limit: $c591});
+const $c705 = $made(Entry, {key: "bond_strength", meaning: "Shear stress that the lagging and its bond may bear steadily.", kind: $c742, title: "Bond strength", required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
+const $c592 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c743 = $made(Quantity, {dimension: "pressure", limit: $c592});
+const $c706 = $made(Entry, {key: "fatigue_limit", meaning: "Shear stress that they may bear at every pass of the belt.", kind: $c743, title: "Fatigue limit", required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c752 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c751 = $made(Quantity, {dimension: "number", limit: $c752});
+const $c746 = $made(Entry, {key: "material", meaning: "Price of the lagging.", kind: $c751, title: "Material", required: true, alias: "", example: "", attribute: "material", unless: ""});
+const $c754 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c753 = $made(Quantity, {dimension: "number", limit: $c754});
+const $c747 = $made(Entry, {key: "installation", meaning: "Price of putting it on.", kind: $c753, title: "Installation", required: true, alias: "", example: "", attribute: "installation", unless: ""});
+const $c755 = $made(Name, {longest: 12});
+const $c748 = $made(Entry, {key: "currency", meaning: "Currency of the prices.", kind: $c755, title: "Currency", required: true, alias: "", example: "", attribute: "currency", unless: ""});
+const $c757 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c756 = $made(Quantity, {dimension: "area", limit: $c757});
+const $c749 = $made(Entry, {key: "area", meaning: "Lagged area the prices are for.", kind: $c756, title: "Area", required: true, alias: "", example: "", attribute: "area", unless: ""});
+const $c759 = $made(Quantity, {dimension: "number", limit: null});
+const $c758 = $made(Rows, {kind: $c759, least: 2, most: 2});
+const $c750 = $made(Entry, {key: "life_years", meaning: "Shortest and longest life in years.", kind: $c758, title: "Life", required: true, alias: "", example: "", attribute: "life_years", unless: ""});
+const $c744 = [$c746, $c747, $c748, $c749, $c750];
+const $c745 = new Map([["material", $c746], ["installation", $c747], ["currency", $c748], ["area", $c749], ["life_years", $c750]]);
+const $c45 = $made(Table, {title: "Cost on one pulley", of: Cost, entries: $c744, _known: $c745});
+const $c707 = $made(Entry, {key: "cost", meaning: "What it costs on one pulley.", kind: $c45, title: "Cost", required: false, alias: "", example: "", attribute: "cost", unless: ""});
+const $c761 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c760 = $made(Quantity, {dimension: "speed", limit: $c761});
+const $c708 = $made(Entry, {key: "slip_speed", meaning: "Largest slip speed it is used at, for slip_speed_factor; its table's if left out.", kind: $c760, title: "Slip speed", required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
+const $c763 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c762 = $made(Quantity, {dimension: "temperature", limit: $c763});
+const $c709 = $made(Entry, {key: "temperature", meaning: "Temperature it is used at, for temperature_factor; the least factor if left out.", kind: $c762, title: "Temperature", required: false, alias: "", example: "", attribute: "temperature", unless: ""});
+const $c770 = $made(Name, {longest: 60});
+const $c767 = $made(Entry, {key: "condition", meaning: "State of the surface: wet, dirty ...", kind: $c770, title: "Condition", required: true, alias: "", example: "", attribute: "condition", unless: ""});
+const $c772 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c771 = $made(Quantity, {dimension: "number", limit: $c772});
+const $c768 = $made(Entry, {key: "factor", meaning: "Friction over that of the tested law.", kind: $c771, title: "Factor", required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c769 = $made(Entry, {key: "provenance", meaning: "Where the factors came from.", kind: $c2, title: "Provenance", required: true, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c765 = [$c767, $c768, $c769];
+const $c766 = new Map([["condition", $c767], ["factor", $c768], ["provenance", $c769]]);
+const $c49 = $made(Table, {title: "Factor of a condition", of: ConditionFactor, entries: $c765, _known: $c766});
+const $c764 = $made(Rows, {kind: $c49, least: 0, most: 20});
+const $c710 = $made(Entry, {key: "condition_factor", meaning: "Friction in conditions that it was not tested in.", kind: $c764, title: "Condition factor", required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
+const $c800 = ["integral-log"];
+const $c799 = $made(Choice, {options: $c800});
+const $c782 = $made(Entry, {key: "kind", meaning: "Kind of the law.", kind: $c799, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c801 = $made(Name, {longest: 60});
+const $c783 = $made(Entry, {key: "condition", meaning: "State of the surface; dry if left out.", kind: $c801, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c784 = $made(Entry, {key: "provenance", meaning: "Where this law came from, if elsewhere.", kind: $c2, title: "Provenance", required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c785 = $made(Entry, {key: "condition_source", meaning: "Of a law that was scaled to its condition: where the factor came from.", kind: $c2, title: "Condition source", required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
+const $c814 = $made(Name, {longest: 120});
+const $c813 = $made(Rows, {kind: $c814, least: 1, most: 1000});
+const $c804 = $made(Entry, {key: "parameters", meaning: "What was fitted, each by its place in the law: knots[2].peak_slip.", kind: $c813, title: "Parameters", required: true, alias: "", example: "", attribute: "parameters", unless: ""});
+const $c815 = $made(Rows, {kind: $c759, least: 1, most: 1000});
+const $c805 = $made(Entry, {key: "values", meaning: "Best estimates, in SI units.", kind: $c815, title: "Values", required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c817 = $made(Rows, {kind: $c759, least: 1, most: 1000});
+const $c816 = $made(Rows, {kind: $c817, least: 1, most: 1000});
+const $c806 = $made(Entry, {key: "covariance", meaning: "Their covariance, row by row, in SI units.", kind: $c816, title: "Covariance", required: true, alias: "", example: "", attribute: "covariance", unless: ""});
+const $c819 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c818 = $made(Quantity, {dimension: "number", limit: $c819});
+const $c807 = $made(Entry, {key: "residual_noise", meaning: "Standard deviation of the measured friction about the law.", kind: $c818, title: "Residual noise", required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
+const $c821 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c820 = $made(Quantity, {dimension: "number", limit: $c821});
+const $c808 = $made(Entry, {key: "coverage_factor", meaning: "Standard deviations to either side of a 95 % interval; 1.96 if left out.", kind: $c820, title: "Coverage factor", required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
+const $c822 = $made(Text, {longest: 60, lines: false});
+const $c809 = $made(Entry, {key: "date", meaning: "When it was fitted.", kind: $c822, title: "Date", required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c823 = $made(Text, {longest: 500, lines: false});
+const $c810 = $made(Entry, {key: "method", meaning: "How it was fitted.", kind: $c823, title: "Method", required: false, alias: "", example: "", attribute: "method", unless: ""});
+const $c825 = $made(Text, {longest: 2000, lines: true});
+const $c824 = $made(Rows, {kind: $c825, least: 0, most: 50});
+const $c811 = $made(Entry, {key: "misfit", meaning: "Where the law does not describe the data.", kind: $c824, title: "Misfit", required: false, alias: "", example: "", attribute: "misfit", unless: ""});
+const $c826 = $made(Text, {longest: 500, lines: false});
+const $c812 = $made(Entry, {key: "misfit_accepted", meaning: "Why the law was written nevertheless.", kind: $c826, title: "Misfit accepted", required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
+const $c802 = [$c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812];
+const $c803 = new Map([["parameters", $c804], ["values", $c805], ["covariance", $c806], ["residual_noise", $c807], ["coverage_factor", $c808], ["date", $c809], ["method", $c810], ["misfit", $c811], ["misfit_accepted", $c812]]);
+const $c56 = $made(Table, {title: "Statistics of the fit", of: Fit, entries: $c802, _known: $c803});
+const $c786 = $made(Entry, {key: "fit", meaning: "Statistics of the fit.", kind: $c56, title: "Fit", required: false, alias: "", example: "", attribute: "fit", unless: ""});
+const $c829 = ["lagging shear", "cover shear"];
+const $c828 = $made(Choice, {options: $c829});
+const $c827 = $made(Rows, {kind: $c828, least: 0, most: 2});
+const $c787 = $made(Entry, {key: "slip_includes", meaning: "What the slip holds besides the sliding, [] for nothing; not known if left out.", kind: $c827, title: "Slip includes", required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
+const $c836 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c835 = $made(Quantity, {dimension: "speed", limit: $c836});
+const $c834 = $made(Rows, {kind: $c835, least: 2, most: 100});
+const $c832 = $made(Entry, {key: "slip_speed", meaning: "Slip speeds, rising.", kind: $c834, title: "Slip speed", required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c837 = $made(Rows, {kind: $c771, least: 2, most: 100});
+const $c833 = $made(Entry, {key: "factor", meaning: "Friction over that of the tested law.", kind: $c837, title: "Factor", required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c830 = [$c832, $c833, $c769];
+const $c831 = new Map([["slip_speed", $c832], ["factor", $c833], ["provenance", $c769]]);
+const $c54 = $made(Table, {title: "Factor of slip speed", of: FrictionFactor, entries: $c830, _known: $c831});
+const $c788 = $made(Entry, {key: "slip_speed_factor", meaning: "What slip speed does to the tested friction.", kind: $c54, title: "Slip speed factor", required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
+const $c843 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c842 = $made(Quantity, {dimension: "temperature", limit: $c843});
+const $c841 = $made(Rows, {kind: $c842, least: 2, most: 100});
+const $c840 = $made(Entry, {key: "temperature", meaning: "Temperatures of the surface, rising.", kind: $c841, title: "Temperature", required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c838 = [$c840, $c833, $c769];
+const $c839 = new Map([["temperature", $c840], ["factor", $c833], ["provenance", $c769]]);
+const $c55 = $made(Table, {title: "Factor of temperature", of: FrictionFactor, entries: $c838, _known: $c839});
+const $c789 = $made(Entry, {key: "temperature_factor", meaning: "What temperature does to it.", kind: $c55, title: "Temperature factor", required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
+const $c790 = $made(Entry, {key: "notes", meaning: "What a reader must know of this law.", kind: $c824, title: "Notes", required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c846 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c845 = $made(Quantity, {dimension: "pressure", limit: $c846});
+const $c844 = $made(Rows, {kind: $c845, least: 2, most: 2});
+const $c791 = $made(Entry, {key: "tested_pressure", meaning: "Lowest and highest; not for knots and pieces, whose ends they are.", kind: $c844, title: "Tested pressures", required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
+const $c848 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c847 = $made(Quantity, {dimension: "length", limit: $c848});
+const $c792 = $made(Entry, {key: "tested_slip", meaning: "Largest slip of the tests.", kind: $c847, title: "Tested slip", required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
+const $c850 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c849 = $made(Quantity, {dimension: "speed", limit: $c850});
+const $c793 = $made(Entry, {key: "tested_slip_speed", meaning: "Speed of slip in the tests.", kind: $c849, title: "Tested slip speed", required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
+const $c855 = $made(Entry, {key: "pressure", meaning: "Pressure of the knot.", kind: $c845, title: "Wrap pressure", required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c861 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
+const $c860 = $made(Quantity, {dimension: "number", limit: $c861});
+const $c856 = $made(Entry, {key: "peak_friction", meaning: "Largest friction over all slips at one wrap pressure.", kind: $c860, title: "Peak friction", required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
+const $c857 = $made(Entry, {key: "peak_slip", meaning: "Slip at which the friction has its peak.", kind: $c847, title: "Slip at peak friction", required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
+const $c863 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
+const $c862 = $made(Quantity, {dimension: "per_length", limit: $c863});
+const $c858 = $made(Entry, {key: "post_peak_slope", meaning: "Change of friction with slip past its peak; zero or negative.", kind: $c862, title: "Slope past the peak", required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c859 = $made(Entry, {key: "residual_friction", meaning: "Level below which friction does not fall past its peak.", kind: $c860, title: "Residual friction", required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c853 = [$c855, $c856, $c857, $c858, $c859];
+const $c854 = new Map([["pressure", $c855], ["peak_friction", $c856], ["peak_slip", $c857], ["post_peak_slope", $c858], ["residual_friction", $c859]]);
+const $c852 = $made(Table, {title: "Knot", of: null, entries: $c853, _known: $c854});
+const $c851 = $made(Rows, {kind: $c852, least: 1, most: 200});
+const $c794 = $made(Entry, {key: "knots", meaning: "The curve at rising pressures.", kind: $c851, title: "Knots", required: false, alias: "", example: "", attribute: "knots", unless: ""});
+const $c868 = $made(Entry, {key: "from", meaning: "Lowest pressure of the piece.", kind: $c845, title: "From", required: true, alias: "", example: "", attribute: "from", unless: ""});
+const $c869 = $made(Entry, {key: "to", meaning: "Highest pressure; the next piece goes on from there.", kind: $c845, title: "To", required: true, alias: "", example: "", attribute: "to", unless: ""});
+const $c874 = $made(Text, {longest: 300, lines: false});
+const $c870 = $made(Entry, {key: "A", meaning: "Equation of A.", kind: $c874, title: "A(p)", required: true, alias: "", example: "", attribute: "A", unless: ""});
+const $c871 = $made(Entry, {key: "b", meaning: "Equation of b.", kind: $c874, title: "b(p)", required: true, alias: "", example: "", attribute: "b", unless: ""});
+const $c872 = $made(Entry, {key: "post_peak_slope", meaning: "Equation, 0 if left out.", kind: $c874, title: "Slope past the peak", required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c873 = $made(Entry, {key: "residual_friction", meaning: "Equation; the peak friction if left out.", kind: $c874, title: "Residual friction", required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c866 = [$c868, $c869, $c870, $c871, $c872, $c873];
+const $c867 = new Map([["from", $c868], ["to", $c869], ["A", $c870], ["b", $c871], ["post_peak_slope", $c872], ["residual_friction", $c873]]);
+const $c865 = $made(Table, {title: "Piece", of: null, entries: $c866, _known: $c867});
+const $c864 = $made(Rows, {kind: $c865, least: 1, most: 50});
+const $c795 = $made(Entry, {key: "pieces", meaning: "Equations over pressure, in pieces.", kind: $c864, title: "Pieces", required: false, alias: "", example: "", attribute: "pieces", unless: ""});
+const $c875 = $made(Text, {longest: 20, lines: false});
+const $c796 = $made(Entry, {key: "slip_unit", meaning: "Unit of slip that A and b are for.", kind: $c875, title: "Unit of slip", required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
+const $c876 = $made(Text, {longest: 20, lines: false});
+const $c797 = $made(Entry, {key: "pressure_unit", meaning: "Unit of p in the equations.", kind: $c876, title: "Unit of pressure", required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
+const $c878 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c877 = $made(Quantity, {dimension: "number", limit: $c878});
+const $c798 = $made(Entry, {key: "continuity", meaning: "Largest step between pieces, relative; 0.02 if left out.", kind: $c877, title: "Continuity", required: false, alias: "", example: "", attribute: "continuity", unless: ""});
+const $c780 = [$c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c796, $c797, $c798];
+const $c781 = new Map([["kind", $c782], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["knots", $c794], ["pieces", $c795], ["slip_unit", $c796], ["pressure_unit", $c797], ["continuity", $c798]]);
+const $c775 = $made(Table, {title: "integral-log", of: IntegralLog, entries: $c780, _known: $c781});
+const $c884 = ["constant"];
+const $c883 = $made(Choice, {options: $c884});
+const $c881 = $made(Entry, {key: "kind", meaning: "Kind of the law.", kind: $c883, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c882 = $made(Entry, {key: "friction", meaning: "Friction once the belt slips.", kind: $c860, title: "Friction", required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c879 = [$c881, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c882];
+const $c880 = new Map([["kind", $c881], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c882]]);
+const $c776 = $made(Table, {title: "constant", of: Constant, entries: $c879, _known: $c880});
+const $c890 = ["elastic-plastic"];
+const $c889 = $made(Choice, {options: $c890});
+const $c887 = $made(Entry, {key: "kind", meaning: "Kind of the law.", kind: $c889, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c892 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
+const $c891 = $made(Quantity, {dimension: "pressure_per_length", limit: $c892});
+const $c888 = $made(Entry, {key: "stiffness", meaning: "Shear stress per slip at first.", kind: $c891, title: "Stiffness", required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
+const $c885 = [$c887, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c888, $c882];
+const $c886 = new Map([["kind", $c887], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["stiffness", $c888], ["friction", $c882]]);
+const $c777 = $made(Table, {title: "elastic-plastic", of: ElasticPlastic, entries: $c885, _known: $c886});
+const $c900 = ["power"];
+const $c899 = $made(Choice, {options: $c900});
+const $c895 = $made(Entry, {key: "kind", meaning: "Kind of the law.", kind: $c899, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c896 = $made(Entry, {key: "friction", meaning: "Friction at the reference pressure.", kind: $c860, title: "Friction", required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c897 = $made(Entry, {key: "reference_pressure", meaning: "Pressure p_0.", kind: $c845, title: "Reference pressure", required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
+const $c898 = $made(Entry, {key: "exponent", meaning: "n of (p/p_0)^-n, from 0 to below 1.", kind: $c759, title: "Exponent", required: true, alias: "", example: "", attribute: "exponent", unless: ""});
+const $c893 = [$c895, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c896, $c897, $c898];
+const $c894 = new Map([["kind", $c895], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c896], ["reference_pressure", $c897], ["exponent", $c898]]);
+const $c778 = $made(Table, {title: "power", of: PressurePower, entries: $c893, _known: $c894});
+const $c907 = ["table"];
+const $c906 = $made(Choice, {options: $c907});
+const $c903 = $made(Entry, {key: "kind", meaning: "Kind of the law.", kind: $c906, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c910 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c909 = $made(Quantity, {dimension: "length", limit: $c910});
+const $c908 = $made(Rows, {kind: $c909, least: 2, most: 1000});
+const $c904 = $made(Entry, {key: "slip", meaning: "Rising from 0.", kind: $c908, title: "Slips", required: true, alias: "", example: "", attribute: "slip", unless: ""});
+const $c915 = $made(Entry, {key: "pressure", meaning: "Pressure of the row.", kind: $c845, title: "Wrap pressure", required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c919 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
+const $c918 = $made(Quantity, {dimension: "number", limit: $c919});
+const $c917 = $made(Rows, {kind: $c918, least: 2, most: 1000});
+const $c916 = $made(Entry, {key: "friction", meaning: "Friction at each of the slips.", kind: $c917, title: "Friction", required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c913 = [$c915, $c916];
+const $c914 = new Map([["pressure", $c915], ["friction", $c916]]);
+const $c912 = $made(Table, {title: "Row", of: null, entries: $c913, _known: $c914});
+const $c911 = $made(Rows, {kind: $c912, least: 1, most: 200});
+const $c905 = $made(Entry, {key: "rows", meaning: "Friction at rising pressures.", kind: $c911, title: "Rows", required: true, alias: "", example: "", attribute: "rows", unless: ""});
+const $c901 = [$c903, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c904, $c905];
+const $c902 = new Map([["kind", $c903], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["slip", $c904], ["rows", $c905]]);
+const $c779 = $made(Table, {title: "table", of: MeasuredTable, entries: $c901, _known: $c902});
+const $c774 = new Map([["integral-log", $c775], ["constant", $c776], ["elastic-plastic", $c777], ["power", $c778], ["table", $c779]]);
+const $c52 = $made(Variant, {tag: "kind", tables: $c774});
+const $c773 = $made(OneOrMore, {kind: $c52, most: 50});
+const $c711 = $made(Entry, {key: "law", meaning: "One for each condition.", kind: $c773, title: "Friction laws", required: false, alias: "", example: "", attribute: "law", unless: ""});
+const $c712 = $made(Entry, {key: "notes", meaning: "What a reader must know.", kind: $c824, title: "Notes", required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c691 = [$c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
+const $c692 = new Map([["preset", $c693], ["name", $c694], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c698], ["elastic_modulus", $c699], ["shear_modulus", $c700], ["compression_modulus", $c701], ["block", $c702], ["wear_coefficient", $c703], ["belt_energy_share", $c704], ["bond_strength", $c705], ["fatigue_limit", $c706], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
+const $c690 = $made(Table, {title: "Lagging", of: Lagging, entries: $c691, _known: $c692});
+const $c159 = $made(TextOr, {text: $c689, table: $c690});
+const $c141 = $made(Entry, {key: "lagging", meaning: "Catalogue name, name of a [lagging.NAME] table, path of a lagging file, or a table.", kind: $c159, title: "Lagging", required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
+const $c142 = $made(Entry, {key: "condition", meaning: "If not that of the drive: dry, wet ...", kind: $c160, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c581 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c161 = $made(Quantity, {dimension: "force", limit: $c581});
+const $c143 = $made(Entry, {key: "entry_tension", meaning: "Belt tension where the belt meets the pulley.", kind: $c161, title: "Entry tension", required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c144 = $made(Entry, {key: "exit_tension", meaning: "Belt tension where the belt leaves the pulley.", kind: $c161, title: "Exit tension", required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c162 = $made(Quantity, {dimension: "force", limit: null});
+const $c145 = $made(Entry, {key: "effective_tension", meaning: "Peripheral force on the pulley, T1 - T2: positive when driving, negative when braking.", kind: $c162, title: "Effective tension", required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c163 = $made(Quantity, {dimension: "torque", limit: null});
+const $c146 = $made(Entry, {key: "torque", meaning: "Torque on the pulley, effective tension times D/2 and the offset of the tension member, if the layers of the belt are given; negative when braking.", kind: $c163, title: "Torque", required: false, alias: "", example: "", attribute: "torque", unless: ""});
+const $c164 = $made(Quantity, {dimension: "power", limit: null});
+const $c147 = $made(Entry, {key: "power", meaning: "Power to the belt, effective tension times belt speed; negative when braking.", kind: $c164, title: "Power", required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c920 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
+const $c166 = $made(Quantity, {dimension: "length", limit: $c920});
+const $c165 = $made(WordOr, {word: "formula", kind: $c166, meaning: null});
+const $c148 = $made(Entry, {key: "overrun", meaning: "Rearward slip with which the belt starts on freshly compressed lagging at the entry nip; negative towards travel.", kind: $c165, title: "Entry overrun", required: false, alias: "", example: "", attribute: "overrun", unless: ""});
+const $c167 = $made(Flag, {});
+const $c149 = $made(Entry, {key: "recovery", meaning: "Whether the lagging adds creep as it recovers along the arc.", kind: $c167, title: "Recovery", required: false, alias: "", example: "", attribute: "recovery", unless: ""});
+const $c921 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c168 = $made(Quantity, {dimension: "length", limit: $c921});
+const $c150 = $made(Entry, {key: "creep_limit", meaning: "Largest creep that is accepted; 6.35 mm is the conservative customary value.", kind: $c168, title: "Creep limit", required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c604 = ["pulley", "carry"];
+const $c169 = $made(Choice, {options: $c604});
+const $c151 = $made(Entry, {key: "side", meaning: "Side of the belt that meets the pulley: pulley (if left out), or carry, as on one pulley of an S-wrap.", kind: $c169, title: "Belt side", required: false, alias: "", example: "", attribute: "side", unless: ""});
+const $c922 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c170 = $made(Quantity, {dimension: "mass", limit: $c922});
+const $c152 = $made(Entry, {key: "mass", meaning: "With lagging and shaft; its weight bears on the bearings beside the belt tensions.", kind: $c170, title: "Mass of the pulley", required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c1357 = $made(Quantity, {dimension: "length", limit: null});
+const $c1358 = $made(Quantity, {dimension: "length", limit: null});
+const $c1356 = [$c1357, $c1358];
+const $c1283 = $made(_Pair, {kinds: $c1356});
+const $c1281 = $made(Rows, {kind: $c1283, least: 0, most: 500});
+const $c1287 = $made(Entry, {key: "rows", meaning: "Pairs of position, 0 in the middle of the belt, and value.", kind: $c1281, title: "Rows", required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1292 = $made(Quantity, {dimension: "length", limit: null});
+const $c1288 = $made(Entry, {key: "crown", meaning: "Height of a parabola in the middle over the edges of the belt.", kind: $c1292, title: "Crown", required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1294 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1293 = $made(Quantity, {dimension: "number", limit: $c1294});
+const $c1289 = $made(Entry, {key: "factor", meaning: "Factor on all values: how much of the profile there is.", kind: $c1293, title: "Factor", required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1296 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1295 = $made(Quantity, {dimension: "length", limit: $c1296});
+const $c1290 = $made(Entry, {key: "uncertainty", meaning: "Standard uncertainty of the values.", kind: $c1295, title: "Uncertainty", required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1298 = ["radius", "diameter"];
+const $c1297 = $made(Choice, {options: $c1298});
+const $c1291 = $made(Entry, {key: "on", meaning: "Whether the values are on radius (if left out) or on diameter.", kind: $c1297, title: "On", required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1285 = [$c1287, $c1288, $c1289, $c1290, $c1291];
+const $c1286 = new Map([["rows", $c1287], ["crown", $c1288], ["factor", $c1289], ["uncertainty", $c1290], ["on", $c1291]]);
+const $c1284 = $made(Table, {title: "Profile", of: null, entries: $c1285, _known: $c1286});
+const $c1282 = $made(TextOr, {text: $c1281, table: $c1284});
+const $c934 = $made(Profile, {dimension: "length", diameters: true, rows: $c1281, within: $c1282});
+const $c925 = $made(Entry, {key: "shell_profile", meaning: "Radius of the shell over its mean: crown, out of true.", kind: $c934, title: "Shell profile", required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
+const $c1360 = $made(Quantity, {dimension: "length", limit: null});
+const $c1361 = $made(Quantity, {dimension: "length", limit: null});
+const $c1359 = [$c1360, $c1361];
+const $c1301 = $made(_Pair, {kinds: $c1359});
+const $c1299 = $made(Rows, {kind: $c1301, least: 0, most: 500});
+const $c1305 = $made(Entry, {key: "rows", meaning: "Pairs of position, 0 in the middle of the belt, and value.", kind: $c1299, title: "Rows", required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1310 = $made(Quantity, {dimension: "length", limit: null});
+const $c1306 = $made(Entry, {key: "crown", meaning: "Height of a parabola in the middle over the edges of the belt.", kind: $c1310, title: "Crown", required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1312 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1311 = $made(Quantity, {dimension: "number", limit: $c1312});
+const $c1307 = $made(Entry, {key: "factor", meaning: "Factor on all values: how much of the profile there is.", kind: $c1311, title: "Factor", required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1314 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1313 = $made(Quantity, {dimension: "length", limit: $c1314});
+const $c1308 = $made(Entry, {key: "uncertainty", meaning: "Standard uncertainty of the values.", kind: $c1313, title: "Uncertainty", required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1315 = $made(Choice, {options: $c1298});
+const $c1309 = $made(Entry, {key: "on", meaning: "Whether the values are on radius (if left out) or on diameter.", kind: $c1315, title: "On", required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1303 = [$c1305, $c1306, $c1307, $c1308, $c1309];
+const $c1304 = new Map([["rows", $c1305], ["crown", $c1306], ["factor", $c1307], ["uncertainty", $c1308], ["on", $c1309]]);
+const $c1302 = $made(Table, {title: "Profile", of: null, entries: $c1303, _known: $c1304});
+const $c1300 = $made(TextOr, {text: $c1299, table: $c1302});
+const $c935 = $made(Profile, {dimension: "length", diameters: true, rows: $c1299, within: $c1300});
+const $c926 = $made(Entry, {key: "worn_depth", meaning: "Depth worn off the lagging, on radius.", kind: $c935, title: "Worn depth", required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
+const $c1363 = $made(Quantity, {dimension: "length", limit: null});
+const $c1364 = $made(Quantity, {dimension: "length", limit: null});
+const $c1362 = [$c1363, $c1364];
+const $c1318 = $made(_Pair, {kinds: $c1362});
+const $c1316 = $made(Rows, {kind: $c1318, least: 0, most: 500});
+const $c1322 = $made(Entry, {key: "rows", meaning: "Pairs of position, 0 in the middle of the belt, and value.", kind: $c1316, title: "Rows", required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1327 = $made(Quantity, {dimension: "length", limit: null});
+const $c1323 = $made(Entry, {key: "crown", meaning: "Height of a parabola in the middle over the edges of the belt.", kind: $c1327, title: "Crown", required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1329 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1328 = $made(Quantity, {dimension: "number", limit: $c1329});
+const $c1324 = $made(Entry, {key: "factor", meaning: "Factor on all values: how much of the profile there is.", kind: $c1328, title: "Factor", required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1331 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1330 = $made(Quantity, {dimension: "length", limit: $c1331});
+const $c1325 = $made(Entry, {key: "uncertainty", meaning: "Standard uncertainty of the values.", kind: $c1330, title: "Uncertainty", required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1332 = $made(Choice, {options: $c1298});
+const $c1326 = $made(Entry, {key: "on", meaning: "Whether the values are on radius (if left out) or on diameter.", kind: $c1332, title: "On", required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1320 = [$c1322, $c1323, $c1324, $c1325, $c1326];
+const $c1321 = new Map([["rows", $c1322], ["crown", $c1323], ["factor", $c1324], ["uncertainty", $c1325], ["on", $c1326]]);
+const $c1319 = $made(Table, {title: "Profile", of: null, entries: $c1320, _known: $c1321});
+const $c1317 = $made(TextOr, {text: $c1316, table: $c1319});
+const $c936 = $made(Profile, {dimension: "length", diameters: true, rows: $c1316, within: $c1317});
+const $c927 = $made(Entry, {key: "build_up", meaning: "Material stuck to the pulley, on radius.", kind: $c936, title: "Build up", required: false, alias: "", example: "", attribute: "build_up", unless: ""});
+const $c938 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c937 = $made(Quantity, {dimension: "number", limit: $c938});
+const $c928 = $made(Entry, {key: "misalignment", meaning: "Skew of the pulley in the plane of the bisector of its wrap, as slope.", kind: $c937, title: "Misalignment", required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
+const $c940 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c939 = $made(Quantity, {dimension: "length", limit: $c940});
+const $c929 = $made(Entry, {key: "deflection", meaning: "How far the middle of the face is pulled in, relative to its edges.", kind: $c939, title: "Deflection", required: false, alias: "", example: "", attribute: "deflection", unless: ""});
+const $c1366 = $made(Quantity, {dimension: "length", limit: null});
+const $c1367 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1365 = [$c1366, $c1367];
+const $c1335 = $made(_Pair, {kinds: $c1365});
+const $c1333 = $made(Rows, {kind: $c1335, least: 0, most: 500});
+const $c1339 = $made(Entry, {key: "rows", meaning: "Pairs of position, 0 in the middle of the belt, and value.", kind: $c1333, title: "Rows", required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1343 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1340 = $made(Entry, {key: "crown", meaning: "Height of a parabola in the middle over the edges of the belt.", kind: $c1343, title: "Crown", required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1345 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1344 = $made(Quantity, {dimension: "number", limit: $c1345});
+const $c1341 = $made(Entry, {key: "factor", meaning: "Factor on all values: how much of the profile there is.", kind: $c1344, title: "Factor", required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1347 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1346 = $made(Quantity, {dimension: "force_per_width", limit: $c1347});
+const $c1342 = $made(Entry, {key: "uncertainty", meaning: "Standard uncertainty of the values.", kind: $c1346, title: "Uncertainty", required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1337 = [$c1339, $c1340, $c1341, $c1342];
+const $c1338 = new Map([["rows", $c1339], ["crown", $c1340], ["factor", $c1341], ["uncertainty", $c1342]]);
+const $c1336 = $made(Table, {title: "Profile", of: null, entries: $c1337, _known: $c1338});
+const $c1334 = $made(TextOr, {text: $c1333, table: $c1336});
+const $c941 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1333, within: $c1334});
+const $c930 = $made(Entry, {key: "entry_profile", meaning: "Deviation of the belt tension far before the pulley.", kind: $c941, title: "Entry profile", required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
+const $c951 = ["pulley"];
+const $c950 = $made(Choice, {options: $c951});
+const $c948 = $made(Entry, {key: "kind", meaning: "What the span before the pulley comes from.", kind: $c950, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c953 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c952 = $made(Quantity, {dimension: "length", limit: $c953});
+const $c949 = $made(Entry, {key: "distance", meaning: "Length of the span from tangent to tangent.", kind: $c952, title: "Distance", required: true, alias: "", example: "", attribute: "distance", unless: ""});
+const $c946 = [$c948, $c949];
+const $c947 = new Map([["kind", $c948], ["distance", $c949]]);
+const $c944 = $made(Table, {title: "pulley", of: GrippingPulley, entries: $c946, _known: $c947});
+const $c962 = ["transition"];
+const $c961 = $made(Choice, {options: $c962});
+const $c956 = $made(Entry, {key: "kind", meaning: "What the span before the pulley comes from.", kind: $c961, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c964 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c963 = $made(Quantity, {dimension: "length", limit: $c964});
+const $c957 = $made(Entry, {key: "length", meaning: "From the last full trough to the pulley.", kind: $c963, title: "Length", required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
+const $c966 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
+const $c965 = $made(Quantity, {dimension: "angle", limit: $c966});
+const $c958 = $made(Entry, {key: "trough_angle", meaning: "Of the wing rolls.", kind: $c965, title: "Trough angle", required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
+const $c968 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c967 = $made(Quantity, {dimension: "length", limit: $c968});
+const $c959 = $made(Entry, {key: "centre_roll", meaning: "Width of belt on the centre roll.", kind: $c967, title: "Centre roll", required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
+const $c970 = ["full", "half"];
+const $c969 = $made(Choice, {options: $c970});
+const $c960 = $made(Entry, {key: "depth", meaning: "Full: the pulley level with the centre roll; half: raised by half the trough.", kind: $c969, title: "Depth", required: false, alias: "", example: "", attribute: "depth", unless: ""});
+const $c954 = [$c956, $c957, $c958, $c959, $c960];
+const $c955 = new Map([["kind", $c956], ["length", $c957], ["trough_angle", $c958], ["centre_roll", $c959], ["depth", $c960]]);
+const $c945 = $made(Table, {title: "transition", of: Transition, entries: $c954, _known: $c955});
+const $c943 = new Map([["pulley", $c944], ["transition", $c945]]);
+const $c28 = $made(Variant, {tag: "kind", tables: $c943});
+const $c942 = $made(WordOr, {word: "far", kind: $c28, meaning: null});
+const $c931 = $made(Entry, {key: "before", meaning: "What the span before comes from; far if left out.", kind: $c942, title: "Before", required: false, alias: "", example: "", attribute: "before", unless: ""});
+const $c978 = ["pulley"];
+const $c977 = $made(Choice, {options: $c978});
+const $c976 = $made(Entry, {key: "kind", meaning: "Where the span after the pulley goes to.", kind: $c977, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c974 = [$c976, $c949];
+const $c975 = new Map([["kind", $c976], ["distance", $c949]]);
+const $c973 = $made(Table, {title: "pulley", of: GrippingPulley, entries: $c974, _known: $c975});
+const $c972 = new Map([["pulley", $c973]]);
+const $c29 = $made(Variant, {tag: "kind", tables: $c972});
+const $c971 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
+const $c932 = $made(Entry, {key: "after", meaning: "Where the span after goes to; far if left out.", kind: $c971, title: "After", required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c979 = $made(Count, {least: 4, most: 128});
+const $c933 = $made(Entry, {key: "strips", meaning: "Strips that the belt is cut into; 32 if left out.", kind: $c979, title: "Strips", required: false, alias: "", example: "", attribute: "strips", unless: ""});
+const $c923 = [$c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932, $c933];
+const $c924 = new Map([["shell_profile", $c925], ["worn_depth", $c926], ["build_up", $c927], ["misalignment", $c928], ["deflection", $c929], ["entry_profile", $c930], ["before", $c931], ["after", $c932], ["strips", $c933]]);
+const $c30 = $made(Table, {title: "Across the width", of: Across, entries: $c923, _known: $c924});
+const $c153 = $made(Entry, {key: "across", meaning: "What is uneven across the width.", kind: $c30, title: "Across", required: false, alias: "", example: "", attribute: "across", unless: ""});
+const $c171 = $made(ByName, {kind: $c2, most: 200});
+const $c154 = $made(Entry, {key: "sources", meaning: "Where single numbers came from, by key.", kind: $c171, title: "Sources", required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c8 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
+const $c666 = new Map([["name", $c137], ["diameter", $c138], ["wrap_angle", $c139], ["belt_path", $c140], ["lagging", $c141], ["condition", $c142], ["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147], ["overrun", $c148], ["recovery", $c149], ["creep_limit", $c150], ["side", $c151], ["mass", $c152], ["across", $c153], ["sources", $c154]]);
+const $c31 = $made(Table, {title: "Pulley", of: Pulley, entries: $c8, _known: $c666});
+const $c665 = $made(Rows, {kind: $c31, least: 1, most: 10});
+const $c629 = $made(Entry, {key: "pulley", meaning: "The drive pulleys in belt order.", kind: $c665, title: "Pulleys", required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
+const $c980 = $made(ByName, {kind: $c690, most: 200});
+const $c630 = $made(Entry, {key: "lagging", meaning: "Laggings of this drive, by name.", kind: $c980, title: "Laggings", required: false, alias: "", example: "", attribute: "lagging", unless: ""});
+const $c991 = $made(Name, {longest: 60});
+const $c985 = $made(Entry, {key: "name", meaning: "Name of the case.", kind: $c991, title: "Name", required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
+const $c992 = $made(Text, {longest: 1000, lines: true});
+const $c986 = $made(Entry, {key: "description", meaning: "What happens then.", kind: $c992, title: "Description", required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c62 = ["running", "starting", "braking"];
+const $c993 = $made(Choice, {options: $c62});
+const $c987 = $made(Entry, {key: "kind", meaning: "Running (if left out), starting or braking.", kind: $c993, title: "Kind", required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c988 = $made(Entry, {key: "condition", meaning: "Dry, wet ...; that of the drive if left out.", kind: $c160, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c996 = [$c143, $c144, $c145, $c146, $c147];
+const $c997 = new Map([["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147]]);
+const $c995 = $made(Table, {title: "Tensions", of: null, entries: $c996, _known: $c997});
+const $c994 = $made(ByName, {kind: $c995, most: 200});
+const $c989 = $made(Entry, {key: "pulley", meaning: "Tensions by pulley; those not named keep their own.", kind: $c994, title: "Tensions", required: false, alias: "", example: "", attribute: "pulley", unless: ""});
+const $c998 = $made(Elsewhere, {});
+const $c990 = $made(Entry, {key: "train", meaning: "", kind: $c998, title: "Train", required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c983 = [$c985, $c986, $c987, $c988, $c989, $c990];
+const $c984 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c990]]);
+const $c982 = $made(Table, {title: "Load case", of: null, entries: $c983, _known: $c984});
+const $c981 = $made(Rows, {kind: $c982, least: 1, most: 1000});
+const $c631 = $made(Entry, {key: "load_case", meaning: "States of the conveyor.", kind: $c981, title: "Load cases", required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1021 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1020 = $made(Quantity, {dimension: "length", limit: $c1021});
+const $c1001 = $made(Entry, {key: "length", meaning: "From the centre of the head to that of the tail pulley.", kind: $c1020, title: "Length", required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
+const $c1023 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
+const $c1022 = $made(Quantity, {dimension: "length", limit: $c1023});
+const $c1002 = $made(Entry, {key: "lift", meaning: "From tail to head, negative downhill; 0 if left out.", kind: $c1022, title: "Lift", required: false, alias: "", example: "", attribute: "lift", unless: ""});
+const $c1025 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1024 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
+const $c1003 = $made(Entry, {key: "belt_mass", meaning: "Mass of the belt per length.", kind: $c1024, title: "Belt mass", required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
+const $c1027 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1026 = $made(Quantity, {dimension: "mass_per_length", limit: $c1027});
+const $c1004 = $made(Entry, {key: "carry_idler_mass", meaning: "Rotating mass of the carrying idlers per length.", kind: $c1026, title: "Carry idler mass", required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
+const $c1029 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1028 = $made(Quantity, {dimension: "mass_per_length", limit: $c1029});
+const $c1005 = $made(Entry, {key: "return_idler_mass", meaning: "Rotating mass of the return idlers per length.", kind: $c1028, title: "Return idler mass", required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
+const $c1030 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
+const $c1006 = $made(Entry, {key: "material_mass", meaning: "Mass of the material per length of full belt; or capacity.", kind: $c1030, title: "Material mass", required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
+const $c1032 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1031 = $made(Quantity, {dimension: "mass_flow", limit: $c1032});
+const $c1007 = $made(Entry, {key: "capacity", meaning: "Mass flow of the full belt; needs the belt speed.", kind: $c1031, title: "Capacity", required: false, alias: "", example: "", attribute: "capacity", unless: ""});
+const $c1034 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
+const $c1033 = $made(Quantity, {dimension: "number", limit: $c1034});
+const $c1008 = $made(Entry, {key: "friction_factor", meaning: "f of DIN 22101 and ISO 5048, 0.016 to 0.030; 0.02 if left out (average conditions).", kind: $c1033, title: "Friction factor", required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
+const $c1036 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c1035 = $made(Quantity, {dimension: "number", limit: $c1036});
+const $c1009 = $made(Entry, {key: "length_coefficient", meaning: "C for all secondary resistances; by the length if left out.", kind: $c1035, title: "Length coefficient", required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
+const $c1038 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
+const $c1037 = $made(Quantity, {dimension: "force", limit: $c1038});
+const $c1010 = $made(Entry, {key: "secondary_resistance", meaning: "The secondary resistances themselves, instead of C.", kind: $c1037, title: "Secondary resistance", required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
+const $c1039 = $made(Quantity, {dimension: "force", limit: $c1038});
+const $c1011 = $made(Entry, {key: "special_resistance", meaning: "Skirts, scrapers, ploughs; 0 if left out.", kind: $c1039, title: "Special resistance", required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
+const $c1041 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c1040 = $made(Quantity, {dimension: "number", limit: $c1041});
+const $c1012 = $made(Entry, {key: "return_share", meaning: "Part of secondary and special resistances on the return strand; 0 if left out.", kind: $c1040, title: "Return share", required: false, alias: "", example: "", attribute: "return_share", unless: ""});
+const $c1043 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
+const $c1042 = $made(Quantity, {dimension: "number", limit: $c1043});
+const $c1013 = $made(Entry, {key: "start_factor", meaning: "Pull while starting over that of the full conveyor; or start_time.", kind: $c1042, title: "Start factor", required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1045 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
+const $c1044 = $made(Quantity, {dimension: "time", limit: $c1045});
+const $c1014 = $made(Entry, {key: "start_time", meaning: "From rest to full speed at constant acceleration.", kind: $c1044, title: "Start time", required: false, alias: "", example: "", attribute: "start_time", unless: ""});
+const $c1046 = $made(Quantity, {dimension: "time", limit: $c1045});
+const $c1015 = $made(Entry, {key: "stop_time", meaning: "From full speed to rest at constant deceleration.", kind: $c1046, title: "Stop time", required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
+const $c1048 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
+const $c1047 = $made(Quantity, {dimension: "force", limit: $c1048});
+const $c1016 = $made(Entry, {key: "take_up_tension", meaning: "Belt tension that the take-up holds; or counterweight.", kind: $c1047, title: "Take up tension", required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
+const $c1050 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
+const $c1049 = $made(Quantity, {dimension: "mass", limit: $c1050});
+const $c1017 = $made(Entry, {key: "counterweight", meaning: "Mass of the counterweight, at the sheave_ratio of [take_up].", kind: $c1049, title: "Counterweight", required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
+const $c1052 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
+const $c1051 = $made(Quantity, {dimension: "length", limit: $c1052});
+const $c1018 = $made(Entry, {key: "take_up_distance", meaning: "From the head to the take-up along the return strand, up to the length, which is the tail; 0 if left out.", kind: $c1051, title: "Take up distance", required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
+const $c605 = ["head", "tail"];
+const $c1053 = $made(Choice, {options: $c605});
+const $c1019 = $made(Entry, {key: "drive_at", meaning: "Where the drive pulley sits; the head if left out.", kind: $c1053, title: "Drive at", required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
+const $c999 = [$c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018, $c1019];
+const $c1000 = new Map([["length", $c1001], ["lift", $c1002], ["belt_mass", $c1003], ["carry_idler_mass", $c1004], ["return_idler_mass", $c1005], ["material_mass", $c1006], ["capacity", $c1007], ["friction_factor", $c1008], ["length_coefficient", $c1009], ["secondary_resistance", $c1010], ["special_resistance", $c1011], ["return_share", $c1012], ["start_factor", $c1013], ["start_time", $c1014], ["stop_time", $c1015], ["take_up_tension", $c1016], ["counterweight", $c1017], ["take_up_distance", $c1018], ["drive_at", $c1019]]);
+const $c37 = $made(Table, {title: "Conveyor", of: Conveyor, entries: $c999, _known: $c1000});
+const $c632 = $made(Entry, {key: "conveyor", meaning: "The load cases by resistances, instead of tensions.", kind: $c37, title: "Conveyor", required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
+const $c599 = ["gravity", "winch", "fixed"];
+const $c1059 = $made(Choice, {options: $c599});
+const $c1056 = $made(Entry, {key: "kind", meaning: "Gravity and winch hold the slack-side tension; fixed holds the sum of both.", kind: $c1059, title: "Take-up", required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c594 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c1060 = $made(Quantity, {dimension: "number", limit: $c594});
+const $c1057 = $made(Entry, {key: "sheave_ratio", meaning: "Pull of the counterweight over the belt tension; 2 if left out.", kind: $c1060, title: "Sheave ratio", required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
+const $c1061 = $made(Name, {longest: 60});
+const $c1058 = $made(Entry, {key: "after", meaning: "Pulley behind which it stands between drives; if left out, on the slack side of all.", kind: $c1061, title: "Behind pulley", required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c1054 = [$c1056, $c1057, $c1058];
+const $c1055 = new Map([["kind", $c1056], ["sheave_ratio", $c1057], ["after", $c1058]]);
+const $c500 = $made(Table, {title: "Take-up", of: TakeUp, entries: $c1054, _known: $c1055});
+const $c496 = $made(Entry, {key: "take_up", meaning: "What keeps the belt tight.", kind: $c500, title: "Take-up", required: false, alias: "", example: "", attribute: "take_up", unless: ""});
+const $c600 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1069 = $made(Choice, {options: $c600});
+const $c1064 = $made(Entry, {key: "name", meaning: "CEMA if left out; none asks for nothing.", kind: $c1069, title: "Standard", required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c601 = ["dry", "wet", "wet and dirty"];
+const $c1070 = $made(Choice, {options: $c601});
+const $c1065 = $made(Entry, {key: "condition", meaning: "That of the lagging if left out.", kind: $c1070, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c595 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
+const $c1071 = $made(Quantity, {dimension: "number", limit: $c595});
+const $c1066 = $made(Entry, {key: "friction", meaning: "Design friction of a standard of your own.", kind: $c1071, title: "Friction", required: false, alias: "", example: "", attribute: "friction", unless: ""});
+const $c596 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c1072 = $made(Quantity, {dimension: "number", limit: $c596});
+const $c1067 = $made(Entry, {key: "start_factor", meaning: "Pull to design for over the pull of a running load case; 1 if left out.", kind: $c1072, title: "Start factor", required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1073 = $made(Flag, {});
+const $c1068 = $made(Entry, {key: "binding", meaning: "Whether a drive below the standard fails.", kind: $c1073, title: "Binding", required: false, alias: "", example: "", attribute: "binding", unless: ""});
+const $c1062 = [$c1064, $c1065, $c1066, $c1067, $c1068];
+const $c1063 = new Map([["name", $c1064], ["condition", $c1065], ["friction", $c1066], ["start_factor", $c1067], ["binding", $c1068]]);
+const $c501 = $made(Table, {title: "Design standard of the slack side", of: DesignStandard, entries: $c1062, _known: $c1063});
+const $c497 = $made(Entry, {key: "design_standard", meaning: "The slack side is held to it.", kind: $c501, title: "Design standard", required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c1080 = $made(Quantity, {dimension: "number", limit: $c596});
+const $c1076 = $made(Entry, {key: "running", meaning: "Pull at gross slip over the pull; 1.25 if left out.", kind: $c1080, title: "Running", required: false, alias: "", example: "", attribute: "running", unless: ""});
+const $c1081 = $made(Quantity, {dimension: "number", limit: $c596});
+const $c1077 = $made(Entry, {key: "starting", meaning: "1.1 if left out.", kind: $c1081, title: "Starting", required: false, alias: "", example: "", attribute: "starting", unless: ""});
+const $c1082 = $made(Quantity, {dimension: "number", limit: $c596});
+const $c1078 = $made(Entry, {key: "braking", meaning: "1.1 if left out.", kind: $c1082, title: "Braking", required: false, alias: "", example: "", attribute: "braking", unless: ""});
+const $c1083 = $made(Text, {longest: 500, lines: false});
+const $c1079 = $made(Entry, {key: "source", meaning: "Where the factors came from.", kind: $c1083, title: "Source", required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c1074 = [$c1076, $c1077, $c1078, $c1079];
+const $c1075 = new Map([["running", $c1076], ["starting", $c1077], ["braking", $c1078], ["source", $c1079]]);
+const $c502 = $made(Table, {title: "Safety factors on gross slip", of: SafetyFactors, entries: $c1074, _known: $c1075});
+const $c498 = $made(Entry, {key: "safety_factor", meaning: "Least pull at gross slip over the pull.", kind: $c502, title: "Safety factors", required: false, alias: "", example: "", attribute: "safety", unless: ""});
+const $c1090 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
+const $c1089 = $made(Quantity, {dimension: "length", limit: $c1090});
+const $c1086 = $made(Entry, {key: "idler_spacing", meaning: "Of the strand behind the pulley.", kind: $c1089, title: "Idler spacing", required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
+const $c1092 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1091 = $made(Quantity, {dimension: "mass_per_length", limit: $c1092});
+const $c1087 = $made(Entry, {key: "line_mass", meaning: "Of the belt, with its load on a carrying strand.", kind: $c1091, title: "Mass per length", required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
+const $c1094 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
+const $c1093 = $made(Quantity, {dimension: "number", limit: $c1094});
+const $c1088 = $made(Entry, {key: "share", meaning: "2 % if left out.", kind: $c1093, title: "Sag over spacing", required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1084 = [$c1086, $c1087, $c1088];
+const $c1085 = new Map([["idler_spacing", $c1086], ["line_mass", $c1087], ["share", $c1088]]);
+const $c503 = $made(Table, {title: "Belt sag", of: Sag, entries: $c1084, _known: $c1085});
+const $c499 = $made(Entry, {key: "sag", meaning: "Not looked at if left out.", kind: $c503, title: "Belt sag", required: false, alias: "", example: "", attribute: "sag", unless: ""});
+const $c1095 = $made(Elsewhere, {});
+const $c633 = $made(Entry, {key: "train", meaning: "", kind: $c1095, title: "Train", required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1096 = $made(Elsewhere, {});
+const $c634 = $made(Entry, {key: "motion", meaning: "The drives in time: events, inertias, controls.", kind: $c1096, title: "Motion", required: false, alias: "", example: "", attribute: "motion", unless: ""});
+const $c621 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c496, $c497, $c498, $c499, $c633, $c634];
+const $c622 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c631], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c633], ["motion", $c634]]);
+const $c0 = $made(Table, {title: "Drive file", of: Drive, entries: $c621, _known: $c622});
+const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
+const $c4 = new Map([["width", $c122], ["modulus", $c123], ["rating", $c124], ["strength", $c125], ["speed", $c126], ["momentary_factor", $c127], ["least_pulley_diameter", $c128], ["largest_wrap_pressure", $c129], ["in_plane_shear_stiffness", $c130], ["pulley_cover", $c131], ["carry_cover", $c132], ["carcass", $c133], ["thickness", $c134], ["cover_shear_modulus", $c135], ["mass", $c136]]);
+const $c6 = $made(_Nothing, {});
+const $c9 = ["x", "y", "diameter", "turn"];
+const $c197 = [10000, "m"];
+const $c196 = [$c197];
+const $c174 = ["mm", $c196];
+const $c175 = ["kN", []];
+const $c176 = ["kN/m", []];
+const $c199 = [10000, "MPa"];
+const $c198 = [$c199];
+const $c177 = ["kPa", $c198];
+const $c178 = ["kPa/mm", []];
+const $c179 = ["m/s", []];
+const $c180 = ["deg", []];
+const $c181 = ["kW", []];
+const $c182 = ["kN m", []];
+const $c183 = ["m2", []];
+const $c184 = ["s", []];
+const $c185 = ["degC", []];
+const $c186 = ["1/mm", []];
+const $c187 = ["mm3/J", []];
+const $c188 = ["J/m2", []];
+const $c201 = [10000, "kW/m2"];
+const $c200 = [$c201];
+const $c189 = ["W/m2", $c200];
+const $c190 = ["rpm", []];
+const $c191 = ["kg", []];
+const $c192 = ["kg/m", []];
+const $c193 = ["t/h", []];
+const $c194 = ["kg m2", []];
+const $c195 = ["", []];
+const $c172 = new Map([["length", $c174], ["force", $c175], ["force_per_width", $c176], ["spring_rate", $c176], ["pressure", $c177], ["pressure_per_length", $c178], ["speed", $c179], ["angle", $c180], ["power", $c181], ["torque", $c182], ["area", $c183], ["time", $c184], ["temperature", $c185], ["per_length", $c186], ["wear_coefficient", $c187], ["energy_per_area", $c188], ["power_per_area", $c189], ["rotation_speed", $c190], ["mass", $c191], ["mass_per_length", $c192], ["mass_flow", $c193], ["moment_of_inertia", $c194], ["number", $c195]]);
+const $c222 = [400, "ft"];
+const $c221 = [$c222];
+const $c202 = ["in", $c221];
+const $c203 = ["lbf", []];
+const $c204 = ["PIW", []];
+const $c205 = ["lbf/in", []];
+const $c224 = [10000, "ksi"];
+const $c223 = [$c224];
+const $c206 = ["psi", $c223];
+const $c207 = ["psi/in", []];
+const $c208 = ["fpm", []];
+const $c209 = ["hp", []];
+const $c210 = ["lbf ft", []];
+const $c211 = ["in2", []];
+const $c212 = ["degF", []];
+const $c213 = ["1/in", []];
+const $c214 = ["in3/(ft lbf)", []];
+const $c215 = ["ft lbf/ft2", []];
+const $c216 = ["hp/ft2", []];
+const $c217 = ["lbm", []];
+const $c218 = ["lbm/ft", []];
+const $c219 = ["lbm/h", []];
+const $c220 = ["lbm ft2", []];
+const $c173 = new Map([["length", $c202], ["force", $c203], ["force_per_width", $c204], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c180], ["power", $c209], ["torque", $c210], ["area", $c211], ["time", $c184], ["temperature", $c212], ["per_length", $c213], ["wear_coefficient", $c214], ["energy_per_area", $c215], ["power_per_area", $c216], ["rotation_speed", $c190], ["mass", $c217], ["mass_per_length", $c218], ["mass_flow", $c219], ["moment_of_inertia", $c220], ["number", $c195]]);
+const $c10 = new Map([["si", $c172], ["us", $c173]]);
+const $c225 = new DimensionText("m", "a length", "1200 mm");
+const $c226 = new DimensionText("N", "a force", "150 kN");
+const $c227 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c228 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c229 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c230 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c231 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c232 = new DimensionText("rad", "an angle", "180 deg");
+const $c233 = new DimensionText("W", "a power", "250 kW");
+const $c234 = new DimensionText("N m", "a torque", "40 kN m");
+const $c235 = new DimensionText("m2", "an area", "2500 mm2");
+const $c236 = new DimensionText("s", "a time", "10 s");
+const $c237 = new DimensionText("K", "a temperature", "20 degC");
+const $c238 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c239 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c240 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c241 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c242 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c243 = new DimensionText("kg", "a mass", "500 kg");
+const $c244 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c245 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c246 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c247 = new DimensionText("", "a plain number", "0.35");
+const $c11 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
+const $c12 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
+const $c13 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
+const $c14 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
+const $c15 = $re("[eE][+-]?([0-9]+)$", "");
+const $c16 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
+const $c17 = $re("[,.]", "");
+const $c18 = $re("1\\s*/\\s*[A-Za-z(]", "");
+const $c19 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
+const $c20 = ["kg", "m", "s", "K", "rad"];
+const $c310 = ["meter", "meters", "metre", "metres"];
+const $c311 = $Decimal.of("1");
+const $c312 = $Decimal.of("0");
+const $c248 = new Definition($c310, $c311, "m", $c312);
+const $c313 = ["km"];
+const $c314 = $Decimal.of("1000");
+const $c315 = $Decimal.of("0");
+const $c249 = new Definition($c313, $c314, "m", $c315);
+const $c316 = ["dm"];
+const $c317 = $Decimal.of("0.1");
+const $c318 = $Decimal.of("0");
+const $c250 = new Definition($c316, $c317, "m", $c318);
+const $c319 = ["cm"];
+const $c320 = $Decimal.of("0.01");
+const $c321 = $Decimal.of("0");
+const $c251 = new Definition($c319, $c320, "m", $c321);
+const $c322 = ["mm"];
+const $c323 = $Decimal.of("0.001");
+const $c324 = $Decimal.of("0");
+const $c252 = new Definition($c322, $c323, "m", $c324);
+const $c325 = ["um", "micron", "microns"];
+const $c326 = $Decimal.of("0.000001");
+const $c327 = $Decimal.of("0");
+const $c253 = new Definition($c325, $c326, "m", $c327);
+const $c328 = ["in", "inch", "inches", "\""];
+const $c329 = $Decimal.of("0.0254");
+const $c330 = $Decimal.of("0");
+const $c254 = new Definition($c328, $c329, "m", $c330);
+const $c331 = ["ft", "foot", "feet"];
+const $c332 = $Decimal.of("12");
+const $c333 = $Decimal.of("0");
+const $c255 = new Definition($c331, $c332, "in", $c333);
+const $c334 = ["yd"];
+const $c335 = $Decimal.of("3");
+const $c336 = $Decimal.of("0");
+const $c256 = new Definition($c334, $c335, "ft", $c336);
+const $c337 = ["mi", "mile", "miles"];
+const $c338 = $Decimal.of("5280");
+const $c339 = $Decimal.of("0");
+const $c257 = new Definition($c337, $c338, "ft", $c339);
+const $c340 = ["thou"];
+const $c341 = $Decimal.of("0.001");
+const $c342 = $Decimal.of("0");
+const $c258 = new Definition($c340, $c341, "in", $c342);
+const $c343 = ["g"];
+const $c344 = $Decimal.of("0.001");
+const $c345 = $Decimal.of("0");
+const $c259 = new Definition($c343, $c344, "kg", $c345);
+const $c346 = ["t", "tonne", "tonnes"];
+const $c347 = $Decimal.of("1000");
+const $c348 = $Decimal.of("0");
+const $c260 = new Definition($c346, $c347, "kg", $c348);
+const $c349 = ["lbm"];
+const $c350 = $Decimal.of("0.45359237");
+const $c351 = $Decimal.of("0");
+const $c261 = new Definition($c349, $c350, "kg", $c351);
+const $c352 = ["sec", "second", "seconds"];
+const $c353 = $Decimal.of("1");
+const $c354 = $Decimal.of("0");
+const $c262 = new Definition($c352, $c353, "s", $c354);
+const $c355 = ["ms"];
+const $c356 = $Decimal.of("0.001");
+const $c357 = $Decimal.of("0");
+const $c263 = new Definition($c355, $c356, "s", $c357);
+const $c358 = ["min", "minute", "minutes"];
+const $c359 = $Decimal.of("60");
+const $c360 = $Decimal.of("0");
+const $c264 = new Definition($c358, $c359, "s", $c360);
+const $c361 = ["h", "hr", "hour", "hours"];
+const $c362 = $Decimal.of("60");
+const $c363 = $Decimal.of("0");
+const $c265 = new Definition($c361, $c362, "min", $c363);
+const $c364 = ["d", "day", "days"];
+const $c365 = $Decimal.of("24");
+const $c366 = $Decimal.of("0");
+const $c266 = new Definition($c364, $c365, "h", $c366);
+const $c367 = ["N", "newton", "newtons"];
+const $c368 = $Decimal.of("1");
+const $c369 = $Decimal.of("0");
+const $c267 = new Definition($c367, $c368, "kg m/s2", $c369);
+const $c370 = ["mN"];
+const $c371 = $Decimal.of("0.001");
+const $c372 = $Decimal.of("0");
+const $c268 = new Definition($c370, $c371, "N", $c372);
+const $c373 = ["daN"];
+const $c374 = $Decimal.of("10");
+const $c375 = $Decimal.of("0");
+const $c269 = new Definition($c373, $c374, "N", $c375);
+const $c376 = ["kN"];
+const $c377 = $Decimal.of("1000");
+const $c378 = $Decimal.of("0");
+const $c270 = new Definition($c376, $c377, "N", $c378);
+const $c379 = ["MN"];
+const $c380 = $Decimal.of("1E+6");
+const $c381 = $Decimal.of("0");
+const $c271 = new Definition($c379, $c380, "N", $c381);
+const $c382 = ["kgf", "kp"];
+const $c383 = $Decimal.of("9.80665");
+const $c384 = $Decimal.of("0");
+const $c272 = new Definition($c382, $c383, "N", $c384);
+const $c385 = ["gf"];
+const $c386 = $Decimal.of("0.001");
+const $c387 = $Decimal.of("0");
+const $c273 = new Definition($c385, $c386, "kgf", $c387);
+const $c388 = ["tf"];
+const $c389 = $Decimal.of("1000");
+const $c390 = $Decimal.of("0");
+const $c274 = new Definition($c388, $c389, "kgf", $c390);
+const $c391 = ["lbf", "lb", "lbs"];
+const $c392 = $Decimal.of("4.4482216152605");
+const $c393 = $Decimal.of("0");
+const $c275 = new Definition($c391, $c392, "N", $c393);
+const $c394 = ["klbf", "kip", "kips"];
+const $c395 = $Decimal.of("1000");
+const $c396 = $Decimal.of("0");
+const $c276 = new Definition($c394, $c395, "lbf", $c396);
+const $c397 = ["PIW", "piw", "PLI", "pli"];
+const $c398 = $Decimal.of("1");
+const $c399 = $Decimal.of("0");
+const $c277 = new Definition($c397, $c398, "lbf/in", $c399);
+const $c400 = ["Pa"];
+const $c401 = $Decimal.of("1");
+const $c402 = $Decimal.of("0");
+const $c278 = new Definition($c400, $c401, "N/m2", $c402);
+const $c403 = ["hPa"];
+const $c404 = $Decimal.of("100");
+const $c405 = $Decimal.of("0");
+const $c279 = new Definition($c403, $c404, "Pa", $c405);
+const $c406 = ["kPa"];
+const $c407 = $Decimal.of("1000");
+const $c408 = $Decimal.of("0");
+const $c280 = new Definition($c406, $c407, "Pa", $c408);
+const $c409 = ["MPa"];
+const $c410 = $Decimal.of("1E+6");
+const $c411 = $Decimal.of("0");
+const $c281 = new Definition($c409, $c410, "Pa", $c411);
+const $c412 = ["GPa"];
+const $c413 = $Decimal.of("1E+9");
+const $c414 = $Decimal.of("0");
+const $c282 = new Definition($c412, $c413, "Pa", $c414);
+const $c415 = ["bar"];
+const $c416 = $Decimal.of("1E+5");
+const $c417 = $Decimal.of("0");
+const $c283 = new Definition($c415, $c416, "Pa", $c417);
+const $c418 = ["mbar"];
+const $c419 = $Decimal.of("100");
+const $c420 = $Decimal.of("0");
+const $c284 = new Definition($c418, $c419, "Pa", $c420);
+const $c421 = ["psi", "PSI"];
+const $c422 = $Decimal.of("1");
+const $c423 = $Decimal.of("0");
+const $c285 = new Definition($c421, $c422, "lbf/in2", $c423);
+const $c424 = ["ksi"];
+const $c425 = $Decimal.of("1000");
+const $c426 = $Decimal.of("0");
+const $c286 = new Definition($c424, $c425, "psi", $c426);
+const $c427 = ["J", "joule"];
+const $c428 = $Decimal.of("1");
+const $c429 = $Decimal.of("0");
+const $c287 = new Definition($c427, $c428, "N m", $c429);
+const $c430 = ["mJ"];
+const $c431 = $Decimal.of("0.001");
+const $c432 = $Decimal.of("0");
+const $c288 = new Definition($c430, $c431, "J", $c432);
+const $c433 = ["kJ"];
+const $c434 = $Decimal.of("1000");
+const $c435 = $Decimal.of("0");
+const $c289 = new Definition($c433, $c434, "J", $c435);
+const $c436 = ["MJ"];
+const $c437 = $Decimal.of("1E+6");
+const $c438 = $Decimal.of("0");
+const $c290 = new Definition($c436, $c437, "J", $c438);
+const $c439 = ["Nm"];
+const $c440 = $Decimal.of("1");
+const $c441 = $Decimal.of("0");
+const $c291 = new Definition($c439, $c440, "N m", $c441);
+const $c442 = ["kNm"];
+const $c443 = $Decimal.of("1000");
+const $c444 = $Decimal.of("0");
+const $c292 = new Definition($c442, $c443, "N m", $c444);
+const $c445 = ["MNm"];
+const $c446 = $Decimal.of("1E+6");
+const $c447 = $Decimal.of("0");
+const $c293 = new Definition($c445, $c446, "N m", $c447);
+const $c448 = ["W", "watt", "watts"];
+const $c449 = $Decimal.of("1");
+const $c450 = $Decimal.of("0");
+const $c294 = new Definition($c448, $c449, "J/s", $c450);
+const $c451 = ["kW"];
+const $c452 = $Decimal.of("1000");
+const $c453 = $Decimal.of("0");
+const $c295 = new Definition($c451, $c452, "W", $c453);
+const $c454 = ["MW"];
+const $c455 = $Decimal.of("1E+6");
+const $c456 = $Decimal.of("0");
+const $c296 = new Definition($c454, $c455, "W", $c456);
+const $c457 = ["hp", "HP", "bhp", "BHP"];
+const $c458 = $Decimal.of("550");
+const $c459 = $Decimal.of("0");
+const $c297 = new Definition($c457, $c458, "ft lbf/s", $c459);
+const $c460 = ["PS", "cv", "CV", "hp(metric)"];
+const $c461 = $Decimal.of("75");
+const $c462 = $Decimal.of("0");
+const $c298 = new Definition($c460, $c461, "kgf m/s", $c462);
+const $c463 = ["fpm", "FPM"];
+const $c464 = $Decimal.of("1");
+const $c465 = $Decimal.of("0");
+const $c299 = new Definition($c463, $c464, "ft/min", $c465);
+const $c466 = ["fps"];
+const $c467 = $Decimal.of("1");
+const $c468 = $Decimal.of("0");
+const $c300 = new Definition($c466, $c467, "ft/s", $c468);
+const $c469 = ["kph", "kmh"];
+const $c470 = $Decimal.of("1");
+const $c471 = $Decimal.of("0");
+const $c301 = new Definition($c469, $c470, "km/h", $c471);
+const $c472 = ["mph"];
+const $c473 = $Decimal.of("1");
+const $c474 = $Decimal.of("0");
+const $c302 = new Definition($c472, $c473, "mi/h", $c474);
+const $c475 = ["mrad"];
+const $c476 = $Decimal.of("0.001");
+const $c477 = $Decimal.of("0");
+const $c303 = new Definition($c475, $c476, "rad", $c477);
+const $c478 = ["deg", "degree", "degrees", "°"];
+const $c479 = $Decimal.of("0.01745329251994329576923690768");
+const $c480 = $Decimal.of("0");
+const $c304 = new Definition($c478, $c479, "rad", $c480);
+const $c481 = ["rev", "turn", "turns"];
+const $c482 = $Decimal.of("360");
+const $c483 = $Decimal.of("0");
+const $c305 = new Definition($c481, $c482, "deg", $c483);
+const $c484 = ["rpm", "RPM"];
+const $c485 = $Decimal.of("1");
+const $c486 = $Decimal.of("0");
+const $c306 = new Definition($c484, $c485, "rev/min", $c486);
+const $c487 = ["degC", "°C"];
+const $c488 = $Decimal.of("1");
+const $c489 = $Decimal.of("-273.15");
+const $c307 = new Definition($c487, $c488, "K", $c489);
+const $c490 = ["degF", "°F"];
+const $c491 = $Decimal.of("0.5555555555555555555555555556");
+const $c492 = $Decimal.of("-459.67");
+const $c308 = new Definition($c490, $c491, "K", $c492);
+const $c493 = ["%", "percent"];
+const $c494 = $Decimal.of("0.01");
+const $c495 = $Decimal.of("0");
+const $c309 = new Definition($c493, $c494, "", $c495);
+const $c21 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
+const $c22 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
+const $c23 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
+const $c24 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
+const $c25 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
+const $c26 = ["wear_coefficient"];
+const $c27 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
+const $c32 = [$c496, $c497, $c498, $c499];
+const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c34 = ["effective_tension", "torque", "power"];
+const $c35 = ["entry_tension", "exit_tension"];
+const $c36 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c504 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c505 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c506 = ["length_coefficient", "secondary_resistance", ""];
+const $c507 = ["start_factor", "start_time", ""];
+const $c38 = [$c504, $c505, $c506, $c507];
+const $c39 = ["capacity", "start_time", "stop_time"];
+const $c1116 = $made(Quantity, {dimension: "force", limit: $c581});
+const $c1109 = $made(Entry, {key: "entry_tension", meaning: "Tension where the belt meets the first pulley.", kind: $c1116, title: "First entry tension", required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c1110 = $made(Entry, {key: "exit_tension", meaning: "Tension where the belt leaves the last pulley.", kind: $c1116, title: "Last exit tension", required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c1117 = $made(Quantity, {dimension: "force", limit: null});
+const $c1111 = $made(Entry, {key: "effective_tension", meaning: "Sum of T1 - T2 over all pulleys.", kind: $c1117, title: "Total effective tension", required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c1118 = $made(Quantity, {dimension: "power", limit: null});
+const $c1112 = $made(Entry, {key: "power", meaning: "Power to the belt, total effective tension times belt speed.", kind: $c1118, title: "Total power", required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c1120 = $made(Quantity, {dimension: "force", limit: null});
+const $c1119 = $made(ByName, {kind: $c1120, most: 200});
+const $c1113 = $made(Entry, {key: "run", meaning: "Rise of tension over the run from the pulley before, by pulley; 0 if left out.", kind: $c1119, title: "Runs", required: false, alias: "", example: "", attribute: "run", unless: ""});
+const $c1350 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
+const $c1348 = $made(Quantity, {dimension: "number", limit: $c1350});
+const $c1349 = $made(Quantity, {dimension: "power", limit: null});
+const $c1122 = $made(Either, {first: $c1348, second: $c1349, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
+const $c1121 = $made(Rows, {kind: $c1122, least: 1, most: 10});
+const $c1114 = $made(Entry, {key: "share", meaning: "Part of the load of each pulley in belt order, or its power: speeds are computed.", kind: $c1121, title: "Shares", required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1123 = $made(SpeedList, {});
+const $c1115 = $made(Entry, {key: "speeds", meaning: "Trim or drum speed of each pulley in belt order, or equal drum speeds: shares are computed.", kind: $c1123, title: "Speeds", required: false, alias: "", example: "", attribute: "speeds", unless: ""});
+const $c1107 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115];
+const $c1108 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115]]);
+const $c1106 = $made(Table, {title: "Train in this load case", of: null, entries: $c1107, _known: $c1108});
+const $c1105 = $made(Entry, {key: "train", meaning: "Tensions and division of the load of a train.", kind: $c1106, title: "Train", required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1103 = [$c985, $c986, $c987, $c988, $c989, $c1105];
+const $c1104 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c1105]]);
+const $c1102 = $made(Table, {title: "Load case", of: null, entries: $c1103, _known: $c1104});
+const $c1101 = $made(Rows, {kind: $c1102, least: 1, most: 1000});
+const $c1099 = $made(Entry, {key: "load_case", meaning: "States of the conveyor.", kind: $c1101, title: "Load cases", required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1130 = $made(Quantity, {dimension: "length", limit: $c667});
+const $c1129 = $made(Rows, {kind: $c1130, least: 1, most: 10});
+const $c1127 = $made(Entry, {key: "diameters", meaning: "Diameter of each drum as it is now, worn; those of the pulleys are then nominal.", kind: $c1129, title: "Actual diameters", required: false, alias: "", example: "", attribute: "diameters", unless: ""});
+const $c1146 = ["converter"];
+const $c1145 = $made(Choice, {options: $c1146});
+const $c1134 = $made(Entry, {key: "kind", meaning: "What turns the drum.", kind: $c1145, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1148 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c1147 = $made(Quantity, {dimension: "power", limit: $c1148});
+const $c1135 = $made(Entry, {key: "rated_power", meaning: "Rated shaft power of one motor.", kind: $c1147, title: "Rated power", required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1150 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1149 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
+const $c1136 = $made(Entry, {key: "rated_speed", meaning: "Speed of the motor at rated torque.", kind: $c1149, title: "Rated speed", required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1152 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
+const $c1137 = $made(Entry, {key: "gear_ratio", meaning: "Motor speed over drum speed; 1 if left out.", kind: $c1151, title: "Gear ratio", required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1154 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1153 = $made(Quantity, {dimension: "number", limit: $c1154});
+const $c1138 = $made(Entry, {key: "gear_efficiency", meaning: "Power out over power in; 1 if left out.", kind: $c1153, title: "Efficiency of the gear", required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1156 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1155 = $made(Quantity, {dimension: "number", limit: $c1156});
+const $c1139 = $made(Entry, {key: "motor_efficiency", meaning: "Shaft power over electrical power; without it motor losses are not told.", kind: $c1155, title: "Efficiency of the motor", required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1157 = $made(Count, {least: 1, most: 8});
+const $c1140 = $made(Entry, {key: "count", meaning: "Equal motors on the drum.", kind: $c1157, title: "Motors", required: false, alias: "", example: "", attribute: "count", unless: ""});
+const $c1158 = $made(Flag, {});
+const $c1141 = $made(Entry, {key: "brakes", meaning: "Whether the motor can hold back; true if left out.", kind: $c1158, title: "Brakes", required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1160 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
+const $c1159 = $made(Quantity, {dimension: "number", limit: $c1160});
+const $c1142 = $made(Entry, {key: "setting", meaning: "Set speed over rated speed; 1 if left out.", kind: $c1159, title: "Speed setting", required: false, alias: "", example: "", attribute: "setting", unless: ""});
+const $c1162 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c1161 = $made(Quantity, {dimension: "number", limit: $c1162});
+const $c1143 = $made(Entry, {key: "droop", meaning: "Fall of speed at rated torque over rated speed; 0 if left out.", kind: $c1161, title: "Droop", required: false, alias: "", example: "", attribute: "droop", unless: ""});
+const $c1165 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
+const $c1164 = $made(Quantity, {dimension: "number", limit: $c1165});
+const $c1163 = $made(WordOr, {word: "rigid", kind: $c1164, meaning: Infinity});
+const $c1144 = $made(Entry, {key: "torque_limit", meaning: "Largest torque over rated torque.", kind: $c1163, title: "Torque limit", required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
+const $c1132 = [$c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144];
+const $c1133 = new Map([["kind", $c1134], ["rated_power", $c1135], ["rated_speed", $c1136], ["gear_ratio", $c1137], ["gear_efficiency", $c1138], ["motor_efficiency", $c1139], ["count", $c1140], ["brakes", $c1141], ["setting", $c1142], ["droop", $c1143], ["torque_limit", $c1144]]);
+const $c572 = $made(Table, {title: "converter", of: VariableSpeed, entries: $c1132, _known: $c1133});
+const $c1178 = ["induction"];
+const $c1177 = $made(Choice, {options: $c1178});
+const $c1168 = $made(Entry, {key: "kind", meaning: "What turns the drum.", kind: $c1177, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1179 = $made(Quantity, {dimension: "power", limit: $c1148});
+const $c1169 = $made(Entry, {key: "rated_power", meaning: "Rated shaft power of one motor.", kind: $c1179, title: "Rated power", required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1180 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
+const $c1170 = $made(Entry, {key: "rated_speed", meaning: "Speed of the motor at rated torque.", kind: $c1180, title: "Rated speed", required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1181 = $made(Quantity, {dimension: "number", limit: $c1152});
+const $c1171 = $made(Entry, {key: "gear_ratio", meaning: "Motor speed over drum speed; 1 if left out.", kind: $c1181, title: "Gear ratio", required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1182 = $made(Quantity, {dimension: "number", limit: $c1154});
+const $c1172 = $made(Entry, {key: "gear_efficiency", meaning: "Power out over power in; 1 if left out.", kind: $c1182, title: "Efficiency of the gear", required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1183 = $made(Quantity, {dimension: "number", limit: $c1156});
+const $c1173 = $made(Entry, {key: "motor_efficiency", meaning: "Shaft power over electrical power; without it motor losses are not told.", kind: $c1183, title: "Efficiency of the motor", required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1184 = $made(Flag, {});
+const $c1174 = $made(Entry, {key: "brakes", meaning: "Whether the motor can hold back; true if left out.", kind: $c1184, title: "Brakes", required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1186 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1185 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
+const $c1175 = $made(Entry, {key: "synchronous_speed", meaning: "Speed without slip.", kind: $c1185, title: "Synchronous speed", required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1188 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
+const $c1187 = $made(Quantity, {dimension: "number", limit: $c1188});
+const $c1176 = $made(Entry, {key: "breakdown_ratio", meaning: "Breakdown torque over rated torque; 2.5 if left out.", kind: $c1187, title: "Breakdown ratio", required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1166 = [$c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1140, $c1174, $c1175, $c1176];
+const $c1167 = new Map([["kind", $c1168], ["rated_power", $c1169], ["rated_speed", $c1170], ["gear_ratio", $c1171], ["gear_efficiency", $c1172], ["motor_efficiency", $c1173], ["count", $c1140], ["brakes", $c1174], ["synchronous_speed", $c1175], ["breakdown_ratio", $c1176]]);
+const $c573 = $made(Table, {title: "induction", of: Induction, entries: $c1166, _known: $c1167});
+const $c1203 = ["fluid-coupling"];
+const $c1202 = $made(Choice, {options: $c1203});
+const $c1191 = $made(Entry, {key: "kind", meaning: "What turns the drum.", kind: $c1202, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1204 = $made(Quantity, {dimension: "power", limit: $c1148});
+const $c1192 = $made(Entry, {key: "rated_power", meaning: "Rated shaft power of one motor.", kind: $c1204, title: "Rated power", required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1205 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
+const $c1193 = $made(Entry, {key: "rated_speed", meaning: "Speed of the motor at rated torque.", kind: $c1205, title: "Rated speed", required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1206 = $made(Quantity, {dimension: "number", limit: $c1152});
+const $c1194 = $made(Entry, {key: "gear_ratio", meaning: "Motor speed over drum speed; 1 if left out.", kind: $c1206, title: "Gear ratio", required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1207 = $made(Quantity, {dimension: "number", limit: $c1154});
+const $c1195 = $made(Entry, {key: "gear_efficiency", meaning: "Power out over power in; 1 if left out.", kind: $c1207, title: "Efficiency of the gear", required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1208 = $made(Quantity, {dimension: "number", limit: $c1156});
+const $c1196 = $made(Entry, {key: "motor_efficiency", meaning: "Shaft power over electrical power; without it motor losses are not told.", kind: $c1208, title: "Efficiency of the motor", required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1209 = $made(Flag, {});
+const $c1197 = $made(Entry, {key: "brakes", meaning: "Whether the motor can hold back; true if left out.", kind: $c1209, title: "Brakes", required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1210 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
+const $c1198 = $made(Entry, {key: "synchronous_speed", meaning: "Speed without slip.", kind: $c1210, title: "Synchronous speed", required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1211 = $made(Quantity, {dimension: "number", limit: $c1188});
+const $c1199 = $made(Entry, {key: "breakdown_ratio", meaning: "Breakdown torque over rated torque; 2.5 if left out.", kind: $c1211, title: "Breakdown ratio", required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1214 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c1213 = $made(Quantity, {dimension: "number", limit: $c1214});
+const $c1212 = $made(Rows, {kind: $c1213, least: 2, most: 200});
+const $c1200 = $made(Entry, {key: "coupling_load", meaning: "Torque over rated torque of the motor, rising from 0.", kind: $c1212, title: "Torques of the coupling curve", required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
+const $c1201 = $made(Entry, {key: "coupling_slip", meaning: "Slip at each of the torques, rising from 0.", kind: $c1212, title: "Slips of the coupling curve", required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
+const $c1189 = [$c1191, $c1192, $c1193, $c1194, $c1195, $c1196, $c1140, $c1197, $c1198, $c1199, $c1200, $c1201];
+const $c1190 = new Map([["kind", $c1191], ["rated_power", $c1192], ["rated_speed", $c1193], ["gear_ratio", $c1194], ["gear_efficiency", $c1195], ["motor_efficiency", $c1196], ["count", $c1140], ["brakes", $c1197], ["synchronous_speed", $c1198], ["breakdown_ratio", $c1199], ["coupling_load", $c1200], ["coupling_slip", $c1201]]);
+const $c574 = $made(Table, {title: "fluid-coupling", of: FluidCoupling, entries: $c1189, _known: $c1190});
+const $c1221 = ["follower"];
+const $c1220 = $made(Choice, {options: $c1221});
+const $c1217 = $made(Entry, {key: "kind", meaning: "What turns the drum.", kind: $c1220, title: "Kind", required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1222 = $made(Name, {longest: 60});
+const $c1218 = $made(Entry, {key: "master", meaning: "Pulley whose torque is followed.", kind: $c1222, title: "Master", required: true, alias: "", example: "", attribute: "master", unless: ""});
+const $c593 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
+const $c1223 = $made(Quantity, {dimension: "number", limit: $c593});
+const $c1219 = $made(Entry, {key: "ratio", meaning: "Torque over that of the master; 1 if left out.", kind: $c1223, title: "Ratio", required: false, alias: "", example: "", attribute: "ratio", unless: ""});
+const $c1215 = [$c1217, $c1218, $c1219];
+const $c1216 = new Map([["kind", $c1217], ["master", $c1218], ["ratio", $c1219]]);
+const $c575 = $made(Table, {title: "follower", of: TorqueFollower, entries: $c1215, _known: $c1216});
+const $c65 = new Map([["converter", $c572], ["induction", $c573], ["fluid-coupling", $c574], ["follower", $c575]]);
+const $c66 = $made(Variant, {tag: "kind", tables: $c65});
+const $c1131 = $made(ByName, {kind: $c66, most: 200});
+const $c1128 = $made(Entry, {key: "motor", meaning: "By pulley: the operating point is computed.", kind: $c1131, title: "Motors", required: false, alias: "", example: "", attribute: "motor", unless: ""});
+const $c1125 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1127, $c1128];
+const $c1126 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115], ["diameters", $c1127], ["motor", $c1128]]);
+const $c1124 = $made(Table, {title: "Train", of: null, entries: $c1125, _known: $c1126});
+const $c1100 = $made(Entry, {key: "train", meaning: "How several drives on the belt divide the load.", kind: $c1124, title: "Train", required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1097 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c1099, $c632, $c496, $c497, $c498, $c499, $c1100, $c634];
+const $c1098 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c1099], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c1100], ["motion", $c634]]);
+const $c40 = $made(Table, {title: "Drive file", of: Drive, entries: $c1097, _known: $c1098});
+const $c41 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c42 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c43 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c44 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c46 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c47 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c50 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c51 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c53 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1235 = $made(Name, {longest: 60});
+const $c1226 = $made(Entry, {key: "name", meaning: "Name it is called by.", kind: $c1235, title: "Name", required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
+const $c1236 = $made(Quantity, {dimension: "length", limit: $c585});
+const $c1227 = $made(Entry, {key: "thickness", meaning: "Thickness of the lagging that shears.", kind: $c1236, title: "Lagging thickness", required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c1237 = $made(Quantity, {dimension: "pressure", limit: $c588});
+const $c1228 = $made(Entry, {key: "elastic_modulus", meaning: "Young's modulus E of the rubber.", kind: $c1237, title: "Elastic modulus", required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c1239 = $made(Quantity, {dimension: "pressure", limit: $c586});
+const $c1238 = $made(WordOr, {word: "rigid", kind: $c1239, meaning: Infinity});
+const $c1229 = $made(Entry, {key: "shear_modulus", meaning: "Shear stress for unit tangent of the shear angle.", kind: $c1238, title: "Shear modulus of the lagging", required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
+const $c1241 = $made(Quantity, {dimension: "pressure", limit: $c587});
+const $c1240 = $made(WordOr, {word: "rigid", kind: $c1241, meaning: Infinity});
+const $c1230 = $made(Entry, {key: "compression_modulus", meaning: "Effective modulus in compression through the thickness, channels and tiles included.", kind: $c1240, title: "Compression modulus of the lagging", required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c1242 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
+const $c1231 = $made(Entry, {key: "wear_coefficient", meaning: "Volume worn off the lagging per frictional energy.", kind: $c1242, title: "Energetic wear coefficient", required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c1243 = $made(Quantity, {dimension: "number", limit: $c590});
+const $c1232 = $made(Entry, {key: "belt_energy_share", meaning: "Part of the frictional energy that the belt takes.", kind: $c1243, title: "Belt energy share", required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c1244 = $made(Quantity, {dimension: "pressure", limit: $c591});
+const $c1233 = $made(Entry, {key: "bond_strength", meaning: "Shear stress that the lagging and its bond may bear steadily.", kind: $c1244, title: "Bond strength", required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
+const $c1245 = $made(Quantity, {dimension: "pressure", limit: $c592});
+const $c1234 = $made(Entry, {key: "fatigue_limit", meaning: "Shear stress that they may bear at every pass of the belt.", kind: $c1245, title: "Fatigue limit", required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c1224 = [$c623, $c1226, $c695, $c696, $c697, $c1227, $c1228, $c1229, $c1230, $c702, $c1231, $c1232, $c1233, $c1234, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
+const $c1225 = new Map([["format", $c623], ["name", $c1226], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c1227], ["elastic_modulus", $c1228], ["shear_modulus", $c1229], ["compression_modulus", $c1230], ["block", $c702], ["wear_coefficient", $c1231], ["belt_energy_share", $c1232], ["bond_strength", $c1233], ["fatigue_limit", $c1234], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
+const $c57 = $made(Table, {title: "Lagging file", of: Lagging, entries: $c1224, _known: $c1225});
+const $c508 = ["compression_modulus", "block"];
+const $c58 = [$c508];
+const $c59 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c530 = [0.25, 0.25];
+const $c531 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c530, provenance: $c531});
+const $c532 = [0.35, 0.35];
+const $c533 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c510 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c532, provenance: $c533});
+const $c534 = [0.5, 0.5];
+const $c535 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
+const $c511 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c534, provenance: $c535});
+const $c536 = [0.35, 0.4];
+const $c537 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c512 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c536, provenance: $c537});
+const $c538 = [0.1, 0.1];
+const $c539 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c513 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c538, provenance: $c539});
+const $c540 = [0.05, 0.1];
+const $c541 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c514 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c540, provenance: $c541});
+const $c542 = [0.4, 0.45];
+const $c543 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c515 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c542, provenance: $c543});
+const $c544 = [0.35, 0.35];
+const $c545 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
+const $c516 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c544, provenance: $c545});
+const $c546 = [0.25, 0.3];
+const $c547 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c517 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c546, provenance: $c547});
+const $c548 = [0.35, 0.4];
+const $c549 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c518 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c548, provenance: $c549});
+const $c550 = [0.35, 0.35];
+const $c551 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c519 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c550, provenance: $c551});
+const $c552 = [0.2, 0.2];
+const $c553 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c520 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c552, provenance: $c553});
+const $c554 = [0.4, 0.45];
+const $c555 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c521 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c554, provenance: $c555});
+const $c556 = [0.35, 0.4];
+const $c557 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c522 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c556, provenance: $c557});
+const $c558 = [0.35, 0.35];
+const $c559 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c523 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c558, provenance: $c559});
+const $c560 = [0.35, 0.35];
+const $c561 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c524 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c560, provenance: $c561});
+const $c562 = [0.35, 0.35];
+const $c563 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c525 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c562, provenance: $c563});
+const $c564 = [0.3, 0.3];
+const $c565 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c526 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c564, provenance: $c565});
+const $c566 = [0.8, 0.8];
+const $c567 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c527 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c566, provenance: $c567});
+const $c568 = [0.45, 0.45];
+const $c569 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c568, provenance: $c569});
+const $c570 = [0.35, 0.35];
+const $c571 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c529 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c570, provenance: $c571});
+const $c60 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
+const $c61 = new RunsGain(0.0, 0.0);
+const $c63 = ["pulley_cover", "carry_cover", "carcass"];
+const $c64 = ["share", "speeds", "motor"];
+const $c67 = $Decimal.of("0");
+const $c576 = [0.0];
+const $c68 = $made(Trend, {form: "polynomial", coefficients: $c576, sign: 1});
+const $c577 = [1000000000.0];
+const $c69 = $made(Trend, {form: "polynomial", coefficients: $c577, sign: 1});
+const $c70 = new Map([["factor", $c578]]);
+const $c71 = new Map([["x", $c579], ["y", $c579], ["diameter", $c580]]);
+const $c582 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c72 = new Map([["entry", $c581], ["exit", $c582]]);
+const $c73 = new Map([["creep_limit", $c583]]);
+const $c584 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c74 = new Map([["creep_limit", $c584]]);
+const $c75 = new Map([["thickness", $c585], ["shear_modulus", $c586], ["compression_modulus", $c587], ["elastic_modulus", $c588], ["wear_coefficient", $c589], ["belt_energy_share", $c590], ["bond_strength", $c591], ["fatigue_limit", $c592]]);
+const $c76 = new Map([["ratio", $c593]]);
+const $c77 = new Map([["entry_tension", $c581], ["exit_tension", $c582]]);
+const $c78 = new Map([["sheave_ratio", $c594]]);
+const $c79 = new Map([["friction", $c595], ["start_factor", $c596]]);
+const $c80 = new Map([["running", $c596], ["starting", $c596], ["braking", $c596]]);
+const $c1246 = [false, false];
+const $c1247 = [true, false];
+const $c1248 = [true, true];
+const $c1249 = [false, true];
+const $c597 = new Map([["polynomial", $c1246], ["logarithmic", $c1247], ["power", $c1248], ["exponential", $c1249]]);
+const $c602 = $made(_OfClass, {});
+const $c603 = new Map([[10, null], [9, null]]);
+const $c1250 = [80.0, 1.92];
+const $c1251 = [90.0, 1.86];
+const $c1252 = [100.0, 1.78];
+const $c1253 = [120.0, 1.7];
+const $c1254 = [140.0, 1.63];
+const $c1255 = [160.0, 1.56];
+const $c1256 = [180.0, 1.5];
+const $c1257 = [200.0, 1.45];
+const $c1258 = [250.0, 1.38];
+const $c1259 = [300.0, 1.31];
+const $c1260 = [350.0, 1.27];
+const $c1261 = [400.0, 1.25];
+const $c1262 = [450.0, 1.22];
+const $c1263 = [500.0, 1.2];
+const $c1264 = [550.0, 1.18];
+const $c1265 = [600.0, 1.17];
+const $c1266 = [700.0, 1.14];
+const $c1267 = [800.0, 1.12];
+const $c1268 = [900.0, 1.1];
+const $c1269 = [1000.0, 1.09];
+const $c1270 = [1500.0, 1.06];
+const $c1271 = [2000.0, 1.05];
+const $c606 = [$c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271];
+const $c1272 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1273 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c608 = new Map([["residual_noise", $c1272], ["coverage_factor", $c1273]]);
+const $c609 = $Decimal.of("0");
+const $c610 = new Map([["misalignment", $c938], ["deflection", $c940]]);
+const $c611 = new Map([["diameter", $c667], ["wrap_angle", $c668], ["overrun", $c920], ["creep_limit", $c921], ["mass", $c922]]);
+const $c612 = new Map([["spacing", $c1090], ["line_mass", $c1092], ["share", $c1094]]);
+const $c1274 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1275 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c613 = new Map([["length", $c1021], ["lift", $c1023], ["belt_mass", $c1025], ["carry_idler_mass", $c1027], ["return_idler_mass", $c1029], ["material_mass", $c1025], ["capacity", $c1032], ["friction_factor", $c1034], ["length_coefficient", $c1036], ["secondary_resistance", $c1038], ["special_resistance", $c1038], ["return_share", $c1041], ["start_factor", $c1043], ["start_time", $c1045], ["stop_time", $c1045], ["take_up_tension", $c1048], ["counterweight", $c1050], ["take_up_distance", $c1052], ["speed", $c1274], ["sheave_ratio", $c1275]]);
+const $c614 = new Map([["material", $c752], ["installation", $c754], ["area", $c757]]);
+const $c615 = new Map([["width", $c733], ["height", $c735], ["stiffening", $c737], ["contact_fraction", $c739]]);
+const $c1276 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c616 = new Map([["factor", $c1276]]);
+const $c1277 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
+const $c617 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277]]);
+const $c618 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["setting", $c1160], ["droop", $c1162], ["torque_limit", $c1165]]);
+const $c619 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["synchronous_speed", $c1186], ["breakdown_ratio", $c1188]]);
+const $c620 = new Map([["length", $c964], ["trough_angle", $c966], ["centre_roll", $c968]]);
+const $c1278 = [0.016, 0.03];
+const $c1279 = new Map([["distance", $c953]]);
+const $c1354 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c1352 = $made(Quantity, {dimension: "number", limit: $c1354});
+const $c1355 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1353 = $made(Quantity, {dimension: "rotation_speed", limit: $c1355});
+const $c1351 = $made(Either, {first: $c1352, second: $c1353, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
+const $c1280 = $made(Rows, {kind: $c1351, least: 1, most: 10});
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
+Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
+$sig(InputError, ["problems"], false);
+$sig(Report, ["file"], false);
+$sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
+$sig(Record, ["values", "place", "raw", "faulty"], false);
+$sig(Provenance, ["kind", "source", "date", "note"]);
+Provenance.$compared = ["kind", "source", "date", "note"];
+$sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
+$sig(Condition, ["name", "factor", "factors", "standard", "source"]);
+Condition.$compared = ["name", "factor", "factors", "standard", "source"];
+Condition.LIMITS = Condition.prototype.LIMITS = $c70;
+$sig(Conditions, ["main", "cases"]);
+Conditions.$compared = ["main", "cases"];
+$sig(Point, ["x", "y", "diameter", "turn"]);
+Point.$compared = ["x", "y", "diameter", "turn"];
+Point.LIMITS = Point.prototype.LIMITS = $c71;
+$sig(_UnitTextError, ["message", "remedy"], false);
+$sig(Unit, ["factor", "powers", "zero"]);
+Unit.$compared = ["factor", "powers", "zero"];
+$sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
+WidthProfile.$compared = ["position", "value", "crown", "uncertainty"];
+$sig(Criteria, ["take_up", "standard", "safety", "sag"]);
+Criteria.$compared = ["take_up", "standard", "safety", "sag"];
+$sig(Layers, ["pulley_cover", "carry_cover", "carcass"]);
+Layers.$compared = ["pulley_cover", "carry_cover", "carcass"];
+$sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"]);
+Given.$compared = ["name", "place", "values", "raw", "diameter", "inherited"];
+$sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
+$sig(NipTensions, ["entry", "exit"]);
+NipTensions.$compared = ["entry", "exit"];
+$sig(LoadFault, ["message", "remedy", "lacks"]);
+LoadFault.$compared = ["message", "remedy", "lacks"];
+$sig(Tensions, ["entry", "exit", "computed"]);
+Tensions.$compared = ["entry", "exit"];
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c72;
+$sig(LoadCase, ["name", "tensions", "kind", "condition"]);
+LoadCase.$compared = ["name", "tensions", "kind", "condition"];
+$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
+Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
+Drive.LIMITS = Drive.prototype.LIMITS = $c73;
+$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
+Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
+Train.LIMITS = Train.prototype.LIMITS = $c74;
+$sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
+$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
+CatalogueBelt.$compared = ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"];
+$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"]);
+TestedRange.$compared = ["pressure_min", "pressure_max", "slip_max", "slip_speed"];
+$sig(FrictionLaw, ["slip_includes"]);
+FrictionLaw.$compared = ["slip_includes"];
+$sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"]);
+MeasuredTable.$compared = ["slip_includes", "slip", "pressure", "values"];
+MeasuredTable.title = MeasuredTable.prototype.title = "measured table";
+$sig(_Term, ["coefficient", "function", "power", "exponent"]);
+_Term.$compared = ["coefficient", "function", "power", "exponent"];
+$sig(Trend, ["form", "coefficients", "sign"]);
+Trend.$compared = ["form", "coefficients", "sign"];
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"]);
+Piece.$compared = ["a", "b", "post_peak_slope", "residual_friction"];
+$sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"]);
+CoefficientPieces.$compared = ["pressure", "pieces", "slip_unit", "continuity"];
+$sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"]);
+PressureKnots.$compared = ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"];
+$sig(IntegralLog, ["slip_includes", "coefficients", "tested"]);
+IntegralLog.$compared = ["slip_includes", "coefficients", "tested"];
+IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
+$sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"]);
+Factors.$compared = ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"];
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
+Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c75;
+$sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
+LoadGiven.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+$sig(DrumAt, ["diameter", "speed"]);
+DrumAt.$compared = ["diameter", "speed"];
+$sig(Shares, ["fractions"]);
+Shares.$compared = ["fractions"];
+$sig(Pair, ["entry", "exit"]);
+Pair.$compared = ["entry", "exit"];
+$sig(Pulls, ["effective_tensions"]);
+Pulls.$compared = ["effective_tensions"];
+$sig(Speeds, ["rotation_speeds", "absolute"]);
+Speeds.$compared = ["rotation_speeds", "absolute"];
+$sig(TorqueFollower, ["master", "ratio"]);
+TorqueFollower.$compared = ["master", "ratio"];
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c76;
+$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
+TrainCase.$compared = ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"];
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c77;
+$sig(RunsGain, ["base", "case"]);
+RunsGain.$compared = ["base", "case"];
+$sig(BehindTakeUp, ["share", "behind", "runs"]);
+BehindTakeUp.$compared = ["share", "behind", "runs"];
+$sig(Motors, ["motors"]);
+Motors.$compared = ["motors"];
+$sig(TakeUp, ["kind", "sheave_ratio", "after"]);
+TakeUp.$compared = ["kind", "sheave_ratio", "after"];
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c78;
+$sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
+DesignStandard.$compared = ["name", "condition", "friction", "start_factor", "binding"];
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c79;
+$sig(SafetyFactors, ["running", "starting", "braking", "source"]);
+SafetyFactors.$compared = ["running", "starting", "braking", "source"];
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c80;
+$sig(Kind.prototype.built, ["value", "report"], true);
+$sig(Table, ["title", "of", "on_one_line"], false);
+$sig(Table.prototype.built, ["value", "report"], true);
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"]);
+$sig(Name, ["longest"]);
+$sig(Text, ["longest", "lines"]);
+$sig(Quantity, ["dimension", "limit"]);
+$sig(WordOr, ["word", "kind", "meaning"]);
+$sig(ByName, ["kind", "most"]);
+$sig(Limit, ["dimension", "least", "most", "open", "rigid"]);
+Limit.$compared = ["dimension", "least", "most", "open", "rigid"];
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"]);
+Belt.$compared = ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"];
+Belt.LIMITS = Belt.prototype.LIMITS = $c4;
+$sig(TextOr, ["text", "table"]);
+$sig(Flag, []);
+$sig(Choice, ["options"]);
+$sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
+Across.$compared = ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"];
+Across.LIMITS = Across.prototype.LIMITS = $c610;
+$sig(DimensionText, ["si_unit", "name", "example"]);
+DimensionText.$compared = ["si_unit", "name", "example"];
+$sig(Definition, ["names", "factor", "unit", "zero"]);
+Definition.$compared = ["names", "factor", "unit", "zero"];
+$sig(Variant, ["tag", "meaning"], false);
+$sig(Variant.prototype.built, ["value", "report"], true);
+$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
+Pulley.$compared = ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"];
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c611;
+$sig(Sag, ["spacing", "line_mass", "share"]);
+Sag.$compared = ["spacing", "line_mass", "share"];
+Sag.LIMITS = Sag.prototype.LIMITS = $c612;
+$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
+Conveyor.$compared = ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"];
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c613;
+$sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
+Cost.$compared = ["material", "installation", "currency", "area", "life_years"];
+Cost.LIMITS = Cost.prototype.LIMITS = $c614;
+$sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
+Block.$compared = ["shape", "width", "height", "stiffening", "contact_fraction"];
+Block.LIMITS = Block.prototype.LIMITS = $c615;
+$sig(ConditionFactor, ["factor", "source"]);
+ConditionFactor.$compared = ["factor", "source"];
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c616;
+$sig(FrictionFactor, ["at", "factor", "source"]);
+FrictionFactor.$compared = ["at", "factor", "source"];
+$sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
+Fit.$compared = ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"];
+$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
+DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
+$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
+Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
+Motor.LIMITS = Motor.prototype.LIMITS = $c617;
+$sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
+VariableSpeed.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"];
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c618;
+$sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
+Induction.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"];
+Induction.LIMITS = Induction.prototype.LIMITS = $c619;
+$sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
+FluidCoupling.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"];
+$sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
+Transition.$compared = ["length", "trough_angle", "centre_roll", "depth"];
+Transition.LIMITS = Transition.prototype.LIMITS = $c620;
+$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
+State.$compared = ["name", "kind", "resistances", "head", "tail", "entry", "exit"];
+$sig(Resistance, ["name", "carrying", "returning", "source"]);
+Resistance.$compared = ["name", "carrying", "returning", "source"];
+$sig(OneOrMore, ["kind", "most"]);
+$sig(Rows, ["kind", "least", "most"]);
+$sig(Constant, ["slip_includes", "friction_coefficient", "tested"]);
+Constant.$compared = ["slip_includes", "friction_coefficient", "tested"];
+Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
+$sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"]);
+ElasticPlastic.$compared = ["slip_includes", "stiffness", "friction_coefficient", "tested"];
+ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
+$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"]);
+PressurePower.$compared = ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"];
+PressurePower.title = PressurePower.prototype.title = "power of pressure";
+$sig(Profile, ["dimension", "diameters"], false);
+Profile.words = Profile.prototype.words = "rows, or a table";
+$sig(GrippingPulley, ["distance"]);
+GrippingPulley.$compared = ["distance"];
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1279;
+$sig(Count, ["least", "most"]);
+$sig(Elsewhere, []);
+$sig(Either, ["first", "second", "words"]);
+Either.$compared = ["first", "second", "words"];
+$sig(SpeedList, []);
+SpeedList.$compared = [];
+SpeedList.rows = SpeedList.prototype.rows = $c1280;
+$sig(_Pair, ["dimension"], false);
+$sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
+$sig(display__display, ["value", "dimension", "system", "digits"], false);
+$sig(tensions__resolve, ["given", "speed", "report", "sure"], false);
+$sig(drive__named, ["what", "name", "among", "of"], false);
+$sig(errors__no_such, ["what", "name", "known", "of"], false);
+export { drive_file__drive_from_document as readDrive };
+export { file__train_from_document as readTrain };
+export { InputError as InputError };
+export { CatalogueBelt as CatalogueBelt };
+export { Provenance as Provenance };
+export { source__syntax_problem as syntaxProblem };
+export { wrap_arc__of_belt as ofBelt };
+export { of_data__weak_sources as weakSources };

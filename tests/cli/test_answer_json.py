@@ -1,0 +1,76 @@
+"""The answer in the JSON of every command: one form, numbers in SI.
+
+Expected: ``docs/reference/answer.schema.json``, which users are given; the glossary; and the
+results of the same JSON.
+"""
+
+import json
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from cli.running import wraparc
+from wraparc.glossary import GLOSSARY
+from wraparc.units import DIMENSION_TEXT
+
+REPOSITORY = Path(__file__).parents[2]
+EXAMPLES = REPOSITORY / "examples"
+SCHEMA = json.loads((REPOSITORY / "docs" / "reference" / "answer.schema.json").read_text("utf-8"))
+ASKED = {
+    "a drive": ("solve", EXAMPLES / "head-drive-fabric.toml"),
+    "a train": ("solve", EXAMPLES / "tandem-fabric.toml"),
+    "uneven": ("solve", EXAMPLES / "steel-cord-drive.toml", "--method", "both"),
+    "trim": ("trim", EXAMPLES / "tandem-fabric.toml", "--points", 3),
+    "field": ("field", EXAMPLES / "head-drive-fabric.toml"),
+    "changed": ("what-if", EXAMPLES / "head-drive-fabric.toml", "--other-carcass"),
+    "fitted": ("fit", EXAMPLES / "shear_tests" / "plan.toml", "-o", "lagging.toml"),
+}
+
+
+def cells_of(of: Any) -> list[dict[str, Any]]:
+    """Return every cell of an answer."""
+    if isinstance(of, dict):
+        own = of.get("cells", [])
+        return [*own, *(cell for key in of if key != "cells" for cell in cells_of(of[key]))]
+    return [cell for part in of for cell in cells_of(part)] if isinstance(of, list) else []
+
+
+@pytest.mark.parametrize("name", ASKED)
+def test_answers_are_what_the_schema_says(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = wraparc(*ASKED[name], "--json", "-")
+    answer = ran.json["answer"]
+    import_module("jsonschema").Draft202012Validator(SCHEMA).validate(answer)
+    assert "\\u0002" not in ran.out  # a slot that nobody filled in
+    assert "\\u0004" not in ran.out
+    assert answer["tables"]
+    cells = cells_of(answer)
+    if name != "fitted":  # what is told with its interval is text
+        assert len(cells) > 20
+    for cell in cells:
+        if cell["name"]:
+            unit = DIMENSION_TEXT[GLOSSARY[cell["name"]].dimension].si_unit or "1"
+            assert cell["unit"] == unit, cell
+
+
+def test_the_numbers_are_those_of_the_results() -> None:
+    """Each row of the glossary in the table of the governing arc, against the arc: not rounded."""
+    document = wraparc(*ASKED["a drive"], "--json", "-").json
+    place = document["governing"]
+    arcs = [a for a in document["arcs"] if a["load_case"] == place["load_case"]]
+    rows = next(t for t in document["answer"]["tables"] if t["name"] == "result")["rows"]
+    told = {
+        row["name"]: row["values"][0]["cells"][0]["value"]
+        for row in rows
+        if row["name"] and row["values"][0]["cells"]
+    }
+    assert len(told) >= 6
+    assert told == {name: arcs[0][name] for name in told}
+    head = document["answer"]["verdict"]["headline"]
+    assert [cell["value"] for cell in head["cells"]][:2] == [
+        document["verdict"]["governing"]["value"], document["verdict"]["governing"]["limit"]
+    ]  # fmt: skip

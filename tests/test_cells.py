@@ -1,0 +1,103 @@
+"""Cells: numbers in texts before a system of units is chosen.
+
+Expected texts are those of `display`, which shows a number at once, and written out by hand where a
+form has rules of its own.
+"""
+
+import math
+
+import numpy as np
+import pytest
+
+from wraparc.units import (
+    Cell,
+    System,
+    bare,
+    cells_in,
+    display,
+    distinct,
+    either,
+    in_unit,
+    in_units,
+    percent,
+    quantity,
+    unit_of,
+)
+
+SYSTEMS: tuple[System, ...] = ("si", "us")
+
+
+@pytest.mark.parametrize("system", SYSTEMS)
+@pytest.mark.parametrize("value", [6.35e-3, -12.3456, 0.0, 1e-13, 2.5e7, np.float64(0.1)])
+def test_a_cell_shows_as_the_number_does(value: float, system: System) -> None:
+    for dimension in ("length", "force", "pressure", "temperature", "number"):
+        cell = quantity(value, dimension, 3)
+        assert in_units(cell, system) == display(value, dimension, system, 3)
+        text = " ".join(["A", f"{cell}."]).removesuffix(".")  # texts keep what they are made of
+        assert in_units(text, system) == f"A {display(value, dimension, system, 3)}"
+
+
+def test_what_is_no_number_is_a_text() -> None:
+    assert (quantity(math.nan, "force"), bare(math.nan, "force")) == ("-", "-")
+    assert quantity(math.inf, "force") == bare(-math.inf, "force") == "without bound"
+    assert percent(math.nan) == "-"
+
+
+@pytest.mark.parametrize(
+    ("cell", "si", "us"),
+    [
+        (bare(150e3, "force"), "150", "33700"),
+        (unit_of("force"), "kN", "lbf"),
+        (percent(0.12345), "12.3 %", "12.3 %"),
+        (Cell(118_612.0, "force", form="up"), "119 kN", "26700 lbf"),
+        (Cell(118_612.0, "force", form="down"), "118 kN", "26600 lbf"),
+        (Cell(118_612.0, "force", form="bare up"), "119", "26700"),
+        (Cell(0.0123, "speed"), "0.0123 m/s", "2.42 fpm"),
+        (Cell(0.0123, "speed", form="slip"), "12.3 mm/s", "0.484 in/s"),
+        (Cell(30e3, "force", form="to", other=50e3), "50 to 30 kN", "11200 to 6740 lbf"),
+        (Cell(30e3, "force", form="to", other=30e3), "30 kN", "6740 lbf"),
+        (Cell(2e-2, "length", form="-", other=12.0), "12 m-20 mm", "39.4 ft-0.787 in"),
+        (either("1 mm", f"{Cell(0.0254, 'length')}"), "1 mm", "1 in"),
+        (in_unit("length", lambda size: f"{0.0254 / size:g} (held)"), "25.4 (held)", "1 (held)"),
+    ],
+)
+def test_forms(cell: str, si: str, us: str) -> None:
+    """By hand: 118.612 kN is 26,665 lbf, 0.0123 m/s 2.4213 fpm or 0.4843 in/s."""
+    assert (in_units(cell, "si"), in_units(cell, "us")) == (si, us)
+
+
+def test_numbers_are_told_apart_in_each_system() -> None:
+    """In millimetres it takes four digits, in inches (0.250047 and 0.250134) as many."""
+    value, limit = 6.3512e-3, 6.3534e-3
+    texts = (
+        Cell(value, "length", form="apart", other=limit),
+        Cell(limit, "length", form="apart", other=value),
+    )
+    assert [in_units(text) for text in texts] == ["6.351 mm", "6.353 mm"]
+    assert [in_units(text, "us") for text in texts] == ["0.2500 in", "0.2501 in"]
+
+
+def test_a_text_tells_its_numbers() -> None:
+    first, last = cells_in(f"Creep {quantity(7e-3, 'length', name='exit_creep')}, {percent(0.5)}")
+    assert (first.value, first.dimension, first.name) == (7e-3, "length", "exit_creep")
+    assert (last.value, last.form) == (0.5, "percent")
+    assert not [*cells_in("7 mm")]
+
+
+def test_of_texts_that_read_the_same_one_is_left() -> None:
+    same = [quantity(v, "length") for v in (6.35e-3, 6.35e-3 * (1.0 + 1e-15), 7e-3)]
+    assert [in_units(text) for text in distinct(same)] == ["6.35 mm", "7 mm"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "\x02", "\x02length|3||1|2\x03", "\x02wit|3||1.0|nan|\x03", "\x02length|3|odd|1.0|nan|\x03",
+        "\x02length|3||one|nan|\x03", "\x04one\x05", "\x04\x02\x05\x06", "\x02" * 50_000,
+        "\x02length|3||" + "1" * 50_000, "\x04" * 50_000,
+    ],
+)  # fmt: skip
+def test_what_only_looks_like_a_cell_does_no_harm(text: str) -> None:
+    """Titles come from files, and may hold any letter."""
+    assert isinstance(in_units(f"A{text}B"), str)
+    assert in_units(f"{text} {quantity(1.0, 'length')}").endswith("1000 mm")
