@@ -55,19 +55,6 @@ def test_what_presses_is_no_pull(pull: str, normal: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name",
-    ["Kraftsollwert", "Kraftvorgabe", "Kraftsoll", "F_set", "Load setting", "Zielkraft",
-     "Force programmée", "Force imposée", "Fuerza teórica", "Força comandada",
-     "Siła wymagana", "Программная нагрузка", "命令力", "Peak force", "Regelabweichung Kraft"],
-)  # fmt: skip
-def test_a_demand_or_an_extreme_is_no_reading(name: str) -> None:
-    is_right(read(table(f"{name} [N];Force [N];Travel [mm]", OTHER, FORCE, TRAVEL)))
-    # alone, it is asked for
-    text = problems(table(f"{name} [N];Travel [mm]", OTHER, TRAVEL).encode())
-    assert "it cannot be told which column is the force" in text
-
-
-@pytest.mark.parametrize(
     "names",
     [("Kraft links", "Kraft rechts"), ("Force 1", "Force 2"), ("Axial force", "Lateral force"),
      ("Load", "Channel 4"), ("Force raw", "Force tared"), ("Friction force A", "Friction force B")],
