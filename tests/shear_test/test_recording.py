@@ -181,6 +181,19 @@ def test_the_order_of_tests_is_asked_for_and_read_from_dates() -> None:
     assert any("one sample served for 16 tests" in text for text in fitted(worn, records).misfit)
 
 
+def test_a_trend_within_chance_is_told_with_its_error() -> None:
+    """1.5 % less a test, eight tests: 10 % in all, to a scatter of 3 %. It may be chance."""
+    module = verdicts()
+    lab = module.laboratory(module.smooth(), "4 x 2", 3)
+    for test in lab.plan.tests:
+        record = lab.records[test.file]
+        lab.records[test.file] = replace(record, force=0.985 ** (test.order - 1) * record.force)
+    told = "friction shows no trend with the order of the tests beyond chance: "
+    (text,) = (s for s in lab.fit().conditions[0].remarks if s.startswith(told))
+    assert float(text.removeprefix(told).split()[0]) == pytest.approx(-10.0, abs=5.0)
+    assert text.endswith("standard error 3 %")
+
+
 def test_a_sample_that_wears_shows_in_its_repeats_where_no_order_is_stated() -> None:
     """5 % less from each test to the next of its pressure, as the plan lists them; else nothing."""
     plan, records = laboratory(seed=2, repeats=3, points=250)

@@ -153,4 +153,8 @@ def _trend(
             f"what pressure does taken off (standard error {100 * error:.1f} %): the sample wears, "
             "or the rig drifts; repeat the first test, or take a new sample for each"
         ], []
-    return [], ["friction shows no trend with the order of the tests"]
+    return [], [
+        "friction shows no trend with the order of the tests beyond chance: "
+        f"{100 * np.expm1(change):+.0f} % from the first to the last, standard error "
+        f"{100 * error:.0f} %"
+    ]
