@@ -158,7 +158,7 @@ def _taken(document: Document, drive: Drive, case: LoadCase) -> str:
     base = GivenLoad.of(pulley.name, _record(document["pulley"][0]), pulley.diameter)
     fixed, speed = drive.criteria.take_up.fixed, drive.belt.speed
     kept = _kinds(base.overridden(_record(own), fixed=fixed, speed=speed).inherited)
-    return kept.pop() if own and len(kept) == 1 else ""
+    return kept.pop() if len(_kinds(own)) == 1 == len(kept) else ""
 
 
 def _record(table: Mapping[str, Any]) -> Record:
