@@ -160,7 +160,16 @@ def _own_kinds(document: Document, case: LoadCase) -> set[str]:
 
 
 def _taken(document: Document, drive: Drive, case: LoadCase) -> str:
+<<<<<<< HEAD
     """Return the one tension or pull that a load case takes over from the pulley, if it is plain.
+=======
+    """Return the one tension or pull that a load case takes over from its pulley, if plain."""
+    own, pulley = _own(document, case), drive.pulleys[0]
+    base = GivenLoad.of(pulley.name, _record(document["pulley"][0]), pulley.diameter)
+    fixed, speed = drive.criteria.take_up.fixed, drive.belt.speed
+    kept = _kinds(base.overridden(_record(own), fixed=fixed, speed=speed).inherited)
+    return kept.pop() if len(_kinds(own)) == 1 == len(kept) else ""
+>>>>>>> screen
 
     As `drive.tension_rules.overridden` has it.
     """
