@@ -2122,6 +2122,10 @@ throw new InputError(failed);
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
 }
+function trend___exp(power) {
+
+return ((power < 709.0) ? $math.exp(power) : Infinity);
+}
 function coefficients___list(values, unit = "") {
 return $add($m.join(", ", (function* () { for (const v of $iter(values)) { yield ("" + $format(v, ("" + "g"))); } })()), ($truth(unit) ? ("" + " " + $str(unit)) : ""));
 }
@@ -2252,6 +2256,26 @@ return $mul($mul(9.80665, lift), carried);
 function resistance__inertia(acceleration, length, moving) {
 
 return $mul($mul(acceleration, length), moving);
+}
+function fit___has_no_negative(covariance, rounding) {
+let before, given, i, j, lower, rest, row, scale;
+
+(scale = [...(function* () { for (const [i, row] of $iter($b.enumerate(covariance))) { yield $or($math.sqrt($b.abs($at(row, i))), () => 1.0); } })()]);
+(lower = []);
+for ([i, given] of $iter($b.enumerate(covariance))) {
+(row = []);
+for (j of $iter($b.range($add(i, 1)))) {
+(before = ((j < i) ? $at(lower, j) : row));
+(rest = $add(($at(given, j) / $mul($at(scale, i), $at(scale, j))), (($eq(i, j)) ? rounding : 0.0)));
+(rest = $sub(rest, $math.fsum((function* () { for (const [a, b] of $iter($b.zip(row, $slice(before, null, j), $k({strict: true})))) { yield $mul(a, b); } })())));
+if ((($eq(i, j)) && (rest <= 0.0))) {
+return false;
+}
+$m.append(row, (($eq(i, j)) ? $math.sqrt(rest) : (rest / $at($at(lower, j), j))));
+}
+$m.append(lower, row);
+}
+return true;
 }
 function motors___rpm(speed) {
 return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
@@ -3105,6 +3129,16 @@ const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
 base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
+at(pressure) {
+const self = this; let c, exponential, logarithmic, v, y;
+
+([logarithmic, exponential] = $at($c597, self.form));
+([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
+for (c of $iter($b.reversed($bound(self, "coefficients")))) {
+(y = $add(c, $mul(y, v)));
+}
+return ($truth(exponential) ? $mul(self.sign, trend___exp(y)) : y);
+}
 times(factor) {
 const self = this; let c;
 
@@ -3129,13 +3163,39 @@ if ($truth(problems)) {
 throw new InputError(problems);
 }
 }
-
+_piece_problems(i) {
+const self = this; let a, b, bad, high, key, low, piece, places, residual, slope, where, worst;
+([low, high] = $slice(self.pressure, i, $add(i, 2)));
+(places = [...(function* () { for (const k of $iter($b.range(101))) { yield $add(low, ($mul($sub(high, low), k) / 100.0)); } })()]);
+(piece = $at(self.pieces, i));
+(where = ("" + "between " + $format(low, ("" + "g")) + " and " + $format(high, ("" + "g")) + " Pa"));
+(key = ("" + "pieces[" + $str($add(i, 1)) + "]"));
+([a, b] = [[...(function* () { for (const p of $iter(places)) { yield piece.a.at(p); } })()], [...(function* () { for (const p of $iter(places)) { yield piece.b.at(p); } })()]]);
+(slope = [...(function* () { for (const p of $iter(places)) { yield piece.post_peak_slope.at(p); } })()]);
+(residual = [...(function* () { for (const p of $iter(places)) { yield piece.residual_friction.at(p); } })()]);
+(bad = []);
+if (!$truth($b.all((function* () { for (const v of $iter(a)) { yield $and($math.isfinite(v), () => (v < 0.0)); } })()))) {
+(worst = $b.max([...(function* () { for (const v of $iter(a)) { if (!(($eq(v, v)))) continue; yield v; } })()], $k({default: NaN})));
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".a")], ["value", ("" + $format(worst, ("" + "g")) + " 1/m")], ["message", ("" + "A must be negative " + $str(where) + ", else the law gives no positive friction")]]));
+} else {
+if (!$truth($b.all((function* () { for (const [u, v] of $iter($b.zip(a, b, $k({strict: true})))) { yield $and((-700.0 <= $sub((v / u), 1.0) && $sub((v / u), 1.0) < 709.0), () => (1e-09 <= $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) && $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) <= 1000.0)); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".b")], ["value", ("" + $format($at(b, 0), ("" + "g")) + " 1/m")], ["message", ("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where))]]));
+}
+}
+if (!$truth($b.all((function* () { for (const v of $iter(slope)) { yield (v <= 0.0); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".post_peak_slope")], ["value", ("" + $format($b.max(slope), ("" + "g")) + " 1/m")], ["message", ("" + "the slope past the peak must be 0 or negative " + $str(where))]]));
+}
+if (!$truth($b.all((function* () { for (const v of $iter(residual)) { yield (v >= 1e-06); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".residual_friction")], ["value", ("" + $format($b.min(residual), ("" + "g")))], ["message", ("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where))]]));
+}
+return bad;
+}
 _jumps() {
 const self = this; let bad, high, i, low, name, p, u, v;
 (bad = []);
 for (i of $iter($b.range($sub($b.len($bound(self, "pieces")), 1)))) {
 (p = $at(self.pressure, $add(i, 1)));
-([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab($b.float(s.a(p)), $b.float(s.b(p))); } })());
+([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab(s.a.at(p), s.b.at(p)); } })());
 for ([name, u, v] of $iter([["peak friction", $at(low, 0), $at(high, 0)], ["peak slip", $at(low, 1), $at(high, 1)]])) {
 if (($b.abs($sub((v / u), 1.0)) > self.continuity)) {
 $m.append(bad, $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]")], ["value", ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %")]]));
@@ -3150,8 +3210,8 @@ const self = this; let _, apart, friction, levels, lower, piece, slopes;
 
 ([levels, slopes] = [[], []]);
 for ([piece, [friction, _]] of $iter($b.zip($slice(self.pieces, i, $add(i, 2)), [low, high], $k({strict: true})))) {
-$m.append(levels, $b.min($b.float(piece.residual_friction(p)), friction));
-$m.append(slopes, (($at(levels, $neg(1)) < friction) ? $b.float(piece.post_peak_slope(p)) : 0.0));
+$m.append(levels, $b.min(piece.residual_friction.at(p), friction));
+$m.append(slopes, (($at(levels, $neg(1)) < friction) ? piece.post_peak_slope.at(p) : 0.0));
 }
 (apart = ($mul($mul($b.abs($sub($at(slopes, 1), $at(slopes, 0))), self.slip_unit), $at(low, 1)) / $at(low, 0)));
 (lower = ($truth($b.all(slopes)) ? ($mul($at(levels, 1), $at(low, 0)) / $mul($at(levels, 0), $at(high, 0))) : 1.0));
@@ -3914,7 +3974,7 @@ class FrictionFactor extends $Object {
 $init(at, factor, source) { this.at = at; this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let bad, count, message, n, problems;
-([n, problems] = [$b.len($bound(self, "at")), $at($b.list, Problem)()]);
+([n, problems] = [$b.len($bound(self, "at")), $b.list()]);
 if (((n < 2) || (!$eq($b.len($bound(self, "factor")), n)))) {
 (count = ("" + $str(n) + " values and " + $str($b.len($bound(self, "factor"))) + " factors"));
 (message = "must be as many factors as values, two at least");
@@ -3930,7 +3990,23 @@ $m.append(problems, $call(Problem, [], [["key", "factor"], ["value", $shown($at(
 }
 limits__raise_all(problems);
 }
+least(low, high) {
+const self = this; let inside;
 
+(inside = [...(function* () { for (const [x, f] of $iter($b.zip($bound(self, "at"), $bound(self, "factor"), $k({strict: true})))) { if (!((low <= x && x <= high))) continue; yield f; } })()]);
+return $b.min([...$iter(inside), self._of(low), self._of(high)]);
+}
+_of(value) {
+const self = this; let f, f1, rows, x, x1;
+
+(rows = $b.list($b.zip($bound(self, "at"), $bound(self, "factor"), $k({strict: true}))));
+for ([[x, f], [x1, f1]] of $iter($b.pairwise(rows))) {
+if ((x <= value && value < x1)) {
+return $add($mul(($sub(f1, f) / $sub(x1, x)), $sub(value, x)), f);
+}
+}
+return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(1)));
+}
 }
 class Fit extends $Object {
 $init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
@@ -3949,7 +4025,30 @@ $m.append(problems, $call(Problem, [], [["key", "values"], ["value", $b.str($b.l
 (problems = $add(problems, self._covariance_problems(n)));
 limits__raise_all(problems);
 }
-
+_covariance_problems(n) {
+const self = this; let apart, given, matrix, message, numbers, rows;
+(rows = [...(function* () { for (const row of $iter(self.covariance)) { yield $b.len(row); } })()]);
+if ((!$eq(rows, $mul([n], n)))) {
+(given = ("" + $str($b.len(rows)) + " rows of " + $str($b.sorted($b.set(rows))) + " numbers"));
+(message = ("" + "must be " + $str(n) + " rows of " + $str(n) + " numbers, one for each parameter"));
+return [$call(Problem, [], [["key", "covariance"], ["value", given], ["message", message]])];
+}
+([matrix, message] = [self.covariance, ""]);
+(numbers = [...(function* () { for (const row of $iter(matrix)) { for (const v of $iter(row)) { yield v; }} })()]);
+(apart = [...(function* () { for (const i of $iter($b.range(n))) { for (const j of $iter($b.range(i))) { yield $b.abs($sub($at($at(matrix, i), j), $at($at(matrix, j), i))); }} })()]);
+if (!$truth($b.all($b.map($math.isfinite, numbers)))) {
+(message = "must be finite");
+} else {
+if (($b.max(apart, $k({default: 0.0})) > $mul(1e-09, $b.max($b.map($b.abs, numbers), $k({default: 0.0}))))) {
+(message = "must be symmetric");
+} else {
+if (!$truth(fit___has_no_negative(matrix, $mul(1e-08, n)))) {
+(message = "must have no negative eigenvalue: no variance is negative");
+}
+}
+}
+return ($truth(message) ? [$call(Problem, [], [["key", "covariance"], ["message", message]])] : []);
+}
 }
 class DesignFriction extends $Object {
 $init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
