@@ -537,7 +537,8 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
         misfit /= np.maximum(size, 1e-6 * out.tension[0])
     else:
         misfit /= np.minimum(out.tension[:-1], out.tension[1:])
-    return Solved(out, along, met, *slopes, at_ends, misfit)
+    grows, by_entry, by_exit = slopes
+    return Solved(out, along, met, grows, by_entry, by_exit, at_ends, misfit)
 
 
 def _put(old: Array, which: Integers, new: Array) -> None:
