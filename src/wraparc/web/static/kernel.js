@@ -992,7 +992,7 @@ const RESIDUAL = 2;
 const _PIECE = 0.25;
 const BREAKAWAY = 1;
 const TENSION = 0;
-const MESH = 3e-6;
+const MESH = 1e-6;
 const STIFF = 40.0;
 const FIRST_SLIDES = [0.5, 0.1, 0.01, 0.001];
 const FIRST_STEPS = 15;
@@ -1075,7 +1075,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.03],
+  [5e-5, 0.061],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -2830,7 +2830,7 @@ export function collocation__meshed(face, arc, at, kind, tol) {
 }
 
 /** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
-export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
+export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
   let finer, new_;
   let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
   for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
@@ -2934,7 +2934,7 @@ export function collocation__softened(face, arc, ends, at, tol) {
 }
 
 /** `solved`, by continuation in what shears where Newton's method alone does not get there. */
-export function collocation__solved_or_softened(face, arc, ends, start, tol = 3e-6) {
+export function collocation__solved_or_softened(face, arc, ends, start, tol = 1e-6) {
   let found = collocation__solved(face, arc, ends, start, tol);
   if (found.done) {
     return found;
@@ -4788,7 +4788,7 @@ export function in_page__covered_creep(law, given, cover) {
     }),
   );
   let load = in_page__load_of(given, arc, null);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
