@@ -4769,7 +4769,7 @@ export function in_page__covered_creep(law, given, cover) {
     }),
   );
   let load = in_page__load_of(given, arc, null);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
