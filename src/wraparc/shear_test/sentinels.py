@@ -67,7 +67,7 @@ def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
         Rows still in use, shape (n,).
     """
     rows = np.flatnonzero(keep)
-    most = min(_MOST_RESULTS, len(rows) // 3)
+    most = min(_MOST_RESULTS, len(rows) // 6)
     middle = slice(most, len(rows) - most)
     found = np.zeros(len(keep), dtype=bool)
     if not most:
