@@ -54,6 +54,11 @@ async function built(file, how) {
   const { outputFiles } = await build({ ...common, format: "iife", ...how, entryPoints });
   return outputFiles[0].text;
 }
+/** What is not on the first screen before what is: that has the last word. */
+const STYLES = ["late.css", "style.css"].map((name) => join(pages, name));
+/** @param {string} file */
+const styleOf = async (file) =>
+  (await build({ ...common, entryPoints: [file] })).outputFiles[0].text;
 /** The reader and writer of TOML as one module, for the pages. */
 async function vendored() {
   const contents = 'export { parse, stringify, TomlDate, TomlError } from "smol-toml";';
@@ -120,7 +125,7 @@ async function served() {
     outdir: undefined,
     outfile: join(esm.outdir, "main.js"),
   });
-  const style = await build({ ...esm, entryPoints: [join(pages, "style.css")] });
+  const style = await build({ ...esm, entryPoints: STYLES });
   const all = [main, found, style].flatMap(({ outputFiles }) => outputFiles);
   const plain = ["index.html", "icon.svg"].map(async (name) => [
     join(esm.outdir, name),
@@ -137,7 +142,7 @@ const made = new Map([
   [join(folder, "solver.js"), await built("solver.js", { globalName: "solver" })],
   [join(folder, "page.js"), await built("main.js", { plugins: [instead] })],
   [join(folder, "start.js"), await built("start.js", { format: "esm" })],
-  [join(folder, "page.css"), await built("../static/style.css", {})],
+  [join(folder, "page.css"), (await Promise.all(STYLES.map(styleOf))).join("")],
   ...(await served()),
 ]);
 const check = process.argv.includes("--check");

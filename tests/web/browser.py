@@ -17,8 +17,10 @@ from web.calculators import PATIENCE, TOKEN, Process, wait_for
 Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
-_LONG = 120e3
+_LONG = 12e3
 STUDY = 1e3 * PATIENCE
+#: Most time between two questions of a page, whether its server is there [ms].
+LATER = 30_000
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -30,7 +32,7 @@ PHONE: ViewportSize = {"width": 390, "height": 844}
 DESKTOP: ViewportSize = {"width": 1360, "height": 900}
 #: What a page shows once everything it asked for has arrived.
 READY = {
-    "drive": "#drive .t-capacity",
+    "drive": "html:has(#more fieldset) #drive .screen[data-whole]",
     "compare": "#compare tbody tr",
     "across": "#across .verdict",
     "tests": "#tests .drop",
@@ -89,6 +91,27 @@ def axe() -> str:
     raise AssertionError("no package of the environment carries axe.min.js")
 
 
+#: The tab that a page is under; that of saved designs is in the menu of files.
+TABS = {
+    **dict.fromkeys(("drive", "train", "across", "events"), "drive"),
+    **dict.fromkeys(("compare", "study"), "choose"),
+    "tests": "measure",
+}
+
+
+def turn(page: Page, name: str) -> None:
+    """Go to a page, in two presses at most."""
+    if name == "saved":
+        page.click("#file > summary")
+        page.get_by_role("button", name="saved designs").click()
+        return
+    at = page.locator(f"#nav-{name}")
+    if not at.is_visible():
+        page.click(f"#tab-{TABS[name]}")
+    if at.count():
+        at.click()
+
+
 class Visitor:
     """A page of the browser that remembers what went wrong on it."""
 
@@ -131,16 +154,28 @@ class Visitor:
         self.context.unroute_all(behavior="ignoreErrors")
         self.context.close()
 
-    def open(self, name: str = "drive") -> Page:
-        """Go to a page as a user does, and wait until it shows what it has to."""
+    def open(self, name: str = "drive", *, unfold: bool = True) -> Page:
+        """Go to a page as a user does, and wait until it shows what it has to.
+
+        All of the drive that is folded away is unfolded, if not told otherwise.
+        """
         if self.page.url == "about:blank":
             page, mark, design = self.address.partition("#")
             self.page.goto(f"{page}?token={TOKEN}{mark}{design}")
             self.page.wait_for_selector(READY["drive"])
+            if unfold:
+                self.unfold()
         if not self.page.locator(f"#{name}").is_visible():
-            self.page.click(f"#nav-{name}")
+            turn(self.page, name)
         self.page.wait_for_selector(READY[name])
         return self.page
+
+    def unfold(self) -> None:
+        """Open what is folded away of the drive: more inputs, and the details of the answer."""
+        self.page.evaluate(
+            "for (const id of ['more', 'details']) document.getElementById(id).open = true"
+        )
+        self.page.wait_for_selector("#details .details")
 
     def example(self, title: str) -> None:
         """Open an example from the menu, and wait until it is there: it comes from the server."""
@@ -159,7 +194,7 @@ class Visitor:
 
     def solved(self) -> None:
         """Wait until everything is solved anew."""
-        self.page.wait_for_selector("html:not(.stale) #drive .t-capacity", state="attached")
+        self.page.wait_for_selector("html:not(.stale) #drive .screen[data-whole]", state="attached")
 
     def alone(self) -> None:
         """Wait until the page can solve and judge without the server."""

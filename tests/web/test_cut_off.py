@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Route, expect
 
-from web.browser import PAGES, READY, Calculator, Visitor
+from web.browser import PAGES, READY, Calculator, Visitor, turn
 from web.calculators import TOKEN, wait_for
 from web.test_static import STATIC
 
@@ -102,16 +102,16 @@ def test_pages_that_do_not_come_come_with_the_server(cut: Cut, how: str) -> None
     cut.visitor.solved()
     cut.cut(how)
     for name in LATE:
-        page.click(f"#nav-{name}")
+        turn(page, name)
         expect(page.locator(f"#{name}")).to_contain_text("Loading")
     cut.gone()
     cut.mend()
     with page.expect_navigation():  # no browser asks anew for a script that did not come
         page.clock.run_for(31_000)
     for name in LATE:
-        page.click(f"#nav-{name}")
+        turn(page, name)
         page.wait_for_selector(READY[name])
-    page.click("#nav-drive")
+    turn(page, "drive")
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
     expect(page.locator(".gone")).to_have_count(0)
 
@@ -173,20 +173,20 @@ def test_questions_that_are_not_answered_are_asked_again(cut: Cut, how: str) -> 
     page = cut.page
     for name in PAGES:
         cut.visitor.open(name)
-    page.click("#nav-drive")
+    turn(page, "drive")
     cut.cut(how)
     page.fill("#f-pulley-0-exit_tension", "77")
     cut.gone()
     before = len(cut.asked)
     for name in PAGES:
-        page.click(f"#nav-{name}")
+        turn(page, name)
         for button in page.locator(f"#{name} button.main:not(:disabled)").all():
             if button.is_visible():
                 button.click()
         expect(page.locator(".gone")).to_have_count(1)
     assert len(cut.asked) - before < 60
     assert cut.visitor.page.locator("#toast").inner_text() == ""
-    page.click("#nav-drive")
+    turn(page, "drive")
     cut.mend()
     cut.again()
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
@@ -250,13 +250,13 @@ def test_a_part_that_is_not_there_any_more_asks_for_a_reload(cut: Cut) -> None:
     page = cut.page  # after an update: the server answers, and has no such file
     cut.visitor.context.route("**/static/pages/*", lambda r: r.fulfill(status=404, body=""))
     page.fill("#f-pulley-0-exit_tension", "77")
-    page.click("#nav-study")
+    turn(page, "study")
     expect(page.locator(".gone")).to_contain_text("A part of this page did not come")
     cut.mend()
     with page.expect_navigation():
         page.get_by_role("button", name="Reload").click()
     page.wait_for_selector(READY["study"])
-    page.click("#nav-drive")
+    turn(page, "drive")
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
 
 

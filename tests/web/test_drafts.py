@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, Route, expect
 
-from web.browser import Calculator, Visitor
+from web.browser import Calculator, Visitor, turn
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 T2 = "#f-pulley-0-exit_tension"
@@ -107,8 +107,8 @@ def test_opening_another_keeps_the_draft_until_it_is_forgotten(
     expect(page.locator(T2)).to_have_value("72.5")
     page.click("#file > summary")
     page.get_by_role("button", name="Forget all drafts").click()
-    page.click("#nav-compare")
-    page.click("#nav-drive")
+    turn(page, "compare")
+    turn(page, "drive")
     page.click("#file > summary")
     expect(page.get_by_role("button", name="Forget all drafts")).to_have_count(0)
     expect(page.locator(T2)).to_have_value("72.5")

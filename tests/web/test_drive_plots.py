@@ -36,7 +36,8 @@ _WATCH = """() => {
       else if ([...addedNodes].some((e) => e.nodeType === 1)) anew.push(target.nodeName);
     }
   });
-  for (const picture of document.querySelectorAll("#drive .pair svg")) seen.observe(picture, all);
+  for (const picture of document.querySelectorAll("svg.stage, .curve-svg, .details svg"))
+    seen.observe(picture, all);
 }"""
 Box = tuple[float, float, float, float]
 
@@ -100,7 +101,7 @@ def test_a_press_writes_only_what_is_another(calculator: Calculator) -> None:
     page.keyboard.press("ArrowLeft")
     visitor.painted()
     page.evaluate(_WATCH)
-    tension = page.locator("svg.pulley .t1").first
+    tension = page.locator("svg.stage .value").first
     before = tension.inner_html()
     page.keyboard.press("ArrowLeft")
     expect(tension).not_to_have_text(before)

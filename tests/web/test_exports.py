@@ -11,7 +11,7 @@ from PIL import Image
 from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
-from web.browser import PHONE, Calculator, Visitor
+from web.browser import PHONE, Calculator, Visitor, turn
 from web.calculators import wait_for
 from wraparc.schema.source import parse
 
@@ -56,9 +56,9 @@ def test_results_and_profiles_are_the_files_of_the_command_line(
 ) -> None:
     # expected: what `wraparc solve --json --csv` writes of the drive file that the page downloads
     page = visitor.open("drive")
-    if page.locator("#drive .pick h2").inner_text() != title:
+    if page.locator("#title").inner_text() != title:
         visitor.example(title)
-    expect(page.locator("#drive .pick h2")).to_have_text(title)
+    expect(page.locator("#title")).to_have_text(title)
     for units in ("SI", "US"):
         page.get_by_label(units, exact=True).check(force=True)
         visitor.solved()
@@ -181,7 +181,7 @@ def test_study_file_comes_back_as_it_was(clerk: Visitor, tmp_path: Path, name: s
     written = parse(saved.read_text("utf-8"))
     assert written.pop("drive") != given.pop("drive")
     assert written == {"setting": "engineering"} | given
-    page.click("#nav-drive")
+    turn(page, "drive")
 
 
 def test_study_of_the_page_runs_on_the_command_line(clerk: Visitor, tmp_path: Path) -> None:

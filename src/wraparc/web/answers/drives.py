@@ -1,10 +1,11 @@
 """A drive document to the answer: fast for one arc, or everything there is to say."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Level, judge, least_tension
+from wraparc.checks import Check, Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.checks_table import check_table
@@ -50,6 +51,7 @@ from wraparc.web.answers.shown import (
     sheet,
     status_of,
     tables,
+    texts,
 )
 from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
@@ -95,9 +97,27 @@ class Paper(Answer):
     profile: Profile
 
 
+class Bar(Answer):
+    """A check as a bar against its limit; `share` is the value over the limit.
+
+    `says` is what it says where it is not kept, `source` where its limit came from.
+    """
+
+    title: str
+    level: Level
+    place: str
+    at_most: bool
+    share: float
+    found: Both
+    limit: Both
+    says: Both
+    source: str
+
+
 class WholeArc(Arc):
     """One arc with everything there is to say; `raise_to` is for this load case alone [N]."""
 
+    bars: list[Bar]
     status_text: str
     short: str
     raise_to: float | None
@@ -138,18 +158,6 @@ class LeastTension(Answer):
     table: Table
 
 
-class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value over the limit."""
-
-    title: str
-    level: Level
-    place: str
-    at_most: bool
-    share: float
-    found: Both
-    limit: Both
-
-
 class SolveAnswer(Answer):
     """A solved drive."""
 
@@ -164,7 +172,6 @@ class SolveAnswer(Answer):
     remarks: list[Both]
     conditions: Table | None
     checks: Table
-    bars: list[Bar]
     least_tension: LeastTension | None
     summary: Table | None
     sources: list[Source]
@@ -249,7 +256,6 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         remarks=_remarks(first),
         conditions=_conditions(first),
         checks=tables([check_table(judge(whole))], ["checks"])[0],
-        bars=_bars(whole),
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
         sources=sources,
@@ -272,10 +278,15 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables([conditions_table(result)], ["conditions"])[0]
 
 
-def _bars(result: DriveResult | TrainResult) -> list[Bar]:
+def _reason(check: Check) -> str:
+    """Return what a check says that is not kept, without what to do about it."""
+    return replace(check, remedy="").said if check.missed else ""
+
+
+def _bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
     made = []
-    for check in judge(result).listed:
+    for check in checks:
         share = check.value / check.limit if check.limit else math.nan
         silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
         if silent or check.numerical:
@@ -289,6 +300,8 @@ def _bars(result: DriveResult | TrainResult) -> list[Bar]:
                 share=share,
                 found=both(check.texts()[0]),
                 limit=both(check.bound()),
+                says=both(_reason(check)),
+                source=check.source,
             )
         )
     return made
@@ -323,7 +336,7 @@ def _alone(answered: DriveResult, result: ArcResult) -> float | None:
 
 
 def _remarks(answered: DriveResult) -> list[Both]:
-    return [Both(si=text, us=text) for text in judge(answered).data]
+    return texts(judge(answered).data)
 
 
 def check(asked: CheckRequest) -> SheetAnswer:
@@ -338,7 +351,9 @@ def _whole_arc(
     whole: Whole, answered: DriveResult, result: ArcResult, paper: ArcResult
 ) -> WholeArc:
     of = Sources()
+    judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return WholeArc(
+        bars=_bars(judged.listed),
         status_text=str(result.status),
         short=short(answered, result),
         raise_to=_alone(answered, result),

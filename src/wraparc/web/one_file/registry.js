@@ -5,7 +5,7 @@ import * as train from "../static/pages/train.js";
 
 /** @type {typeof import("../static/frame/registry.js").PAGES} */
 export const PAGES = {
-  drive: { title: "Drive", view: { Page: DrivePage } },
-  compare: { title: "Compare", view: compare },
-  train: { title: "Train", view: train },
+  drive: { title: "Drive", tab: "drive", as: "One pulley", view: { Page: DrivePage } },
+  train: { title: "Train", tab: "drive", as: "Tandem", view: train },
+  compare: { title: "Compare", tab: "choose", as: "Compare", view: compare },
 };

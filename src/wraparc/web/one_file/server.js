@@ -18,6 +18,8 @@ import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
 
 export * from "../static/base/server.js";
+/** Every part of the page is here, and its style. @template T @param {() => Promise<T>} load */
+export const part = (load) => load();
 
 /** @import { Design, Judging } from "../static/types.d.ts" */
 

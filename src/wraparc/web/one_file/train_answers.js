@@ -1,5 +1,4 @@
 // Answers about a train as the server gives them, on the pages Drive and Train.
-import { app } from "../static/base/design.js";
 import { Refused } from "../static/base/server.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, check, judge } from "../static/pages/drive/judge.js";

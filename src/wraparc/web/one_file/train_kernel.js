@@ -1325,7 +1325,7 @@ export class Node {
 const SMALL_PULL = 0.001;
 const COVERS_APART = 0.004;
 const USUAL_OFFSET = 0.005;
-const FINE = 3e-6;
+const FINE = 1e-6;
 const SHARP = 1e-5;
 const _FIRST_RATIO = 0.0015;
 const _SPEED_WEIGHT = 1000.0;
@@ -1787,7 +1787,7 @@ export function newton___stepped(at, system, matrix) {
 }
 
 /** Meet all equations from a state nearby; None if that fails. */
-export function newton__settle(system, passages, level, tol = 3e-6, tolerance = 1e-14) {
+export function newton__settle(system, passages, level, tol = 1e-6, tolerance = 1e-14) {
   let done, linear, new_, rising;
   let starts = newton___starts(system, passages);
   if (starts === null) {

@@ -123,6 +123,7 @@ export interface Arc {
   outside: [number, number][];
 }
 export interface FullArc extends Arc {
+  bars: Bar[];
   short: string;
   status_text: string;
   /** Slack-side tension to raise to for this load case alone [N]. */
@@ -244,6 +245,9 @@ export interface Bar {
   share: number;
   found: Text;
   limit: Text;
+  /** What it says where it is not kept, and where its limit came from. */
+  says: Text;
+  source: string;
 }
 export interface FullAnswer {
   verdict: Verdict;
@@ -251,7 +255,6 @@ export interface FullAnswer {
   arcs: FullArc[];
   conditions: Table | null;
   checks: Table;
-  bars: Bar[];
   least_tension: {
     shown: Text;
     sentence: Text;

@@ -61,13 +61,41 @@ globalThis.addEventListener?.("focusout", () => (lastKey = ""));
  */
 export function change(doc, key = "") {
   const now = performance.now();
-  if (app.doc && !(key && key === lastKey && now - lastTime < 1000)) past.push(app.doc);
+  const same = grip.from ? app.doc !== grip.from : key && key === lastKey && now - lastTime < 1000;
+  if (app.doc && !same) past.push(app.doc);
   if (past.length > 300) past.shift();
   [lastKey, lastTime] = [key, now];
   future.length = 0;
   app.doc = doc;
   inRange();
   redraw();
+}
+/** A hand that holds a slider or a handle: all that it moves is one step of the history. */
+const grip = { from: /** @type {Design | null} */ (null) };
+export const gripped = () => grip.from !== null;
+export function grasp() {
+  grip.from ??= app.doc;
+}
+/** Let go; what was moved stays, or is given back. @param {boolean} [back] */
+export function release(back) {
+  const { from } = grip;
+  if (!from) return;
+  grip.from = null;
+  lastKey = "";
+  if (back && app.doc !== from) app.doc = past.pop() ?? from;
+  inRange();
+  redraw();
+}
+addKeys();
+/** Escape gives back what is being moved. */
+function addKeys() {
+  globalThis.addEventListener?.("keydown", (e) => {
+    if (e.key !== "Escape" || !gripped()) return;
+    e.preventDefault();
+    release(true);
+  });
+  for (const end of ["pointerup", "pointercancel", "blur"])
+    globalThis.addEventListener?.(end, () => release());
 }
 /** @param {Path} path @param {any} value */
 export const edit = (path, value) => change(set(app.doc, path, value), path.join());
@@ -86,6 +114,11 @@ function step(from, to) {
   inRange();
   redraw();
 }
+/** Steps back that a reload keeps. */
+const KEPT = 20;
+export const remembered = () => past.slice(-KEPT);
+/** @param {Design[] | null} steps */
+export const recall = (steps) => past.splice(0, past.length, ...(steps ?? []));
 export const undo = () => step(past, future);
 export const redo = () => step(future, past);
 export const history = { back: () => past.length > 0, forth: () => future.length > 0 };
@@ -145,10 +178,18 @@ export const isDrive = (doc) =>
     (Array.isArray(doc.load_case) && doc.load_case.every((/** @type {any} */ c) => isTable(c)))) &&
   ["lagging", "train", "conveyor"].every((key) => doc[key] === undefined || isTable(doc[key]));
 
-/** The drive that a new design begins with: nothing is filled in but names. @returns {Design} */
-export const blank = () => ({
+/** The drive that a new design begins with: of usual size, its load to be filled in.
+ * @param {Units} units @returns {Design} */
+export const blank = (units) => ({
   format: 1,
   title: "",
-  belt: {},
-  pulley: [{ name: "head" }],
+  belt: { preset: "Plylon Plus 1000/4", width: units === "us" ? "48 in" : "1200 mm" },
+  pulley: [
+    {
+      name: "head",
+      diameter: units === "us" ? "32 in" : "800 mm",
+      wrap_angle: "180 deg",
+      lagging: "diamond-rubber",
+    },
+  ],
 });

@@ -1,6 +1,6 @@
 // Designs are opened and kept in this browser: what a window shows, and drafts of what was typed.
 import { again, keep, kept } from "./address.js";
-import { app, isDrive, redraw, take } from "./design.js";
+import { app, isDrive, recall, redraw, remembered, take } from "./design.js";
 import { timeOf } from "./units.js";
 
 /** @import { Design, Origin, Saved, Source, Units } from "../types.d.ts" */
@@ -71,7 +71,8 @@ export function keepDraft() {
   const { doc, units, name, design, origin, source, pulley } = app;
   const when = Date.now();
   pending = { window: own, when, doc, units, name, design, origin, source, pulley, case: app.case };
-  if (document.activeElement?.matches("[type=range]")) waiting ||= setTimeout(keepNow, 200);
+  if (document.activeElement?.matches("[type=range], [role=slider]"))
+    waiting ||= setTimeout(keepNow, 200);
   else keepNow();
 }
 function keepNow() {
@@ -81,6 +82,7 @@ function keepNow() {
   const { doc } = pending;
   const changed = doc !== untouched;
   keep("shown", doc === begun ? null : { ...pending, changed });
+  keep("past", remembered());
   if (changed) store([pending, ...drafts().filter((d) => d.window !== own)]);
   pending = null;
 }
@@ -89,6 +91,7 @@ export function openShown() {
   const d = kept("shown");
   if (!isDrive(d?.doc)) return false;
   if (!d.changed) untouched = d.doc;
+  recall(kept("past"));
   openDraft(d);
   return true;
 }

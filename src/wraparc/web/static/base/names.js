@@ -44,9 +44,3 @@ export const nameCheck = (what, others) => (/** @type {string} */ name) => {
   if (!name) return `A ${what} needs a name.`;
   return others.includes(name) ? `Another ${what} has the name "${name}".` : "";
 };
-/** A name that no other has. @param {string} word @param {(string | undefined)[]} others */
-export function freeName(word, others, from = others.length + 1) {
-  let i = from;
-  while (others.includes(`${word} ${i}`)) i++;
-  return `${word} ${i}`;
-}

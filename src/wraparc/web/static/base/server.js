@@ -103,6 +103,15 @@ export const askFile = (path, body) =>
     const said = /filename="?([^";]+)/.exec(r.headers.get("Content-Disposition") || "");
     return [await r.blob(), said?.[1] || ""];
   });
+/** The style of all but the first screen, once it is wanted; without it the page does as well. */
+let styled = /** @type {Promise<void> | null} */ (null);
+const style = () =>
+  new Promise((/** @type {(v: void) => void} */ done) => {
+    const link = document.createElement("link");
+    Object.assign(link, { rel: "stylesheet", href: LATE, onload: done, onerror: done });
+    document.querySelector("link[rel=stylesheet]")?.before(link); // the first has the last word
+  });
+const LATE = "/static/late.css";
 /**
  * A part of the page that is fetched when it is wanted first. No browser asks anew for a script
  * that did not come: once the server is there the window begins again, as it is.
@@ -111,7 +120,9 @@ export const askFile = (path, body) =>
 export async function part(load) {
   const silent = setInterval(askAgain, SILENT);
   try {
-    return await load();
+    styled ??= style();
+    const [found] = await Promise.all([load(), styled]);
+    return found;
   } catch {
     app.lacks = true;
     askAgain();

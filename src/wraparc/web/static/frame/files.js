@@ -5,7 +5,7 @@ import { open } from "../base/drafts.js";
 import { ask, part } from "../base/server.js";
 
 export function newDrive() {
-  const doc = blank();
+  const doc = blank(app.units);
   open(doc, { units: app.units });
   turnTo("drive");
   redraw();

@@ -1,4 +1,4 @@
-// The head of the page: pages, units, undo, the menus File and Export.
+// The head of the page: tabs, units, undo, the menus Report and File.
 import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
 import { drafts, draftTitle, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
@@ -7,6 +7,7 @@ import { oneOf } from "../parts/choose.js";
 import { h } from "../vendor/preact.js";
 import { download, newDrive, openExample } from "./files.js";
 import { PAGES } from "./registry.js";
+import { tabs } from "./tabs.js";
 
 /** @import { Children } from "../types.d.ts" */
 
@@ -27,35 +28,22 @@ export const Header = () => [
     " ",
     h("b", {}, "wraparc"),
   ),
-  h("nav", { "aria-label": "Pages", id: "nav", key: "nav" }, Object.keys(PAGES).map(link)),
+  h(
+    "nav",
+    { "aria-label": "Pages", id: "nav", key: "nav" },
+    tabs(),
+    menu("export", "Report", exporting?.exportMenu(), fetchExporting),
+  ),
   h(
     "div",
     { class: "tools", role: "group", "aria-label": "Design", key: "tools" },
+    h("b", { class: "title", id: "title" }, app.doc.title || "Drive without a title"),
     unitSwitch(),
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
     menu("file", "File", fileMenu()),
-    menu("export", "Export", exporting?.exportMenu(), fetchExporting),
   ),
 ];
-/** @param {string} name */
-const link = (name) =>
-  h(
-    "a",
-    {
-      id: `nav-${name}`,
-      key: name,
-      href: `#/${name}`,
-      "aria-current": app.page === name ? "page" : undefined,
-      onClick: (e) => {
-        if (e.ctrlKey || e.metaKey || e.shiftKey) return;
-        e.preventDefault();
-        turnTo(name);
-        redraw();
-      },
-    },
-    PAGES[name].title,
-  );
 /** @type {[string, string][]} */
 const UNITS = [
   ["si", "SI"],
@@ -119,7 +107,7 @@ function fileMenu() {
     item(PAGES.saved ? "Open a drive or lagging file …" : "Open a drive file …", choose),
     item("Download the drive file", download),
     PAGES.saved &&
-      item("Save in the database …", () => {
+      item("Save, and saved designs …", () => {
         turnTo("saved");
         redraw();
       }),

@@ -4,6 +4,7 @@ import { draftTitle, forgetDraft, offered, openDraft } from "../base/drafts.js";
 import { askAgain, GONE, part } from "../base/server.js";
 import { Component, h } from "../vendor/preact.js";
 import { PAGES } from "./registry.js";
+import { views } from "./tabs.js";
 
 /** @import { Draft } from "../base/drafts.js" */
 /** The page that is looked at; undefined while it is on its way. */
@@ -39,6 +40,7 @@ class Place extends Component {
     return h(
       "section",
       { id: name, hidden: !this.seen, "aria-label": title },
+      name !== "drive" && this.seen && h("div", { class: "sub" }, views()),
       h("h1", { tabIndex: -1, id: `${name}-title` }, title),
       view ? view.Page() : h("p", { class: "help" }, "Loading …"),
     );

@@ -1,6 +1,6 @@
 // One field of the drive file: label, box, unit, slider, help and what is wrong with it.
 
-import { app, edit, get, wrong } from "../base/design.js";
+import { app, edit, get, grasp, wrong } from "../base/design.js";
 import { factor, sign, split, trim, unit, viewed } from "../base/units.js";
 import { Component, createRef, h } from "../vendor/preact.js";
 import { valueIn } from "./choose.js";
@@ -10,10 +10,14 @@ import { valueIn } from "./choose.js";
  * A choice is its value and its text; those of a group stand under one heading.
  * @typedef {[string, string]} Choice
  * @typedef {{group?: string, choices: Choice[]}} Choices
+ * @typedef {{least: number, most: number, stops?: number[], mark?: number | null,
+ *   good?: [number, number] | null}} Scale
+ *   where a slider goes [SI], its stops, where a limit is, and between what that is kept
  * @typedef {{spec: Spec, path: Path, label?: string, choices?: Choices[], slider?: boolean,
- *   placeholder?: string, page?: string, read?: () => any, put?: (value: any) => void,
+ *   scale?: Scale | null, inUnit?: string, placeholder?: string, page?: string, read?: () => any,
+ *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
- *   read and put: other than the place of the document; a field with a check is taken when the
+ *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the document; a field with a check is taken when the
  *   typing is done and nothing speaks against it
  * @typedef {{draft: string | null, from: any, help: boolean, refused: string}} FieldState
  */
@@ -32,6 +36,8 @@ export const parted = (fields, keys) => [
   fields.filter((f) => !keys.includes(f.key)),
 ];
 
+/** What is said of a field that is empty, and is no mistake. */
+export const NEEDED = "Still needed.";
 /** Names of the fields on the pages by the place they show: which problems have a field. */
 export const shownFields = /** @type {Map<string, string[]>} */ (new Map());
 /** @param {Path} path */
@@ -67,6 +73,20 @@ function places(range, f, now) {
     min: Math.floor(lo / step),
     max: Math.ceil(hi / step),
   };
+}
+/** A slider that goes from one stop to the next. @param {number[]} stops @param {number} f
+ * @param {number} now */
+function placesAt(stops, f, now) {
+  const all = [...new Set([...stops.map((v) => +trim(v / f, 6)), now])].sort((a, b) => a - b);
+  const at = (/** @type {number} */ v) => {
+    const i = Math.max(
+      1,
+      all.findIndex((x) => x >= v) < 0 ? all.length - 1 : all.findIndex((x) => x >= v),
+    );
+    return i - 1 + (v - all[i - 1]) / (all[i] - all[i - 1] || 1);
+  };
+  const value = (/** @type {number} */ k) => String(all[Math.round(k)]);
+  return { at, value, min: 0, max: all.length - 1 };
 }
 /** @param {Spec} s */
 function allowed({ dimension, allowed: text, least, most }) {
@@ -107,7 +127,7 @@ export class Field extends Component {
   }
   /** Everything that decides how the field looks. @param {FieldProps} p */
   look(p) {
-    const { path, label, choices, placeholder, spec: s } = p;
+    const { path, label, choices, placeholder, scale, spec: s } = p;
     const problem = wrong.at.get(keyOf(path));
     return JSON.stringify([
       path,
@@ -115,6 +135,7 @@ export class Field extends Component {
       label,
       choices,
       placeholder,
+      scale,
       s.key,
       problem,
       app.units,
@@ -163,7 +184,7 @@ export class Field extends Component {
     /** @type {[string, string]} */
     const own =
       value == null
-        ? ["", s.dimension ? unit(s.dimension)[0] : ""]
+        ? ["", this.props.inUnit ?? (s.dimension ? unit(s.dimension)[0] : "")]
         : s.dimension
           ? viewed(value, s.dimension)
           : [String(value), ""];
@@ -196,7 +217,10 @@ export class Field extends Component {
     const [text, u] = this.text();
     return h(
       "div",
-      { class: `field${shape}${problem ? " wrong" : ""}`, ref: this.row },
+      {
+        class: `field${shape}${problem ? ` ${problem === NEEDED ? "needed" : "wrong"}` : ""}`,
+        ref: this.row,
+      },
       h(
         "label",
         { for: this.id },
@@ -265,7 +289,7 @@ export class Field extends Component {
     const common = {
       id: this.id,
       "aria-describedby": `${this.id}-h ${this.id}-e`,
-      "aria-invalid": Boolean(this.problem),
+      "aria-invalid": Boolean(this.problem) && this.problem !== NEEDED,
     };
     const options = choices || ownChoices(s);
     const taken = (/** @type {Event} */ e) => this.take(valueIn(e), u);
@@ -277,6 +301,7 @@ export class Field extends Component {
       onInput: (/** @type {Event} */ e) => this.typed(valueIn(e), u),
       onChange: this.done,
       onBlur: this.done,
+      onKeyDown: this.stepped,
     };
     if (tall) return h("textarea", { ...typing, rows: 2 });
     return h("input", {
@@ -294,26 +319,36 @@ export class Field extends Component {
     const { placeholder, spec: s } = this.props;
     return String(placeholder ?? (s.word || s.default || ""));
   }
-  /** @param {string} name */
-  slider(name) {
-    const { spec: s, slider } = this.props;
-    if (!s.slider || !s.dimension || slider === false) return null;
+  /** Value and unit that a slider stands at, and its places. */
+  places() {
+    const { spec: s, slider, scale: own } = this.props;
+    if (!(own || s.slider) || !s.dimension || slider === false) return null;
     const [text, u] = viewed(this.value() ?? this.empty(), s.dimension);
     const now = split(text)?.number;
     const f = factor(u, s.dimension);
-    const common = { type: "range", "aria-label": `${name}, slider` };
-    if (now === undefined || f === undefined) return h("input", { ...common, disabled: true });
-    const scale = this.held || places(s.slider, f, now);
+    if (now === undefined || f === undefined) return { text, u, f: 1, now: 0, scale: null };
+    const range = own ? { ...own, log: false } : /** @type {Limits} */ (s.slider);
+    const made = () => (own?.stops ? placesAt(own.stops, f, now) : places(range, f, now));
+    return { text, u, f, now, scale: this.held || made() };
+  }
+  /** @param {string} name */
+  slider(name) {
+    const found = this.places();
+    if (!found) return null;
+    const { text, u, f, now, scale } = found;
+    const common = { type: "range", "aria-label": `${name}, slider`, tabIndex: -1 };
+    if (!scale) return h("input", { ...common, disabled: true });
     const release = () => {
       this.held = null;
     };
-    return h("input", {
+    const range = h("input", {
       ...common,
       min: scale.min,
       max: scale.max,
       step: 1,
       value: Math.round(scale.at(now)),
       "aria-valuetext": `${text} ${u}`.trim(),
+      onPointerDown: grasp,
       onInput: (/** @type {Event} */ e) => {
         this.held = scale;
         this.put(`${scale.value(+valueIn(e))} ${u}`.trim());
@@ -321,7 +356,28 @@ export class Field extends Component {
       onChange: release,
       onBlur: release,
     });
+    const { scale: own } = this.props;
+    if (!own) return range;
+    /** @param {number} v */
+    const part = (v) =>
+      100 * Math.min(1, Math.max(0, (scale.at(v / f) - scale.min) / (scale.max - scale.min || 1)));
+    const [a, b] = own.good ? own.good.map(part) : [0, 0];
+    const good = b > a && h("u", { style: { left: `${a}%`, width: `${b - a}%` } });
+    const mark = own.mark != null && h("b", { style: { left: `${part(own.mark)}%` } });
+    return h("span", { class: "sl" }, h("span", { class: "t" }, good, mark), range);
   }
+  /** Up and down in a box go a step of its slider. @param {KeyboardEvent} e */
+  stepped = (e) => {
+    const way = { ArrowUp: 1, ArrowDown: -1 }[e.key] ?? 0;
+    const found = way ? this.places() : null;
+    if (!found?.scale || e.altKey || e.ctrlKey) return;
+    e.preventDefault();
+    const { scale, now, u } = found;
+    const k = Math.round(scale.at(now)) + way;
+    if (k < scale.min || k > scale.max) return;
+    this.setState({ draft: null });
+    this.put(`${scale.value(k)} ${u}`.trim());
+  };
 }
 
 /** @param {Spec} s @returns {Choices[] | null} */

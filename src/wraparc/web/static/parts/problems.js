@@ -2,7 +2,7 @@
 
 import { app, get, wrong } from "../base/design.js";
 import { sentence } from "../base/server.js";
-import { shownFields } from "./field.js";
+import { NEEDED, shownFields } from "./field.js";
 
 /** @import { Path, Problem } from "../types.d.ts" */
 
@@ -49,7 +49,7 @@ export function mark(problems) {
   wrong.at = new Map();
   return problems.filter((p) => {
     const needed = lacking(p);
-    for (const key of needed) wrong.at.set(key, "Still needed.");
+    for (const key of needed) wrong.at.set(key, NEEDED);
     if (needed.length) return false;
     const keys = place(p.path);
     let key = keys.join();

@@ -94,10 +94,10 @@ export function raise(tension, only) {
       h("button", { type: "button", onClick: back }, "Undo"),
     ]);
   };
-  const of = only !== undefined ? ` in ${only} alone` : several ? " in every load case" : "";
+  const of = only === undefined && several ? " in every load case" : "";
   return h(
     "button",
-    { type: "button", class: "main advice", key: "advice", onClick: apply },
+    { type: "button", class: "main advice", key: "advice", onClick: apply, title: where },
     `Raise ${side} to ${shown}${of}`,
   );
 }

@@ -1,7 +1,7 @@
 // The condition that the shown load case is solved in: where the file says it, and another.
 
 import { app, besides, caseNames, change, get, look, set } from "../../base/design.js";
-import { choose, oneOf } from "../../parts/choose.js";
+import { choose } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
 import { answer } from "./solving.js";
 
@@ -9,7 +9,7 @@ import { answer } from "./solving.js";
 
 /** Name of a condition, whether it stands as a name or as a table. @param {any} c
  * @returns {string} */
-const called = (c) => c?.name ?? c;
+export const called = (c) => c?.name ?? c;
 
 /** What the shown load case of a pulley is solved in, and the key that says so; a load case goes
  * before the conditions side by side, they before a pulley, that before the drive.
@@ -43,7 +43,7 @@ function known(of) {
   return [...new Set([...tested, ...names(table?.condition_factor), ...scaled])];
 }
 /** Take a document in and look at a load case of it. @param {Design} doc @param {string} name */
-function go(doc, name) {
+export function go(doc, name) {
   app.case = caseNames(doc).indexOf(name) > 0 ? name : "";
   change(doc);
 }
@@ -55,78 +55,25 @@ function put(i, name) {
   if (all.some((c) => called(c) === name)) look({ case: shown });
   else go(set(app.doc, at, [...all, name]), shown);
 }
-/** The switch beside the lagging. @param {number} i */
+/** The choice beside the lagging. @param {number} i */
 export function switched(i) {
-  const { at, row, all, shown } = held(i);
+  const { row, all } = held(i);
   const usual = known(app.doc.pulley[i].lagging);
   const now = row == null ? usual[0] : called(row);
   const names = [...new Set([...usual, ...all.map(called), now])];
   if (names.length < 2) return null;
-  const alone = { pulley: "this pulley", load_case: `load case ${shown}` }[at[0]];
-  const several = app.doc.pulley.length > 1 && "Of all pulleys.";
-  const beside = all.length && `Every load case in ${all.map(called).join(" and ")}; shown is one.`;
-  const note = alone ? `Of ${alone} alone.` : beside || several;
-  return h(
-    "div",
-    { class: "field wide", key: "condition" },
-    h("span", {}, "Condition"),
-    oneOf(
-      "lagging-condition",
-      "Condition of the lagging",
-      now,
-      names.map((name) => [name, name]),
-      (name) => put(i, name),
-      "switch box",
-    ),
-    note && h("p", { class: "help" }, note),
-    alone &&
-      h(
-        "button",
-        { type: "button", onClick: () => change(set(app.doc, at, undefined)) },
-        "Take that of the drive",
-      ),
+  const pick = choose(
+    now,
+    names.map((name) => [name, name]),
+    (name) => put(i, name),
+    "lagging-condition",
   );
+  const label = h("label", { for: "lagging-condition", class: "away" }, "Condition of the lagging");
+  return h("span", { class: "condition", key: "condition" }, label, pick);
 }
-
-/** Conditions that published values cover, side by side. */
-const SEVERAL = [
-  ["dry", "wet"],
-  ["dry", "wet", "wet and dirty"],
-];
-/** Whether every load case is solved in one condition, or in several. @param {number} i */
-export function sideBySide(i) {
-  const { row, base, at } = held(i);
-  const now = besides(app.doc);
-  const known = SEVERAL.findIndex((names) => JSON.stringify(names) === JSON.stringify(now));
-  const put = (/** @type {string} */ k) => {
-    const names = SEVERAL[+k - 1];
-    const main = at.length > 1 ? now[0] : row;
-    const seen = names?.includes(called(row)) ? called(row) : names?.[0];
-    go(
-      set(app.doc, ["condition"], names ?? main),
-      at[0] === "load_case" || !names ? base : `${base}, ${seen}`,
-    );
-  };
-  return h(
-    "div",
-    { class: "field", key: "condition" },
-    h("label", { for: "condition" }, "Solved in"),
-    h("span", {}),
-    h(
-      "span",
-      { class: "box" },
-      choose(
-        now.length ? known + 1 || "own" : 0,
-        [
-          [0, "the condition of the lagging"],
-          ...SEVERAL.map((c, k) => /** @type {[number, string]} */ ([k + 1, c.join(" | ")])),
-          ...(now.length && known < 0
-            ? [/** @type {[string, string]} */ (["own", "as in the file"])]
-            : []),
-        ],
-        put,
-        "condition",
-      ),
-    ),
-  );
+/** Which load case of the file a pulley is shown in; -1 for that of the pulleys themselves.
+ * @param {number} i */
+export function shownCase(i) {
+  const { base } = held(i);
+  return app.case ? (app.doc.load_case ?? []).findIndex((c) => c.name === base) : -1;
 }

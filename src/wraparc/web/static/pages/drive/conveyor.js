@@ -46,8 +46,11 @@ export function conveyor(now) {
 /** @param {Now} now @returns {Children[]} */
 function given(now) {
   const [first, others] = parted(section("conveyor"), FIRST);
-  const row = (/** @type {any} */ s) =>
-    field({ spec: s, path: ["conveyor", s.key], slider: false, placeholder: "" });
+  const long = app.units === "us" ? "ft" : "m"; // what is said of a conveyor
+  const row = (/** @type {any} */ s) => {
+    const inUnit = s.dimension === "length" ? long : undefined;
+    return field({ spec: s, path: ["conveyor", s.key], slider: false, placeholder: "", inUnit });
+  };
   const remove = () => {
     const { conveyor: _, ...rest } = app.doc;
     const numbers = now();

@@ -161,9 +161,3 @@ const readOf = (key, sign, text, meaning) =>
 /** @param {QuickAnswer} arc @param {number} part */
 export const placeText = (arc, part) =>
   shown("position", part * arc.profile.position[arc.profile.position.length - 1]);
-/** One line for the phone. @param {QuickAnswer} arc */
-export function peek({ numbers, creep_limit, status }) {
-  if (status !== "solved") return " gross slip";
-  const share = percent(Math.abs(numbers.exit_creep) / creep_limit);
-  return ` creep ${shown("exit_creep", numbers.exit_creep)}, ${share} of the limit`;
-}

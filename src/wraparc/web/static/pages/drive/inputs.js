@@ -1,40 +1,37 @@
 // The inputs of a drive: load first, then pulley, lagging, belt, load cases, the drive as a whole.
 
-import { app, change, edit, get, set } from "../../base/design.js";
-import { nameCheck, renamePulley } from "../../base/names.js";
-import { choose } from "../../parts/choose.js";
-import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
+import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
+import { part } from "../../base/server.js";
+import { viewed } from "../../base/units.js";
+import { field, idOf, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
-import { add, inCase, loadInCase, shared } from "./cases.js";
-import { sideBySide, switched } from "./condition.js";
-import { conveyor } from "./conveyor.js";
-import { criteria } from "./criteria.js";
-import { fromExample } from "./from_example.js";
-import { givenBy } from "./load.js";
+import { shownCase, switched } from "./condition.js";
+import { caseAt, keysOf, takenOver } from "./load.js";
+import { scaleOf } from "./ranges.js";
 
-/** @import { Children, Path, Spec } from "../../types.d.ts" */
+/** @import { Path, Spec } from "../../types.d.ts" */
 /** @import { Choice, Choices } from "../../parts/field.js" */
 
 /** Pairs of tension, pull, power and torque that give the load. */
-const PAIRS = ["01", "02", "12", "03", "13", "04", "14"].map((pair) =>
+export const PAIRS = ["01", "02", "12", "03", "13", "04", "14"].map((pair) =>
   [...pair].map((k) => TENSIONS[+k]),
 );
-/** @param {string} key */
-const tensionSpec = (key) => spec("tensions", key);
-/** @param {string} title @param {Children[]} rows */
-export const group = (title, rows, key = title) =>
-  h("fieldset", { key }, h("legend", {}, title), rows);
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
 
 /** Whether load cases give tensions beside those of the pulleys. */
-const byCase = () => app.doc.load_case && !app.doc.conveyor && !app.doc.train;
-/** The load of a pulley itself: of the conveyor, of the train, or as given.
- * @param {number} i @param {Now} [now] */
-export function ownLoad(i, now = () => null) {
-  const of = byCase() && (isCase() ? "design" : "shared by all load cases");
-  const rows = [...(app.doc.conveyor ? [] : load(i)), ...conveyor(now)];
-  return group(of ? `Load: ${of}` : "Load", rows, "Load");
+export const byCase = () => app.doc.load_case && !app.doc.conveyor && !app.doc.train;
+/**
+ * By which quantities the load of a pulley is given that is shown, and where; none where the train
+ * or the conveyor gives it.
+ * @param {number} i
+ */
+export function givenLoad(i) {
+  const k = byCase() ? shownCase(i) : -1;
+  if (k >= 0) return { k, at: caseAt(app.doc, i, k), keys: shownKeys(keysOf(app.doc, i, k), k) };
+  const given = TENSIONS.filter((t) => app.doc.pulley[i][t] !== undefined);
+  if (app.doc.conveyor || (app.doc.train && !given.length)) return null;
+  return { k, at: /** @type {Path} */ (["pulley", i]), keys: shownKeys(given, k) };
 }
 /** Whether the tensions of the pulleys make a load case, as they do where they are whole. */
 export function isCase() {
@@ -51,73 +48,36 @@ export function isCase() {
     });
   return given.every((g) => g[0] && g[1]);
 }
-/** Which two of tension, pull, power and torque are given. @param {number} i */
-function load(i) {
-  const p = app.doc.pulley[i];
-  const given = TENSIONS.filter((t) => p[t] !== undefined);
-  if (app.doc.train && !given.length)
-    return [h("p", { class: "help" }, "The train gives the tensions: see the page Train.")];
-  return loadRows(["pulley", i], given, (keys) => give(i, keys));
-}
 /** What was shown last: a box that is typed in stays while it is empty. */
 let last = { of: "", keys: /** @type {string[]} */ ([]) };
-/**
- * By which quantities a load is given, and their boxes.
- * @param {Path} at @param {string[]} given @param {(keys: string[]) => void} put
- * @param {(key: string) => string} [over] of an empty box @returns {Children[]}
- */
-export function loadRows(at, given, put, over) {
-  const pair = (/** @type {string[]} */ keys) => PAIRS.findIndex((p) => p.join() === keys.join());
+/** @param {string[]} given @param {number} k load case */
+function shownKeys(given, k) {
+  const at = k < 0 ? ["pulley", app.pulley] : caseAt(app.doc, app.pulley, k);
   const of = at.join();
-  const typed = (/** @type {string} */ k) => document.activeElement?.id === idOf([...at, k]);
-  if (last.of !== of || !last.keys.some((k) => !given.includes(k) && typed(k)))
-    last = { of, keys: pair(given) < 0 ? [...new Set([...PAIRS[0], ...given])] : given };
-  const id = idOf(at, "pair");
-  const pick = choose(
-    Math.max(0, pair(last.keys)),
-    PAIRS.map((keys, k) => [k, keys.map(sign).join(" and ")]),
-    (k) => put(PAIRS[+k]),
-    id,
-  );
-  return [
-    h(
-      "div",
-      { class: "field", key: "pair" },
-      h("label", { for: id }, "Load given by"),
-      h("span", {}),
-      h("span", { class: "box" }, pick),
-    ),
-    ...last.keys.map((k) =>
-      field({ spec: tensionSpec(k), path: [...at, k], placeholder: over?.(k) }),
-    ),
-  ];
+  const typed = (/** @type {string} */ key) => document.activeElement?.id === idOf([...at, key]);
+  if (last.of !== of || !last.keys.some((key) => !given.includes(key) && typed(key)))
+    last = { of, keys: pairAt(given) < 0 ? [...new Set([...PAIRS[0], ...given])] : given };
+  return last.keys;
 }
-/** @param {string} key */
-const sign = (key) => tensionSpec(key).symbol || tensionSpec(key).title;
-/** Give the same load by two other numbers. @param {number} i @param {string[]} keys */
-const give = (i, keys) => change(givenBy(app.doc, i, keys));
-
-/** @param {number} i */
-function pulley(i) {
-  const skip = ["name", "lagging", "condition", ...TENSIONS];
-  const fields = section("pulley").filter((f) => !skip.includes(f.key) && f.kind !== "table");
-  const [main, rest] = parted(fields, ["diameter", "wrap_angle"]);
-  const row = (/** @type {Spec} */ f) => field({ spec: f, path: ["pulley", i, f.key] });
-  return [...main.map(row), more("More of the pulley", [pulleyName(i), ...rest.map(row)])];
-}
-/** @param {number} i @param {string} [page] */
-export const pulleyName = (i, page) =>
-  field({
-    spec: spec("pulley", "name"),
-    path: ["pulley", i, "name"],
-    page,
-    put: (name) => renamePulley(i, name),
-    check: nameCheck(
-      "pulley",
-      app.doc.pulley.filter((_, k) => k !== i).map((p) => p.name),
-    ),
+/** @param {string[]} keys */
+export const pairAt = (keys) => PAIRS.findIndex((p) => p.join() === keys.join());
+/** The boxes of the load. @param {number} i */
+function loadBoxes(i) {
+  const of = givenLoad(i);
+  return of?.keys.map((key) => {
+    const over = of.k < 0 ? undefined : takenOver(app.doc, i, of.k, key);
+    const path = [...of.at, key];
+    return field({ spec: spec("tensions", key), path, placeholder: over, scale: scaleOf(key) });
   });
-
+}
+/** @param {number} i @param {string} key */
+const ofPulley = (i, key, label = "") =>
+  field({
+    spec: spec("pulley", key),
+    path: ["pulley", i, key],
+    label: label || undefined,
+    scale: scaleOf(key),
+  });
 /** @param {any} l @returns {string} */
 export const laggingName = (l) => (l && typeof l === "object" ? l.preset || l.name || "" : l || "");
 /** @param {number} i @returns {Choices[]} */
@@ -154,69 +114,38 @@ export const putLagging = (i, name) =>
     ),
   );
 
-/** Numbers of a lagging that a design may give in place of the catalogue's. */
-const PARTS = ["thickness", "shear_modulus", "compression_modulus"].concat([
-  "bond_strength",
-  "fatigue_limit",
-]);
-/** @param {number} i */
-function lagging(i) {
+/** The lagging of a pulley by name, and what is known of where its numbers come from.
+ * @param {number} i */
+function laggingPick(i) {
   /** @type {Path} */
   const at = ["pulley", i, "lagging"];
-  const now = laggingName(get(app.doc, at));
-  const known = app.catalogue.laggings.find((x) => x.name === now);
-  const parts = PARTS.map((key) => laggingPart(at, key, known?.[key]?.[app.units]));
-  const whole = field({
-    spec: spec("pulley", "lagging"),
-    path: at,
-    label: "Lagging",
-    choices: laggingChoices(i),
-    read: () => laggingName(get(app.doc, at)),
-    put: (name) => putLagging(i, name),
-  });
-  return [
-    whole,
+  const kind = catalogued(i)?.kind;
+  return h(
+    "div",
+    { class: "pick-row", key: "lagging" },
+    field({
+      spec: spec("pulley", "lagging"),
+      path: at,
+      label: "Lagging",
+      choices: laggingChoices(i),
+      read: () => laggingName(get(app.doc, at)),
+      put: (name) => putLagging(i, name),
+    }),
+    kind && kind !== "own" && h("span", { class: `kind ${kind}` }, kind),
     switched(i),
-    known &&
-      h(
-        "p",
-        { class: "origin", key: "origin" },
-        h("span", { class: `mark ${known.kind}` }, known.kind),
-        ` ${(known.source || "").replace(`${known.kind}: `, "")}`,
-      ),
-    more("Lagging in detail", parts, typeof get(app.doc, at) === "object"),
-  ];
-}
-/** A number of the lagging that the design may give in place of the catalogue's.
- * @param {Path} at @param {string} key @param {string | undefined} placeholder */
-const laggingPart = (at, key, placeholder) =>
-  field({
-    spec: spec("lagging", key),
-    path: [...at, key],
-    slider: key === "thickness" ? undefined : false,
-    placeholder: placeholder || "",
-    read: () => {
-      const v = get(app.doc, at);
-      return v && typeof v === "object" ? v[key] : undefined;
-    },
-    put: (value) => {
-      const v = get(app.doc, at);
-      const next = { ...(v && typeof v === "object" ? v : { preset: v }), [key]: value };
-      if (value === undefined) delete next[key];
-      edit(at, Object.keys(next).join() === "preset" ? next.preset : next);
-    },
-  });
-
-function belt() {
-  const skip = ["preset", "table"];
-  const fields = section("belt").filter(
-    (f) => !skip.includes(f.key) && !["table", "belt"].includes(f.kind),
   );
-  const [main, rest] = parted(fields, ["width", "speed", "modulus"]);
-  const row = (/** @type {Spec} */ f) =>
-    field({ spec: f, path: ["belt", f.key], placeholder: ofPreset(f.key) ?? undefined });
-  return [preset(), ...main.map(row), more("More of the belt", rest.map(row))];
 }
+/** @param {number} i */
+export const catalogued = (i) =>
+  app.catalogue.laggings.find((x) => x.name === laggingName(app.doc.pulley[i].lagging));
+/** @param {Spec} s */
+export const ofBelt = (s) =>
+  field({
+    spec: s,
+    path: ["belt", s.key],
+    placeholder: ofPreset(s.key) ?? undefined,
+    scale: scaleOf(s.key),
+  });
 const presetBelt = () => app.catalogue.belts.find((b) => b.name === app.doc.belt.preset);
 /** @param {string} key @returns {string | undefined} */
 const ofPreset = (key) => presetBelt()?.[key]?.[app.units];
@@ -255,43 +184,65 @@ function putBelt(name) {
   change(set(app.doc, ["belt"], next));
 }
 
-function cases() {
-  if (app.doc.conveyor && !app.doc.load_case) return [sideBySide(app.pulley)];
-  const list = app.doc.load_case || [];
-  return [
-    sideBySide(app.pulley),
-    h("p", { class: "help", key: "help" }, HELP),
-    shared(),
-    ...list.map((c, k) => more(c.name || `case ${k + 1}`, inCase(k), undefined, `case${k}`)),
-    h("button", { type: "button", id: "add-case", key: "add", onClick: add }, "Add a load case"),
-  ];
-}
-const HELP =
-  'The load above is that of the load case shown. Others than "design" replace what they name.';
-
-/** The form of the drive page. @param {Now} now */
+/** What is turned less, fetched behind the first page. */
+const late = { more: /** @type {typeof import("./more.js") | null} */ (null) };
+painted().then(async () => {
+  late.more = await part(() => import("./more.js")).catch(() => null);
+  redraw();
+});
+/** The form of the drive page: what is turned most, and all else below it. @param {Now} now */
 export function inputs(now) {
   const i = app.pulley;
-  const name = app.doc.pulley[i].name || String(i + 1);
-  const [drive] = parted(section("drive"), ["title", "description", "creep_limit"]);
   return h(
     "form",
     {
-      class: "inputs",
+      class: "inputs rail card",
       "aria-label": "Drive",
       onSubmit: (e) => e.preventDefault(),
       noValidate: true,
     },
-    fromExample(),
-    app.case && byCase() ? loadInCase(i) : ownLoad(i, now),
-    group(`Pulley ${name}`, pulley(i), "pulley"),
-    group("Lagging", lagging(i)),
-    group("Belt", belt()),
-    group("Load cases", cases()),
-    group("Held against", criteria()),
-    group(
-      "Drive",
-      drive.map((f) => field({ spec: f, path: [f.key] })),
+    h("h2", {}, "Inputs", h("span", {}, isUsual() ? "usual values" : "green: keeps the limit")),
+    loadBoxes(i),
+    ofPulley(i, "wrap_angle"),
+    laggingPick(i),
+    h("div", { class: "pick-row", key: "belt" }, preset()),
+    ofPulley(i, "diameter", "Diameter"),
+    ofBelt(spec("belt", "width")),
+    h(
+      "details",
+      { class: "more", id: "more", key: "more" },
+      h("summary", {}, "More inputs"),
+      late.more?.moreInputs(i, now),
     ),
+    also(),
+  );
+}
+/** Whether all but the load stands as a new drive has it. */
+function isUsual() {
+  const { belt, pulley } = blank(app.units);
+  const { diameter, wrap_angle, lagging } = app.doc.pulley[0];
+  const now = [app.doc.belt, diameter, wrap_angle, lagging];
+  const usual = [belt, pulley[0].diameter, pulley[0].wrap_angle, pulley[0].lagging];
+  return !app.doc.title && JSON.stringify(now) === JSON.stringify(usual);
+}
+/** Some of what is not turned here, to be seen. */
+function also() {
+  const { belt, creep_limit, take_up, design_standard } = app.doc;
+  /** @type {[Spec, any][]} */
+  const rows = [
+    [spec("belt", "speed"), belt.speed],
+    [spec("belt", "modulus"), belt.modulus ?? ofPreset("modulus")],
+    [spec("drive", "creep_limit"), creep_limit ?? spec("drive", "creep_limit").default],
+    [spec("take_up", "kind"), take_up?.kind],
+    [spec("design_standard", "name"), design_standard?.name],
+  ];
+  const seen = (/** @type {Spec} */ s, /** @type {any} */ v) =>
+    s.dimension ? viewed(v, s.dimension).join(" ") : String(v);
+  return h(
+    "dl",
+    { class: "kv", key: "also" },
+    rows
+      .filter(([, v]) => v != null && v !== "")
+      .map(([s, v]) => h("div", { key: s.key }, h("dt", {}, s.title), h("dd", {}, seen(s, v)))),
   );
 }

@@ -11,6 +11,7 @@ import { firstAnswer, wholeOf } from "./whole.js";
 import { barsOf, checkTable, verdictOf } from "./words.js";
 
 export { confirmed } from "./own.js";
+export { find, ways } from "./ways.js";
 
 /** @import { Book, Design, FullAnswer, Judging, QuickAnswer } from "../../types.d.ts" */
 
@@ -35,6 +36,14 @@ function assembled(doc) {
   return last.judging;
 }
 
+/** What a drive is judged by in one load case, put together in the page; null where that is for the
+ * server. @param {Design} doc @param {string} name */
+export async function alone(doc, name) {
+  await ready;
+  const judging = book && assemble(doc, book).judging;
+  const cases = judging?.cases.filter((c) => c.load_case === name) ?? [];
+  return judging && cases.length ? { ...judging, cases } : null;
+}
 /** The answer of the page itself to the arc that is looked at; null where it is for the server.
  * @param {{doc: Design, answer: QuickAnswer, pulley: number, case: string}} base
  * @param {number} points @param {QuickAnswer | null} judged */
@@ -119,10 +128,12 @@ function told(of, full, judging) {
     const before = full.arcs.find((b) => b.load_case === a.load_case);
     const { level, levels, short } = verdictOf(of, a.load_case);
     const raise_to = raiseTo(of, [a]);
-    return { .../** @type {any} */ (before), level, levels, short, raise_to, numbers: a.numbers };
+    const bars = barsOf(of, a.load_case);
+    const told = { level, levels, short, raise_to, bars, numbers: a.numbers };
+    return { .../** @type {any} */ (before), ...told };
   });
   const checks = checkTable(of, full.checks);
-  return { ...full, verdict, checks, bars: barsOf(of), arcs, least_tension };
+  return { ...full, verdict, checks, arcs, least_tension };
 }
 /** The page's judgement and the server's are one. @param {FullAnswer} full */
 export function compare(full) {

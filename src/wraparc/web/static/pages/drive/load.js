@@ -1,6 +1,5 @@
 // The same load given by two other numbers, found from those of the drive file alone.
 import { set } from "../../base/design.js";
-import { note } from "../../base/server.js";
 import { si, written } from "../../base/units.js";
 import {
   tension_rules__ends_of as endsOf,
@@ -18,11 +17,11 @@ import { NO_RUNS, orNull, TENSIONS, tensionsBy } from "../../parts/problems.js";
 const DIGITS = 9;
 const SAME = 1e-6; // of the tensions: what so many digits leave
 /** @param {string} key */
-const dimension = (key) => spec("tensions", key).dimension || "force";
+export const dimension = (key) => spec("tensions", key).dimension || "force";
 /** @param {string} key @param {number} value */
-const text = (key, value) => written(value, dimension(key), DIGITS);
+export const tensionText = (key, value) => written(value, dimension(key), DIGITS);
 /** @param {any} table */
-const pullsIn = (table) => tensionsBy((key) => si(table?.[key], dimension(key)));
+export const pullsIn = (table) => tensionsBy((key) => si(table?.[key], dimension(key)));
 /** @param {Design} doc @param {number} i @returns {Drum} */
 const drumOf = (doc, i) => ({
   diameter: orNull(si(doc.pulley[i].diameter, "length")),
@@ -32,7 +31,7 @@ const drumOf = (doc, i) => ({
 /** Every quantity of the load that a table of tensions gives, nan where it does not say.
  * @param {Design} doc @param {number} i
  * @returns {(of: Tensions) => Load} */
-function loadOn(doc, i) {
+export function loadOn(doc, i) {
   const drum = drumOf(doc, i);
   return (of) => {
     const { entry, exit } = endsOf(of, drum);
@@ -51,7 +50,7 @@ const NONE = Object.fromEntries(TENSIONS.map((key) => [key, none]));
 /** What a load case makes of the tensions of its pulley: nothing, where with them too much is
  * given. @param {Design} doc @param {number} i
  * @returns {(of: Tensions, over: Tensions) => Load} */
-function caseOn(doc, i) {
+export function caseOn(doc, i) {
   const drum = drumOf(doc, i);
   const all = loadOn(doc, i);
   const fixed = doc.take_up?.kind === "fixed";
@@ -62,7 +61,7 @@ function caseOn(doc, i) {
 }
 /** The tensions that a load case gives at a pulley, and what they come to with those of the pulley.
  * @param {Design} doc @param {number} i @param {number} k */
-function caseOf(doc, i, k) {
+export function caseOf(doc, i, k) {
   const inCase = caseOn(doc, i);
   const base = pullsIn(doc.pulley[i]);
   const own = doc.load_case?.[k].pulley?.[doc.pulley[i].name ?? ""] ?? {};
@@ -96,15 +95,15 @@ export function takenOver(doc, i, k, key) {
   const { own, now } = caseOf(doc, i, k);
   return own[key] == null && Number.isFinite(now[key]) ? written(now[key], dimension(key)) : "";
 }
-const ENDS = ["entry_tension", "exit_tension"];
+export const ENDS = ["entry_tension", "exit_tension"];
 /** Whether two loads have the same tensions. @param {Load} a
  * @param {Load} b */
-function alike(a, b) {
+export function alike(a, b) {
   const size = Math.max(...ENDS.map((key) => Math.abs(a[key])));
   return !Number.isFinite(size) || ENDS.every((key) => Math.abs(b[key] - a[key]) <= SAME * size);
 }
 /** A table of tensions without those that are given. @param {any} table */
-const without = (table) =>
+export const without = (table) =>
   Object.fromEntries(Object.entries(table).filter(([key]) => !TENSIONS.includes(key)));
 
 /**
@@ -126,7 +125,10 @@ export function raised(doc, i, least, only) {
    * @param {Load} now */
   const put = (table, now) => {
     const given = ENDS.filter((key) => table[key] != null);
-    return { ...table, ...Object.fromEntries(given.map((key) => [key, text(key, now[key])])) };
+    return {
+      ...table,
+      ...Object.fromEntries(given.map((key) => [key, tensionText(key, now[key])])),
+    };
   };
   const pulley = doc.pulley[i];
   const before = pullsIn(pulley);
@@ -138,59 +140,41 @@ export function raised(doc, i, least, only) {
     const now = lifted(inCase(before, pullsIn(own)), c.name);
     const short = put(own, now);
     const same = alike(now, inCase(pullsIn(next), pullsIn(short)));
-    const both = Object.fromEntries(ENDS.map((key) => [key, text(key, now[key])]));
+    const both = Object.fromEntries(ENDS.map((key) => [key, tensionText(key, now[key])]));
     const table = same ? short : { ...without(own), ...both };
     if (Object.keys(table).length) changed = set(changed, ["load_case", k, "pulley", name], table);
   });
   return changed;
 }
 
-/** Whether a table cannot give what it is to; says what that takes.
- * @param {any} table @param {string[]} keys */
-function lacks(table, keys) {
-  const lacking = keys.some((key) => table[key] == null);
-  if (lacking)
-    note(`It takes ${keys.includes("power") ? "the belt speed" : "the diameter"} to say so.`);
-  return lacking;
-}
-/** A drive with one load case given by two quantities, its load as it was.
- * @param {Design} doc @param {number} i @param {number} k @param {string[]} keys
- * @returns {Design} */
-export function givenInCase(doc, i, k, keys) {
-  const { own, now } = caseOf(doc, i, k);
-  const known = keys.filter((key) => own[key] != null || Number.isFinite(now[key]));
-  const both = Object.fromEntries(known.map((key) => [key, own[key] ?? text(key, now[key])]));
-  return Number.isFinite(now.effective_tension) && lacks(both, keys)
-    ? doc
-    : set(doc, caseAt(doc, i, k), { ...without(own), ...both });
-}
-
 /**
- * A drive whose pulley `i` has its load by the quantities `keys`, as it was. A load case that takes
- * one of them over from the pulley gets both of its tensions, where it would change.
- * @param {Design} doc @param {number} i @param {string[]} keys @returns {Design}
+ * A drive with other tensions on pulley `i`, by the quantities that give its load: those of the
+ * load case `k`, or of the pulley itself.
+ * @param {Design} doc @param {number} i @param {number} k @param {number[]} ends [N]
+ * @param {number} n digits @returns {Design}
  */
-export function givenBy(doc, i, keys) {
-  const all = loadOn(doc, i);
-  const inCase = caseOn(doc, i);
-  const pulley = doc.pulley[i];
-  const before = pullsIn(pulley);
-  const now = all(before);
-  const next = { ...pulley };
-  for (const key of TENSIONS) if (!keys.includes(key)) delete next[key];
-  for (const key of keys)
-    if (next[key] == null && Number.isFinite(now[key])) next[key] = text(key, now[key]);
-  if (Number.isFinite(now.effective_tension) && lacks(next, keys)) return doc;
-  let changed = set(doc, ["pulley", i], next);
-  const name = pulley.name ?? "";
-  (doc.load_case ?? []).forEach((/** @type {any} */ c, /** @type {number} */ k) => {
-    const own = c.pulley?.[name];
-    if (!TENSIONS.some((key) => own?.[key] != null)) return;
-    const over = pullsIn(own);
-    const was = inCase(before, over);
-    if (alike(was, inCase(pullsIn(next), over))) return;
-    const both = Object.fromEntries(ENDS.map((key) => [key, own[key] ?? text(key, was[key])]));
-    changed = set(changed, ["load_case", k, "pulley", name], { ...without(own), ...both });
+export function movedTo(doc, i, k, [entry, exit], n) {
+  const { belt, pulley } = doc;
+  const pull = entry - exit;
+  const now = /** @type {Load} */ ({
+    entry_tension: entry,
+    exit_tension: exit,
+    effective_tension: pull,
+    power: pull * si(belt.speed, "speed"),
+    torque: (pull * si(pulley[i].diameter, "length")) / 2,
   });
-  return changed;
+  const own = k < 0 ? pulley[i] : caseOf(doc, i, k).own;
+  const before = k < 0 ? loadOn(doc, i)(pullsIn(own)) : caseOf(doc, i, k).now;
+  const given = TENSIONS.filter((key) => own[key] != null);
+  const moved = TENSIONS.filter(
+    (key) => Math.abs(before[key] - now[key]) > SAME * Math.abs(now[key]),
+  );
+  const both = [...new Set([...given, ...ENDS.filter((key) => moved.includes(key))])];
+  const keys = given.length > 1 ? given : both.length > 2 ? ENDS : both;
+  const kept = keys.every((key) => key in own || moved.includes(key)) ? own : without(own);
+  const told = (/** @type {string} */ key) => written(now[key], dimension(key), n);
+  const changed = keys.filter((key) => kept[key] == null || moved.includes(key));
+  const rest = keys === ENDS ? without(kept) : kept;
+  const table = { ...rest, ...Object.fromEntries(changed.map((key) => [key, told(key)])) };
+  return set(doc, k < 0 ? ["pulley", i] : caseAt(doc, i, k), table);
 }

@@ -1,14 +1,11 @@
-// The pictures of one arc: four plots along the wrap and the pulley itself.
-import { app } from "../../base/design.js";
-import { digits, dimensionOf, show, shown, title, unit } from "../../base/units.js";
+// The pictures of one arc: four plots along the wrap.
+import { show, shown, unit } from "../../base/units.js";
 import { Chart } from "../../plots/chart.js";
 import { named } from "../../plots/named.js";
-import { colourScale, Pulley } from "../../plots/pulley.js";
 import { whole, wholeArc } from "./solving.js";
 
 /** @import { ChartData, Line, QuickAnswer } from "../../types.d.ts" */
 
-export const QUANTITIES = ["shear_stress", "friction_used", "wrap_pressure", "slip", "creep"];
 const TITLES = ["Belt tension", "Friction", "Creep and slip", "Lagging shear"];
 /** The wrap angle; as the march adds it up it differs in the last digits from step to step.
  * @param {QuickAnswer["profile"]} profile */
@@ -135,9 +132,8 @@ function shear(scene) {
 
 /** The pictures in their boxes; drawn anew with every answer. */
 export class Pictures {
-  /** @param {HTMLElement} plots @param {HTMLElement} pulley @param {HTMLElement} scale
-   * @param {(part: number) => void} onpick */
-  constructor(plots, pulley, scale, onpick) {
+  /** @param {HTMLElement} plots @param {(part: number) => void} onpick */
+  constructor(plots, onpick) {
     this.charts = TITLES.map((name, i) => {
       const box = document.createElement("figure");
       plots.append(box);
@@ -147,49 +143,17 @@ export class Pictures {
       const how = { title: name, height, xlabel, onpick, stacked: true, numbered };
       return Object.assign(new Chart(box, how), { named });
     });
-    this.pulley = new Pulley(pulley);
-    this.scale = scale;
-    this.scaleKey = "";
   }
-  /** @param {QuickAnswer} arc @param {string} quantity */
-  draw(arc, quantity) {
+  /** @param {QuickAnswer} arc */
+  draw(arc) {
     const scene = new Scene(arc);
     // all asked for before any is drawn: the page is laid out once for it
     for (const chart of this.charts) chart.wide ||= chart.box.clientWidth;
     for (const [i, of] of [tension, friction, creep, shear].entries())
       this.charts[i].draw(of(scene));
-    this.drawPulley(arc, quantity);
   }
-  /** @param {QuickAnswer} arc @param {string} q */
-  drawPulley(arc, q) {
-    const { profile: p, numbers: n } = arc;
-    const most = Math.max(...p[q].map(Math.abs));
-    const pull = n.effective_tension;
-    this.pulley.draw({
-      phi: wrapOf(p),
-      position: p.position,
-      values: p[q],
-      most,
-      t1: n.entry_tension,
-      t2: n.exit_tension,
-      text1: `T1 = ${show(n.entry_tension, "force", 3)}`,
-      text2: `T2 = ${show(n.exit_tension, "force", 3)}`,
-      duty: pull > 0 ? "driving" : pull < 0 ? "braking" : "idling",
-      outside: arc.outside,
-      stuck: n.stuck_arc,
-      peak: n.peak_shear_position,
-      told: `Pulley with its wrapped arc, coloured by ${title(q)}, largest ${shown(q, most, 3)}`,
-    });
-    const [u, f] = unit(dimensionOf(q));
-    const key = q + app.units + digits(most / f, 3);
-    if (key === this.scaleKey) return;
-    this.scaleKey = key;
-    const label = `${title(q)}${u ? ` [${u}]` : ""}; dot: peak shear stress`;
-    colourScale(this.scale, label, most / f);
-  }
-  /** Show the cursor. @param {QuickAnswer} arc @param {number} part of the arc */
-  at(arc, part) {
+  /** Show the cursor. @param {number} part of the arc */
+  at(part) {
     for (const chart of this.charts) chart.at(part);
-    this.pulley.at(part * wrapOf(arc.profile));
   }
 }

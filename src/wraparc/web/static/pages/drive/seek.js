@@ -8,7 +8,7 @@ import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
 import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
-import { shownCase } from "./cases.js";
+import { shownCase } from "./condition.js";
 import { caseAt, keysOf, takenOver } from "./load.js";
 import { answer } from "./solving.js";
 

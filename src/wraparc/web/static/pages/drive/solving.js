@@ -1,5 +1,5 @@
 // Answers: one arc while the hand moves, by the page itself where it can; all once it rests.
-import { app, caseNames, painted, redraw } from "../../base/design.js";
+import { app, caseNames, gripped, painted, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, part, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
 
@@ -76,12 +76,16 @@ document.addEventListener("complete", async () => {
   if (own) return;
   await painted();
   own = await part(() => import("./judging.js")).catch(() => null);
-  if (own) performance.mark("own");
+  if (!own) return;
+  performance.mark("own");
+  show();
 });
+/** The solver of the page, once it is there. */
+export const solver = () => own;
 /** Ask for what the present document lacks; called after every change. */
 export function solve() {
   const key = [app.doc, app.pulley, app.case];
-  if (key.every((k, i) => k === asked[i])) return;
+  if (key.every((k, i) => k === asked[i])) return rest();
   const documentChanged = asked[0] !== app.doc;
   asked = key;
   answer.quickDoc = null;
@@ -105,8 +109,21 @@ export function solve() {
     else completeLater();
   }
 }
+/** Whether something waits for the hand to let go: nothing is asked of the server while it moves
+ * what the page solves itself. */
+let waits = false;
+const moving = () => {
+  waits ||= gripped() && Boolean(answer.quick?.own);
+  return waits && gripped();
+};
+function rest() {
+  if (!waits || gripped()) return;
+  waits = false;
+  confirmed();
+  completeLater();
+}
 /** The server's word on what the page answered itself, once the hand rests. */
-const confirmed = later(150, () => answer.quick?.own && quick());
+const confirmed = later(150, () => !moving() && answer.quick?.own && quick());
 onReturn(() => {
   asked = [];
   solve();
@@ -180,6 +197,7 @@ async function complete() {
   stop?.abort();
   stop = new AbortController();
   const doc = app.doc;
+  if (answer.fullDoc === doc) return settle();
   try {
     const how = { points: 180, sequence: ++sequence, prepared: true };
     const given = came.get(doc)?.whole;
@@ -197,4 +215,4 @@ async function complete() {
     if (!app.gone) refusal(x);
   }
 }
-const completeLater = later(250, complete);
+const completeLater = later(250, () => !moving() && complete());

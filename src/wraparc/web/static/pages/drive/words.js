@@ -145,13 +145,16 @@ function sense(checks) {
     .join("");
 }
 
+/** Whether a check is of an arc, or of the drive as a whole. @param {Check} c
+ * @param {string} load_case @param {string} [pulley] */
+const isOf = (c, load_case, pulley) =>
+  (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
+
 /** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
 export function verdictOf({ checks: all, of, wet, over }, load_case, pulley) {
-  const here = (/** @type {Check} */ c) =>
-    (!c.load_case || c.load_case === load_case) && (!c.pulley || c.pulley === pulley);
-  const checks = load_case === undefined ? all : all.filter(here);
+  const checks = load_case === undefined ? all : all.filter((c) => isOf(c, load_case, pulley));
   const worst = worstOf(checks);
   const level = worst?.level ?? "OK";
   const others = listed(checks).filter((c) => c.missed && c.name !== worst?.name);
@@ -195,16 +198,19 @@ function row(c) {
   const { name, title, place, level } = c;
   return { name, title, symbol: "", values: { si: cells, us: cells }, note: place, level };
 }
-/** The checks of the drive that have a value and a limit, as bars. @param {Judged} judged
+/** The checks of one arc that have a value and a limit, as bars. @param {Judged} judged
+ * @param {string} load_case @param {string} [pulley]
  * @returns {import("../../types.d.ts").Bar[]} */
-export const barsOf = ({ checks }) =>
-  listed(checks)
+export const barsOf = ({ checks }, load_case, pulley) =>
+  listed(checks.filter((c) => isOf(c, load_case, pulley)))
     .filter((c) => c.level !== NOT_CHECKED && !c.numerical)
     .filter((c) => Number.isFinite(c.value / c.limit))
     .map((c) => {
       const { title, level, place, at_most } = c;
       const [found, limit] = [texts(c)[0], bound(c)];
-      return { title, level, place, at_most, share: c.value / c.limit, found, limit };
+      const says = c.missed ? sentence({ ...c, remedy: "" }) : "";
+      const share = c.value / c.limit;
+      return { title, level, place, at_most, share, found, limit, says, source: "" };
     });
 /** The checks as a table, in the place of one of the server.
  * @param {Judged} judged @param {Table} before @returns {Table} */

@@ -2,7 +2,8 @@
 import { app, change, edit } from "../../base/design.js";
 import { field, spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
-import { laggingChoices, laggingName, pulleyName, putLagging } from "../drive/inputs.js";
+import { laggingChoices, laggingName, putLagging } from "../drive/inputs.js";
+import { pulleyName } from "../drive/more.js";
 
 /** @import { Design, Path, Pulley, Spec } from "../../types.d.ts" */
 

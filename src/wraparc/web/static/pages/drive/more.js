@@ -1,0 +1,258 @@
+// What is turned less: how the load is given, the rest of pulley, lagging and belt, load cases, and
+// what the drive is held against. Fetched behind the first page.
+import { app, besides, change, edit, get, look, set } from "../../base/design.js";
+import { nameCheck, renameCase, renamePulley } from "../../base/names.js";
+import { choose } from "../../parts/choose.js";
+import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
+import { TENSIONS } from "../../parts/problems.js";
+import { h } from "../../vendor/preact.js";
+import { addCase, firstOf } from "./cases.js";
+import { called, go, held } from "./condition.js";
+import { conveyor } from "./conveyor.js";
+import { criteria } from "./criteria.js";
+import { byCase, catalogued, givenLoad, isCase, ofBelt, PAIRS, pairAt } from "./inputs.js";
+import { follows, takenOver } from "./load.js";
+import { givenBy, givenInCase } from "./load_given.js";
+
+/** @import { Children, Path } from "../../types.d.ts" */
+/** @import { Now } from "./inputs.js" */
+
+/** @param {string} key */
+const tensionSpec = (key) => spec("tensions", key);
+/** @param {string} title @param {Children[]} rows */
+const group = (title, rows, key = title) => h("fieldset", { key }, h("legend", {}, title), rows);
+/** How the load is given. @param {number} i @param {Now} now */
+function load(i, now) {
+  const of = givenLoad(i);
+  const k = of?.k ?? -1;
+  const shared = byCase() && (isCase() ? "design" : "shared by all load cases");
+  const name = k < 0 ? shared : app.doc.load_case?.[k].name;
+  const train = !of && app.doc.train;
+  const rows = [
+    of && by(i, of),
+    train && h("p", { class: "help", key: "train" }, "The train gives the tensions."),
+    k >= 0 && taken(i, k, of?.keys ?? []),
+    ...(k < 0 ? conveyor(now) : []),
+  ];
+  return group(name ? `Load: ${name}` : "Load", rows, "Load");
+}
+/** What a load case takes over. @param {number} i @param {number} k @param {string[]} keys */
+function taken(i, k, keys) {
+  if (!keys.some((key) => takenOver(app.doc, i, k, key))) return null;
+  const from = isCase() ? 'the load case "design"' : "the pulley";
+  const empty = follows(app.doc, i, k)
+    ? `The other tension follows from ${from}: the take-up holds the sum of both.`
+    : `What is left empty is that of ${from}.`;
+  return h("p", { class: "help", key: "taken" }, empty);
+}
+/** By which quantities. @param {number} i
+ * @param {NonNullable<ReturnType<typeof givenLoad>>} of */
+function by(i, { k, at, keys }) {
+  const id = idOf(at, "pair");
+  /** @param {string[]} pair */
+  const give = (pair) =>
+    change(k < 0 ? givenBy(app.doc, i, pair) : givenInCase(app.doc, i, k, pair));
+  const pick = choose(
+    Math.max(0, pairAt(keys)),
+    PAIRS.map((keys, k) => [k, keys.map(sign).join(" and ")]),
+    (n) => give(PAIRS[+n]),
+    id,
+  );
+  return h(
+    "div",
+    { class: "field", key: "pair" },
+    h("label", { for: id }, "Load given by"),
+    h("span", {}),
+    h("span", { class: "box" }, pick),
+  );
+}
+/** @param {string} key */
+const sign = (key) => tensionSpec(key).symbol || tensionSpec(key).title;
+
+/** @param {number} i */
+function pulley(i) {
+  const skip = ["name", "lagging", "condition", "diameter", "wrap_angle", ...TENSIONS];
+  const fields = section("pulley").filter((f) => !skip.includes(f.key) && f.kind !== "table");
+  return [pulleyName(i), ...fields.map((f) => field({ spec: f, path: ["pulley", i, f.key] }))];
+}
+/** @param {number} i @param {string} [page] */
+export const pulleyName = (i, page) =>
+  field({
+    spec: spec("pulley", "name"),
+    path: ["pulley", i, "name"],
+    page,
+    put: (name) => renamePulley(i, name),
+    check: nameCheck(
+      "pulley",
+      app.doc.pulley.filter((_, k) => k !== i).map((p) => p.name),
+    ),
+  });
+
+/** Numbers of a lagging that a design may give in place of the catalogue's. */
+const PARTS = ["thickness", "shear_modulus", "compression_modulus"].concat([
+  "bond_strength",
+  "fatigue_limit",
+]);
+/** @param {number} i */
+function lagging(i) {
+  const known = catalogued(i);
+  const parts = PARTS.map((key) =>
+    laggingPart(["pulley", i, "lagging"], key, known?.[key]?.[app.units]),
+  );
+  const origin =
+    known &&
+    h("p", { class: "origin", key: "origin" }, (known.source || "").replace(`${known.kind}: `, ""));
+  return [ofCondition(i), origin, ...parts];
+}
+/** A number of the lagging that the design may give in place of the catalogue's.
+ * @param {Path} at @param {string} key @param {string | undefined} placeholder */
+const laggingPart = (at, key, placeholder) =>
+  field({
+    spec: spec("lagging", key),
+    path: [...at, key],
+    slider: key === "thickness" ? undefined : false,
+    placeholder: placeholder || "",
+    read: () => {
+      const v = get(app.doc, at);
+      return v && typeof v === "object" ? v[key] : undefined;
+    },
+    put: (value) => {
+      const v = get(app.doc, at);
+      const next = { ...(v && typeof v === "object" ? v : { preset: v }), [key]: value };
+      if (value === undefined) delete next[key];
+      edit(at, Object.keys(next).join() === "preset" ? next.preset : next);
+    },
+  });
+
+function belt() {
+  const skip = ["preset", "table", "width"];
+  const fields = section("belt").filter(
+    (f) => !skip.includes(f.key) && !["table", "belt"].includes(f.kind),
+  );
+  const [main, others] = parted(fields, ["speed", "modulus"]);
+  return [...main, ...others].map(ofBelt);
+}
+function cases() {
+  if (app.doc.conveyor && !app.doc.load_case) return [sideBySide(app.pulley)];
+  const list = app.doc.load_case || [];
+  return [
+    sideBySide(app.pulley),
+    h("p", { class: "help", key: "help" }, HELP),
+    shared(),
+    ...list.map((c, k) => more(c.name || `case ${k + 1}`, inCase(k), undefined, `case${k}`)),
+    h(
+      "button",
+      { type: "button", id: "add-case", key: "add", onClick: addCase },
+      "Add a load case",
+    ),
+  ];
+}
+const HELP =
+  'The load above is that of the load case shown. Others than "design" replace what they name.';
+
+/** Back to what the load cases share, where that makes no load case. */
+const shared = () =>
+  app.case && app.doc.load_case && !app.doc.train && !isCase()
+    ? showing("Show the load that all share", "")
+    : null;
+/** @param {string} text @param {string} name */
+const showing = (text, name) =>
+  h("button", { type: "button", key: "show", onClick: () => look({ case: name }) }, text);
+/** What a load case is called and means. @param {number} k @returns {Children[]} */
+function inCase(k) {
+  const { load_case = [], train } = app.doc;
+  const others = ["design", ...load_case.filter((_, j) => j !== k).map((c) => c.name)];
+  const remove = () => {
+    edit(["load_case"], load_case.length > 1 ? load_case.filter((_, j) => j !== k) : undefined);
+    document.getElementById("add-case")?.focus();
+  };
+  return [
+    field({
+      spec: spec("load_case", "name"),
+      path: ["load_case", k, "name"],
+      put: (to) => renameCase(k, to),
+      check: nameCheck("load case", others),
+    }),
+    field({ spec: spec("load_case", "description"), path: ["load_case", k, "description"] }),
+    !train && showing("Show and change its load", firstOf(app.doc, load_case[k].name ?? "")),
+    h("button", { type: "button", key: "remove", onClick: remove }, "Remove this case"),
+  ];
+}
+/** For what the condition holds. @param {number} i */
+function ofCondition(i) {
+  const { at, all, shown } = held(i);
+  const alone = { pulley: "this pulley", load_case: `load case ${shown}` }[at[0]];
+  const several = app.doc.pulley.length > 1 && "Of all pulleys.";
+  const beside = all.length && `Every load case in ${all.map(called).join(" and ")}; shown is one.`;
+  const note = alone ? `Of ${alone} alone.` : beside || several;
+  return [
+    note && h("p", { class: "help", key: "condition-note" }, `Condition: ${note}`),
+    alone &&
+      h(
+        "button",
+        { type: "button", key: "of", onClick: () => change(set(app.doc, at, undefined)) },
+        "Take that of the drive",
+      ),
+  ];
+}
+
+/** Conditions that published values cover, side by side. */
+const SEVERAL = [
+  ["dry", "wet"],
+  ["dry", "wet", "wet and dirty"],
+];
+/** Whether every load case is solved in one condition, or in several. @param {number} i */
+function sideBySide(i) {
+  const { row, base, at } = held(i);
+  const now = besides(app.doc);
+  const known = SEVERAL.findIndex((names) => JSON.stringify(names) === JSON.stringify(now));
+  const put = (/** @type {string} */ k) => {
+    const names = SEVERAL[+k - 1];
+    const main = at.length > 1 ? now[0] : row;
+    const seen = names?.includes(called(row)) ? called(row) : names?.[0];
+    go(
+      set(app.doc, ["condition"], names ?? main),
+      at[0] === "load_case" || !names ? base : `${base}, ${seen}`,
+    );
+  };
+  return h(
+    "div",
+    { class: "field", key: "condition" },
+    h("label", { for: "condition" }, "Solved in"),
+    h("span", {}),
+    h(
+      "span",
+      { class: "box" },
+      choose(
+        now.length ? known + 1 || "own" : 0,
+        [
+          [0, "the condition of the lagging"],
+          ...SEVERAL.map((c, k) => /** @type {[number, string]} */ ([k + 1, c.join(" | ")])),
+          ...(now.length && known < 0
+            ? [/** @type {[string, string]} */ (["own", "as in the file"])]
+            : []),
+        ],
+        put,
+        "condition",
+      ),
+    ),
+  );
+}
+
+/** @param {number} i @param {Now} now */
+export function moreInputs(i, now) {
+  const name = app.doc.pulley[i].name || String(i + 1);
+  const [drive] = parted(section("drive"), ["title", "description", "creep_limit"]);
+  return [
+    load(i, now),
+    group(`Pulley ${name}`, pulley(i), "pulley"),
+    group("Lagging", lagging(i)),
+    group("Belt", belt()),
+    group("Load cases", cases()),
+    group("Held against", criteria()),
+    group(
+      "Drive",
+      drive.map((f) => field({ spec: f, path: [f.key] })),
+    ),
+  ];
+}

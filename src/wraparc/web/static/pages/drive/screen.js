@@ -1,0 +1,784 @@
+// The first screen of a drive: load cases, verdict, the pulley and one curve, checks and what would
+// change the creep. Everything else of the answer is below it, fetched when it is opened.
+
+import { app, caseNames, change, gripped, look, painted, set, undo } from "../../base/design.js";
+import { GONE, note, part, sentence } from "../../base/server.js";
+import {
+  digits,
+  dimensionOf,
+  percent,
+  show,
+  shown,
+  si,
+  split,
+  title,
+  unit,
+  words,
+  written,
+} from "../../base/units.js";
+import { levelClass, list, standing } from "../../parts/answers.js";
+import { choose, oneOf } from "../../parts/choose.js";
+import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
+import { Curve } from "../../plots/curve.js";
+import { follow, Stage } from "../../plots/stage.js";
+import { Component, createRef, h } from "../../vendor/preact.js";
+import { raise, raiseAlone } from "./advice.js";
+import { addCase } from "./cases.js";
+import { shownCase } from "./condition.js";
+import { fromExample } from "./from_example.js";
+import { keysOf, movedTo } from "./load.js";
+import { fullTension, limits, scaleOf } from "./ranges.js";
+import { questions } from "./questions.js";
+import { views } from "../../frame/tabs.js";
+import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
+
+/** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */
+/** @import { Handle, StageData } from "../../plots/stage.js" */
+/** @import { CurveData } from "../../plots/curve.js" */
+
+/** What is drawn along the wrap, by its name, and how it is called.
+ * @type {[string, string][]} */
+const QUANTITIES = [
+  ["creep", "Creep"],
+  ["shear_stress", "Shear"],
+  ["friction_used", "Friction"],
+  ["tension", "Tension"],
+  ["wrap_pressure", "Pressure"],
+];
+/** What a hand that moves T2 keeps. @type {[string, string][]} */
+const KEEPS = [
+  ["pull", "the pull"],
+  ["t1", "T1"],
+];
+const DESIGN = "design";
+/** What is fetched when it is opened. */
+const late = {
+  details: /** @type {typeof import("./details.js") | null} */ (null),
+};
+/** The order of the checks, as it was when the hand last let go. */
+const order = { of: /** @type {unknown} */ (null), titles: /** @type {string[]} */ ([]) };
+/** @param {number} v */
+const degrees = (v) => (v * 180) / Math.PI;
+
+/**
+ * @typedef {{quantity: string, part: number | null, keeps: string, check: string,
+ *   open: boolean}} ScreenState
+ * @extends {Component<{form: Children}, ScreenState>}
+ */
+export class Screen extends Component {
+  /** @type {ScreenState} */
+  state = { quantity: "creep", part: null, keeps: "pull", check: "", open: false };
+  stageBox = createRef();
+  curveBox = createRef();
+  spoken = createRef();
+  /** @type {unknown[]} */
+  drawn = [];
+  answered = false;
+
+  componentDidMount() {
+    const point = (/** @type {number | null} */ part) => {
+      if (part !== this.state.part) this.setState({ part });
+    };
+    this.stage = new Stage(this.stageBox.current, (key, v) => this.move(key, v), point);
+    this.curve = new Curve(this.curveBox.current, point);
+    onAnswer(() => this.forceUpdate());
+    this.paint();
+  }
+  componentDidUpdate() {
+    this.paint();
+    if (!gripped()) solver()?.find();
+  }
+  /** Draw what has changed. */
+  paint() {
+    const arc = answer.foreign ? null : answer.quick;
+    const { quantity, part } = this.state;
+    const mark = limits();
+    const now = [arc, app.units, quantity, mark.t1, mark.t2, mark.wrap, app.doc, known()];
+    if (this.stage && this.curve && now.some((v, i) => v !== this.drawn[i])) {
+      this.stage.draw(stageData(arc, quantity));
+      this.curve.draw(curveData(arc, quantity));
+    }
+    this.stage?.at(part);
+    this.curve?.at(part);
+    if (arc && arc !== this.drawn[0])
+      document.dispatchEvent(new CustomEvent("painted", { detail: arc.sequence }));
+    if (arc && !answer.awaited && !this.answered) {
+      this.answered = true;
+      painted().then(() => performance.mark("answered"));
+    }
+    this.drawn = now;
+  }
+  /** A handle was moved to a value. @param {Handle} key @param {number} v [SI] */
+  move(key, v) {
+    const i = app.pulley;
+    if (key === "wrap") {
+      const at = ["pulley", i, "wrap_angle"];
+      return change(set(app.doc, at, written(v, "angle", 5)), "wrap");
+    }
+    const n = answer.quick?.numbers;
+    if (!n) return;
+    const both = key === "t2" && this.state.keeps === "pull";
+    const ends =
+      key === "t1"
+        ? [v, n.exit_tension]
+        : [both ? n.entry_tension + v - n.exit_tension : n.entry_tension, v];
+    change(movedTo(app.doc, i, shownCase(i), ends, 6), key);
+  }
+  render() {
+    const { problems, slow, foreign, awaited } = answer;
+    const arc = foreign ? null : answer.quick; // nothing stands under another drive's name
+    const refused = problems.length > 0;
+    const waits = (awaited || !arc) && !refused && !app.gone;
+    const how = stood();
+    const cls = ["screen", refused && "refused", slow && "waiting", waits && "awaited"];
+    return h(
+      "div",
+      {
+        class: cls.filter(Boolean).join(" "),
+        id: "results",
+        "data-whole": whole() ? "yes" : undefined,
+        "data-stands": how,
+      },
+      h("div", { class: "sub" }, app.page === "drive" && views(), picks()),
+      h(
+        "div",
+        { class: "frame" },
+        this.props.form,
+        h(
+          "section",
+          { class: "hero card", "aria-label": "Answer" },
+          verdict(arc, refused),
+          this.drawing(arc),
+          this.along(arc),
+        ),
+        this.checks(arc),
+      ),
+      foot(arc),
+      questions(),
+      this.below(arc),
+    );
+  }
+  /** @param {QuickAnswer | null} arc */
+  drawing(arc) {
+    const both = arc && handles(arc).t2;
+    return h(
+      "div",
+      { class: "stage-box" },
+      h("figure", { class: "stage-svg", ref: this.stageBox }),
+      both &&
+        h(
+          "div",
+          { class: "over" },
+          h("span", { "aria-hidden": "true" }, "Dragging T2 keeps"),
+          oneOf("keeps", "Dragging T2 keeps", this.state.keeps, KEEPS, (keeps) =>
+            this.setState({ keeps }),
+          ),
+        ),
+    );
+  }
+  /** The quantity that is drawn, and its values at the place that is pointed at.
+   * @param {QuickAnswer | null} arc */
+  along(arc) {
+    const { quantity, part } = this.state;
+    return h(
+      "div",
+      { class: "curve" },
+      h(
+        "div",
+        { class: "curve-head" },
+        oneOf("quantity", "Quantity shown on pulley and curve", quantity, QUANTITIES, (quantity) =>
+          this.setState({ quantity }),
+        ),
+        h("output", {}, arc?.status === "solved" && reading(arc, part ?? 1)),
+      ),
+      h("figure", { class: "curve-box", ref: this.curveBox }),
+    );
+  }
+  /** @param {QuickAnswer | null} arc */
+  checks(arc) {
+    const full = wholeArc();
+    const all = sorted(full);
+    const missed = all.filter((b) => rank(b) > 0).length;
+    const kept = missed ? `${missed} of ${all.length} not kept` : `all ${all.length} kept`;
+    const chosen = all.find((b) => b.title === this.state.check) ?? all[0];
+    return h(
+      "aside",
+      { class: "checks card", "aria-label": "Checks against their limits" },
+      h("h2", {}, "Checks", all.length > 0 && h("span", {}, `${kept} · bar: use of the limit`)),
+      h(
+        "ul",
+        { class: "list" },
+        all.map((b) => this.check(b, chosen === b)),
+      ),
+      chosen && why(chosen, full),
+      h("div", { class: "changes" }, changes()),
+      arc && sources(arc),
+    );
+  }
+  /** @param {Bar} b @param {boolean} chosen */
+  check(b, chosen) {
+    const used = b.at_most ? b.share : 1 / b.share;
+    const cls = levelClass(b.level);
+    const width = Math.max(1, Math.min(100, 50 * (used > 0 ? used : 2)));
+    return h(
+      "li",
+      { key: b.title, class: cls },
+      h(
+        "button",
+        {
+          type: "button",
+          "aria-expanded": chosen,
+          "aria-controls": "why",
+          onClick: () => this.setState({ check: b.title }),
+        },
+        glyph(b.level),
+        h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
+        h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
+        h(
+          "span",
+          { class: "use" },
+          h("u", { class: cls, style: { width: `${width}%` } }),
+          h("s", {}),
+        ),
+      ),
+    );
+  }
+  /** What is under the fold. @param {QuickAnswer | null} arc */
+  below(arc) {
+    const toggle = async (/** @type {Event & {currentTarget: HTMLDetailsElement}} */ e) => {
+      const { open } = e.currentTarget;
+      if (open) late.details ??= await part(() => import("./details.js")).catch(() => null);
+      this.setState({ open });
+    };
+    const { open, part: at } = this.state;
+    const place = { at: at ?? 0.5, put: (/** @type {number} */ part) => this.setState({ part }) };
+    return h(
+      "details",
+      { id: "details", class: "card", onToggle: toggle, key: "details" },
+      h("summary", {}, "Details"),
+      open && late.details && arc ? h(late.details.Details, { arc, ...place }) : null,
+    );
+  }
+}
+const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
+
+// The verdict.
+
+/** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
+const END = /^(.*?[a-z0-9)%°]\.) (?=[A-Z])/s;
+/** The first sentence of a verdict, without the place that the page shows; and the rest.
+ * @param {Text} text @param {QuickAnswer} arc @returns {[string, string]} */
+function first(text, { pulley, load_case }) {
+  const whole = words(text);
+  const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
+  const place = places.find((p) => whole.startsWith(p)) ?? "";
+  const said = whole.slice(place.length);
+  const half = said.indexOf("; ");
+  const [, one] = END.exec(said) ?? [];
+  if (one) return [one, said.slice(one.length + 1)];
+  return half > 0
+    ? [`${said.slice(0, half)}.`, said[half + 2].toUpperCase() + said.slice(half + 3)]
+    : [said, ""];
+}
+/** @param {Level | ""} level @param {string} text @param {Children} more
+ * @param {Children} [action] @param {string} [all] @param {Children} [alert] */
+const said = (level, text, more, action, all = "", alert = null) =>
+  h(
+    "div",
+    { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id: "verdict" },
+    glyph(level || null, 28),
+    h(
+      "div",
+      { role: "status", title: all },
+      h("p", {}, level && h("span", { class: "away" }, `${level}: `), text),
+      h("small", {}, more),
+    ),
+    h("div", { role: "alert" }, alert),
+    h("div", { class: "act" }, action),
+  );
+/** @param {QuickAnswer | null} arc @param {boolean} refused */
+function verdict(arc, refused) {
+  if (refused) return notComputed(arc !== null);
+  if (!arc) return said("", app.gone ? GONE : "Solving …", "");
+  const how = stood();
+  if (app.gone && how !== "fresh") return said("", GONE, "Below is the answer before.");
+  if (how !== "fresh") return said("", "Solving …", "Below is the answer before the change.");
+  const { level, verdict: v } = arc;
+  const full = known();
+  if (!level) return said("", creepOf(arc), "");
+  const [one, rest] = first(v.headline, arc);
+  const lost = unsolved(arc);
+  const worse = lost ?? elsewhere(full?.arcs, arc) ?? rest;
+  return said(level, one, worse, full && action(arc), words(v.headline));
+}
+/** @param {QuickAnswer} arc */
+const creepOf = ({ numbers, creep_limit, status }) =>
+  status === "solved"
+    ? `${title("exit_creep")} ${shown("exit_creep", Math.abs(numbers.exit_creep))}, ` +
+      `${percent(Math.abs(numbers.exit_creep) / creep_limit)} of the limit.`
+    : "Gross slip.";
+/** What keeps the drive from being solved. @param {boolean} before whether an answer stands */
+function notComputed(before) {
+  const empty = answer.problems.filter(toFillIn);
+  const not = answer.problems.filter((p) => p.beyond);
+  const n = answer.problems.length - empty.length;
+  const shown = answer.unplaced.length ? answer.unplaced : answer.problems;
+  const below = before ? " Below is the last answer." : "";
+  const told = (/** @type {string} */ head, /** @type {string[]} */ all) =>
+    said("", "", "", null, "", [h("p", {}, head, below), list(all, "reasons")]);
+  if (not.length) return told("Not solved in this page.", not.map(sentence));
+  if (n > 0)
+    return told(
+      `Not computed: ${n === 1 ? "one value" : `${n} values`} cannot be used.`,
+      shown.map(sentence),
+    );
+  return told("These numbers are still needed:", answer.problems.flatMap(asked));
+}
+/** The load that the pulleys share, where it is begun and no load case: it is left out of all.
+ * @param {QuickAnswer} arc */
+function unsolved({ load_case: shown }) {
+  const begun = app.doc.pulley.some((p) => TENSIONS.some((key) => p[key] != null));
+  if (app.case || !begun || caseNames(app.doc)[0]?.split(",")[0] !== DESIGN) return null;
+  if (shown.split(",")[0] === DESIGN) return null;
+  return `Load case ${DESIGN} lacks a tension and is left out. Shown is ${shown}.`;
+}
+const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
+const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
+const use = (/** @type {FullArc} */ a) =>
+  a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
+/** Another load case or pulley that comes off worse, and a way there.
+ * @param {FullArc[] | undefined} arcs @param {QuickAnswer} arc */
+function elsewhere(arcs, arc) {
+  const here = arcs?.find((a) => a.pulley === arc.pulley && a.load_case === arc.load_case);
+  if (!arcs || !here) return null;
+  const worse = arcs
+    .filter((a) => rank(a) > rank(here) || (rank(a) === rank(here) && use(a) > use(here) * 1.001))
+    .filter((a) => rank(a) > 0)
+    .sort((a, b) => rank(b) - rank(a) || use(b) - use(a))[0];
+  if (!worse) return null;
+  const pulley = app.doc.pulley.findIndex((p) => p.name === worse.pulley);
+  const place =
+    worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
+  const creeps = `creeps ${percent(use(worse))} of its limit`;
+  const to = () => look({ case: caseKey(worse.load_case), pulley: Math.max(0, pulley) });
+  return [
+    "Worse elsewhere: ",
+    h(
+      "button",
+      { type: "button", class: "link", onClick: to },
+      `${place} ${worse.status === "solved" ? creeps : worse.short}`,
+    ),
+  ];
+}
+/** @param {string} name */
+const caseKey = (name) => (name === caseNames(app.doc)[0] ? "" : name);
+/** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
+function action(arc) {
+  if (rank(arc) < 1) return null;
+  const { train } = app.doc;
+  if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
+  const all = known()?.least_tension?.raise_to;
+  const found = all != null ? raise(all) : raiseAlone(wholeArc());
+  if (found) return found;
+  const way = solver()
+    ?.ways()
+    .find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
+  if (!way) return null;
+  const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
+  return h(
+    "button",
+    {
+      type: "button",
+      class: "main advice",
+      onClick: () => take(way.doc, text),
+      disabled: gripped(),
+    },
+    text,
+  );
+}
+/** Take a change in, with a way back. @param {Design} doc @param {string} text */
+function take(doc, text) {
+  change(doc);
+  const back = () => {
+    undo();
+    note("");
+  };
+  note([`${text}. `, h("button", { type: "button", onClick: back }, "Undo")]);
+}
+
+// Load cases.
+
+/** The pulley that comes off worst in a load case, the one that is chosen before its like.
+ * @param {FullArc[] | undefined} arcs @param {string} name */
+function worstIn(arcs, name) {
+  const own = app.doc.pulley[app.pulley].name;
+  const worse = (/** @type {FullArc} */ a) => 2 * rank(a) + +(a.pulley === own);
+  const here = arcs?.filter((a) => a.load_case === name) ?? [];
+  return here.sort((a, b) => worse(b) - worse(a))[0];
+}
+/** Choice of pulley and load case: each case with what it comes to. */
+function picks() {
+  const names = app.doc.pulley.map((p) => p.name || "");
+  const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
+  const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
+  const at = Math.max(0, cases.indexOf(app.case || cases[0]));
+  const to = (/** @type {number} */ i) => look({ case: caseKey(cases[i]) });
+  const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
+    const arc = worstIn(arcs, name);
+    const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";
+    const creeps = arc && (arc.status === "solved" ? short(use(arc)) : "slips");
+    const spoken = arc ? `Creep is ${creeps} of its limit: ${arc.short}` : "";
+    return h(
+      "button",
+      {
+        type: "button",
+        class: "chip",
+        key: name,
+        "aria-pressed": i === at,
+        onClick: () => to(i),
+        title: spoken,
+      },
+      glyph(arc?.level ?? null),
+      h("span", {}, `${name}${whose}`),
+      " ",
+      h("i", { class: levelClass(arc?.level) }, creeps ?? "–"),
+    );
+  };
+  const many = cases.length > MANY;
+  return h(
+    "span",
+    { class: "chips" },
+    pick("pick-pulley", "Pulley", names, app.pulley, (i) => look({ pulley: i })),
+    many && pick("pick-case", "Load case", cases, at, to),
+    !many && [
+      h("span", { class: "cw", key: "of" }, "Load case"),
+      h("span", CASES, cases.map(chip)),
+      !app.doc.conveyor &&
+        !app.doc.train &&
+        h(
+          "button",
+          {
+            type: "button",
+            class: "chip",
+            key: "add",
+            "aria-label": "Add a load case",
+            onClick: addCase,
+          },
+          "+",
+        ),
+    ],
+  );
+}
+/** A share that a chip has room for. @param {number} v */
+const short = (v) => (v < 10 ? percent(v) : "> 999 %");
+const MANY = 6; // load cases: more are a list
+const CASES = {
+  id: "cases",
+  class: "cases",
+  role: "group",
+  "aria-label": "Load case",
+  key: "cases",
+};
+/** @param {string} id @param {string} label @param {string[]} texts @param {number} at
+ * @param {(i: number) => void} put */
+const pick = (id, label, texts, at, put) =>
+  texts.length > 1 &&
+  h(
+    "span",
+    { key: id },
+    h("label", { for: id }, `${label} `),
+    choose(
+      at,
+      texts.map((t, i) => [i, t]),
+      (i) => put(+i),
+      id,
+    ),
+  );
+
+// Checks and what would change the creep.
+
+/** Glyphs of the levels, as paths in a square of 14. @type {Record<string, string>} */
+const GLYPHS = {
+  OK: "M2 7.5 5.5 11 12 3.5",
+  ATTENTION: "M7 1 13.5 13H.5zM7 5v4M7 10.2v1.4",
+  FAILS: "M7 1a6 6 0 1 1-.01 0M4.5 4.5l5 5m0-5-5 5",
+};
+/** @param {Level | null} level @param {number} [n] size */
+function glyph(level, n = 13) {
+  const d = level ? (GLYPHS[level] ?? GLYPHS.FAILS) : "";
+  const path = level
+    ? h("path", { d, class: "stroke" })
+    : h("circle", { cx: 7, cy: 7, r: 5, class: "stroke dashed" });
+  const size = { width: n, height: n, viewBox: "0 0 14 14", "aria-hidden": "true" };
+  return h("svg", { class: `g ${levelClass(level)}`, ...size }, path);
+}
+/** The checks of an arc, worst first; while a hand moves something, in the order of before.
+ * @param {FullArc | undefined} full @returns {Bar[]} */
+function sorted(full) {
+  const bars = full?.bars ?? [];
+  const used = (/** @type {Bar} */ b) => (b.at_most ? b.share : 1 / b.share);
+  const of = `${full?.pulley} ${full?.load_case}`;
+  if (!gripped() || order.of !== of) {
+    const all = [...bars].sort((a, b) => rank(b) - rank(a) || used(b) - used(a));
+    Object.assign(order, { of, titles: all.map((b) => b.title) });
+    return all;
+  }
+  return order.titles.map((title) => bars.find((b) => b.title === title) ?? { ...NOT_MADE, title });
+}
+/** A check that is not made at the place where the hand is. */
+const NOT_MADE = /** @type {Bar} */ ({
+  title: "",
+  level: "NOT CHECKED",
+  place: "",
+  at_most: true,
+  share: 0,
+  found: "–",
+  limit: "",
+  says: "",
+  source: "",
+});
+/** @param {Bar} b */
+const atLimit = (b) =>
+  `${b.at_most ? "≤" : "≥"} ${words(b.limit).replace(/^at (most|least) /, "")}`;
+/** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
+function why(b, full) {
+  const told = answer.full?.arcs
+    .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
+    ?.bars.find((x) => x.title === b.title);
+  const source = b.source || told?.source;
+  return h(
+    "div",
+    { class: "why", id: "why", role: "region", "aria-label": "Reason and source", tabIndex: 0 },
+    h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
+    h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
+    h("p", { class: "src" }, [b.place, source].filter(Boolean).join(". ")),
+  );
+}
+function changes() {
+  const all = solver()?.ways() ?? [];
+  if (!all.length) return null;
+  return [
+    h("h2", {}, "What would change the creep"),
+    h(
+      "ul",
+      { class: "ways" },
+      all.map((w) => {
+        const to = Number.isFinite(w.creep) ? shown("exit_creep", w.creep, 3) : "slips";
+        return h(
+          "li",
+          { key: w.title },
+          h(
+            "button",
+            {
+              type: "button",
+              disabled: gripped(),
+              onClick: () => take(w.doc, `${w.title}: ${to}`),
+            },
+            glyph(w.level),
+            h("span", {}, w.title, h("span", { class: "away" }, `, ${w.level}`)),
+            h("b", { class: levelClass(w.level) }, to),
+          ),
+        );
+      }),
+    ),
+  ];
+}
+const PARTS = [
+  ["creep_shrinkage", "belt shrinks", "q2"],
+  ["creep_compression", "lagging", "q3"],
+  ["creep_global", "slips back", "q1"],
+];
+/** Where the creep comes from. @param {QuickAnswer} arc */
+function sources({ status, numbers: n }) {
+  if (status !== "solved" || !n.exit_creep) return null;
+  const parts = PARTS.map(([key, name, cls]) => ({ name, cls, share: n[key] / n.exit_creep }));
+  return h(
+    "div",
+    { class: "sources3" },
+    h("h2", {}, "Sources of the creep"),
+    h(
+      "div",
+      { class: "src3", "aria-hidden": "true" },
+      parts.map((p) =>
+        h("i", { class: p.cls, key: p.cls, style: { width: `${Math.max(0, 100 * p.share)}%` } }),
+      ),
+    ),
+    h(
+      "div",
+      { class: "key" },
+      parts.map((p) => h("span", { key: p.cls }, p.name, " ", h("b", {}, percent(p.share, 2)))),
+    ),
+  );
+}
+/** What the data is worth. @param {QuickAnswer | null} arc */
+function foot(arc) {
+  const kinds = [...new Set((answer.full?.sources || []).map((x) => x.kind))];
+  const out = arc?.numbers.outside_tested_share;
+  const range =
+    out > 0
+      ? `Outside the tested range on ${percent(out)} of the wrap.`
+      : arc?.tested && arc.status === "solved" && "All within the tested range.";
+  const all = (arc?.remarks || []).map(words).join(" ");
+  return h(
+    "div",
+    { class: "foot-line", title: all },
+    kinds.includes("illustrative") &&
+      h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
+    kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
+    h("span", { class: out > 0 ? "mark outside" : "" }, range),
+    fromExample(),
+  );
+}
+
+// The drawing.
+
+/** Handles of what can be moved. @param {QuickAnswer} arc @returns {StageData["handles"]} */
+function handles(arc) {
+  const i = app.pulley;
+  const { doc } = app;
+  const n = arc.numbers;
+  const k = shownCase(i);
+  const given = k < 0 ? TENSIONS.filter((key) => doc.pulley[i][key] != null) : keysOf(doc, i, k);
+  const own = !doc.conveyor && !doc.train && given.length > 1;
+  /** @param {string} label @param {string} key @param {string} of @param {number} now */
+  const handle = (label, key, of, now) => {
+    const { least = now, most = now } = scaleOf(key) ?? {};
+    const [, size] = unit(of);
+    const step = size * 10 ** (Math.floor(Math.log10(most / size)) - 2);
+    return { label, now, least, most, text: show(now, of, 4), unit: size, step };
+  };
+  const wrap =
+    split(doc.pulley[i].wrap_angle) && handle("Wrap angle", "wrap_angle", "angle", wrapOf(arc));
+  return {
+    ...(own && {
+      t1: handle("Tight side T1", "entry_tension", "force", n.entry_tension),
+      t2: handle("Slack side T2", "exit_tension", "force", n.exit_tension),
+    }),
+    ...(wrap && { wrap }),
+  };
+}
+/** Wrap of an arc [rad], also of one without a course. @param {QuickAnswer} arc */
+function wrapOf(arc) {
+  const at = arc.profile.position;
+  if (at?.length) return +at[at.length - 1].toPrecision(10);
+  return si(app.doc.pulley[app.pulley].wrap_angle, "angle") || Math.PI;
+}
+/** @param {QuickAnswer | null} arc @param {string} q @returns {StageData} */
+function stageData(arc, q) {
+  const solved = arc?.status === "solved";
+  const n = arc?.numbers ?? {};
+  const [t1, t2] = [n.entry_tension ?? 0.7, n.exit_tension ?? 0.3];
+  const p = arc?.profile ?? {};
+  const phi = arc ? wrapOf(arc) : Math.PI;
+  const values = solved ? p[q] : [0, 0];
+  const limit = solved && q === "creep" ? arc.creep_limit : 0;
+  const most = Math.max(...values.map(Math.abs), limit * 1.02, 1e-30);
+  const of = limits();
+  const fresh = arc && answer.quickDoc === app.doc;
+  const [u, f] = unit(dimensionOf(q));
+  const force = (/** @type {number} */ v) => show(v, "force", 3);
+  /** @param {number | null} v @returns {[number, string] | undefined} */
+  const mark = (v) => (v === null ? undefined : [v, `limit at ${force(v)}`]);
+  const marks = { t1: mark(of.t1), t2: mark(of.t2), wrap: mark(of.wrap) };
+  const [, name] = QUANTITIES.find(([key]) => key === q) ?? ["", ""];
+  return {
+    phi,
+    t1: Math.abs(t1),
+    t2: Math.abs(t2),
+    full: arc ? fullTension(t1, t2) : 1,
+    position: solved ? p.position : [0, phi],
+    tension: solved ? p.tension : [t1, t2],
+    values,
+    most,
+    limit,
+    level: levelClass(arc && fresh ? creepLevel(arc) : null),
+    solved,
+    hub: hub(arc),
+    figures: arc ? FIGURES.map(([label, key]) => [label, figure(key, n)]) : [],
+    legend: solved
+      ? `band and colour: ${name.toLowerCase()}, to ${digits(most / f)} ${u}`.trim()
+      : "",
+    told: arc
+      ? `Pulley with its wrapped arc; ${hub(arc).filter(Boolean).join(" ")}`
+      : "Pulley, not solved yet",
+    texts: {
+      t1: arc ? `T1 ${force(t1)}` : "T1",
+      t2: arc ? `T2 ${force(t2)}` : "T2",
+      wrap: arc ? `${digits(degrees(phi))}°` : "",
+    },
+    handles: arc && !answer.problems.length ? handles(arc) : {},
+    marks: fresh ? /** @type {StageData["marks"]} */ (marks) : {},
+  };
+}
+/** @type {[string, string][]} */
+const FIGURES = [
+  ["Pull", "effective_tension"],
+  ["Power", "transmitted_power"],
+  ["T1 / T2", "tension_ratio"],
+  ["Lost to creep", "power_loss"],
+];
+/** @param {string} key @param {Record<string, any>} n */
+const figure = (key, n) =>
+  key === "transmitted_power"
+    ? shown(key, n[key] ?? (n.effective_tension * si(app.doc.belt.speed, "speed") || null), 3)
+    : shown(key, n[key], 3);
+/** @param {QuickAnswer} arc @returns {Level} */
+function creepLevel(arc) {
+  if (arc.status !== "solved") return "FAILS";
+  if (arc.levels.creep && !arc.own) return arc.levels.creep;
+  return Math.abs(arc.numbers.exit_creep) > arc.creep_limit ? "ATTENTION" : "OK";
+}
+/** What stands in the hub: one number, and what it is held against.
+ * @param {QuickAnswer | null} arc */
+function hub(arc) {
+  const [u, f] = unit("length");
+  if (!arc) return ["creep at exit", `– ${u}`, "", "", ""];
+  const { numbers: n, creep_limit: limit } = arc;
+  if (arc.status !== "solved") return ["gross slip", "slips", "", "no state at rest", ""];
+  const turns = n.effective_tension < 0 ? "brakes; " : n.effective_tension ? "" : "idles; ";
+  const head = `${turns}creep at exit`;
+  const creep = Math.abs(n.exit_creep);
+  return [head, digits(creep / f), u, `limit ${show(limit, "length")}`, percent(creep / limit)];
+}
+/** @param {QuickAnswer | null} arc @param {string} q @returns {CurveData} */
+function curveData(arc, q) {
+  const solved = arc?.status === "solved";
+  const [u, f] = unit(dimensionOf(q));
+  const limit = solved && q === "creep" ? arc.creep_limit : 0;
+  const slips = arc && !solved;
+  const pull = Math.abs(arc?.numbers.effective_tension ?? 0);
+  const slides = wholeArc()?.bars.find((b) => /gross slip/.test(b.title));
+  const margin = slides ? Number.parseFloat(words(slides.found)) : 0;
+  /** @type {[string, number, string][]} */
+  const bars = [["Pull asked for", pull, show(pull, "force", 3)]];
+  if (slips && margin > 0)
+    bars.push(["Friction carries", pull * margin, show(pull * margin, "force", 3)]);
+  const scaled = (/** @type {string} */ key) => (solved ? arc.profile[key].map((v) => v / f) : []);
+  return {
+    wrap: degrees(arc ? wrapOf(arc) : Math.PI),
+    position: solved ? arc.profile.position : [0, 1],
+    values: scaled(q),
+    limit: limit / f,
+    limitText: limit ? `limit ${show(limit, "length")}` : "",
+    beside: solved && q === "friction_used" ? scaled("friction") : null,
+    bars: slips ? bars : [],
+    note: slips
+      ? "Not at rest: no curve along the wrap."
+      : arc
+        ? ""
+        : "The curve along the wrap comes with the first answer.",
+    told: `${title(q)} along the wrap${u && ` [${u}]`}`,
+  };
+}
+/** @param {QuickAnswer} arc @param {number} part @returns {Children[]} */
+function reading({ profile: p }, part) {
+  const value = (/** @type {string} */ key) => Math.abs(follow(p.position, p[key])(part));
+  const at = `${digits(degrees(part * p.position[p.position.length - 1]))}°`;
+  const [u, f] = unit("pressure");
+  const bold = (/** @type {string} */ text) => h("b", {}, text);
+  const pressure = (/** @type {string} */ key) => bold(digits(value(key) / f));
+  return [
+    ...["at ", bold(at), ": creep ", bold(shown("creep", value("creep"), 3))],
+    ...[", shear ", pressure("shear_stress"), ", pressure ", pressure("wrap_pressure"), ` ${u}`],
+  ];
+}

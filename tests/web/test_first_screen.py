@@ -1,0 +1,260 @@
+"""The first screen of a drive: what it shows without a scroll, and a hand that moves something."""
+
+import re
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Page, Request, ViewportSize, expect
+
+from web.browser import Calculator, Visitor
+
+SCREEN: ViewportSize = {"width": 1440, "height": 900}
+#: What stands still while a hand moves something: all but what is drawn and what is a length.
+STILL = (
+    ".sub, .chip, .chip > *, .frame > *, .rail > .field, .rail > .field > *, .rail > .field input,"
+    " .rail > .pick-row, .pick-row > *, .pick-row select, .say, .say > *:not([role=alert]),"
+    " .say p, .say small, .stage-box, .over, .over *,"
+    " .curve, .curve-head > *, .curve-head label, .curve-box, .checks h2, .list li, .list button,"
+    " .list .g, .use, .why, .changes, .changes h2, .ways li, .sources3, .src3, .foot-line"
+)
+#: Compares every box with that of the beginning at every frame that is painted.
+WATCH = """(still) => {
+  const boxes = () => [...document.querySelectorAll(still)].map((e) => {
+    const { x, y, width, height } = e.getBoundingClientRect();
+    return [e.className.baseVal ?? `${e.tagName} ${e.className}`, x, y, width, height];
+  });
+  const first = boxes();
+  window.moved = new Set(first.length < 100 ? ["too few boxes"] : []);
+  window.frames = 0;
+  const look = () => {
+    const now = boxes();
+    if (now.length !== first.length) window.moved.add(`${first.length} to ${now.length} boxes`);
+    else now.forEach(([name, ...at], i) => {
+      if (at.some((v, k) => Math.abs(v - first[i][k + 1]) >= 1))
+        window.moved.add(`${name} ${first[i].slice(1)} to ${at}`);
+    });
+    window.frames += 1;
+    window.looking = requestAnimationFrame(look);
+  };
+  look();
+}"""
+MOVED = """() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {
+  cancelAnimationFrame(window.looking);
+  done([[...window.moved], window.frames]);
+})))"""
+
+
+@pytest.fixture(scope="module")
+def opened(calculator: Calculator) -> Iterator[Visitor]:
+    """One page for all that leaves the drive as it was."""
+    browser, server = calculator
+    found = Visitor(browser, server.address, SCREEN)
+    found.open("drive", unfold=False)
+    found.alone()
+    found.page.wait_for_selector(".ways li")
+    yield found
+    found.close()
+    assert found.wrong == []
+
+
+def drag(page: Page, x: float, y: float, to: tuple[float, float], steps: int) -> None:
+    """Press at a place and move in steps, without letting go."""
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for i in range(1, steps + 1):
+        page.mouse.move(x + (to[0] - x) * i / steps, y + (to[1] - y) * i / steps)
+
+
+def middle(page: Page, selector: str) -> tuple[float, float]:
+    box = page.locator(selector).bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def handle(label: str) -> str:
+    return f'.h[aria-label="{label}"]'
+
+
+def test_the_first_screen_needs_no_scroll(opened: Visitor) -> None:
+    page = opened.page
+    ends = page.evaluate(
+        "[...document.querySelectorAll('.sub, .frame > *, .foot-line, .kv, .curve-svg, .sources3')]"
+        ".map((e) => e.getBoundingClientRect().bottom)"
+    )
+    assert len(ends) == 8
+    assert max(ends) <= SCREEN["height"]
+    assert page.evaluate("document.documentElement.scrollWidth") == SCREEN["width"]
+    # the seven inputs, and one number in the hub
+    assert page.locator(".rail > .field, .pick-row").count() == 7
+    assert page.locator(".hub-number").text_content() == "7.38mm"
+
+
+def test_the_first_screen_is_no_wall_of_text(opened: Visitor) -> None:
+    # as `page.md` has it: sentence of at most 15 words, 120 words without the names of the checks
+    page = opened.page
+    sentence = page.locator("#verdict p").inner_text()
+    assert 3 <= len(sentence.removeprefix("ATTENTION: ").split()) <= 15
+    said = page.evaluate(
+        """() => {
+          const seen = document.querySelector(".screen").cloneNode(true);
+          for (const e of seen.querySelectorAll(
+            "select, svg, details, [hidden], .away, .list .n, .why, .foot-line ~ *")) e.remove();
+          return [...seen.querySelectorAll("*")].filter((e) => !e.children.length)
+            .map((e) => e.textContent).join(" ");
+        }"""
+    )
+    words = [w for w in said.split() if re.search(r"[a-z]{2}", w)]
+    assert len(words) <= 120, " ".join(words)
+
+
+SLIDERS = ["Entry tension", "Exit tension", "Wrap angle", "Diameter", "Belt width"]
+HANDLES = {"Tight side T1": (-150, 0), "Slack side T2": (-110, 0), "Wrap angle": (-90, -50)}
+
+
+@pytest.mark.parametrize("name", HANDLES)
+def test_nothing_moves_while_a_handle_is_dragged(opened: Visitor, name: str) -> None:
+    page = opened.page
+    asked: list[Request] = []
+    opened.solved()
+    x, y = middle(page, handle(name))
+    before = page.locator(handle(name)).get_attribute("aria-valuetext")
+    page.evaluate(WATCH, STILL)
+
+    def listen(request: Request) -> None:
+        asked.append(request)
+
+    page.on("request", listen)
+    dx, dy = HANDLES[name]
+    drag(page, x, y, (x + dx, y + dy), 60)
+    found, frames = page.evaluate(MOVED)
+    now = page.locator(handle(name)).get_attribute("aria-valuetext")
+    during = [r.url for r in asked if "/api/" in r.url]
+    # Escape gives back
+    page.keyboard.press("Escape")
+    page.mouse.up()
+    assert found == []
+    assert frames > 5
+    assert now != before
+    assert during == []
+    expect(page.locator(handle(name))).to_have_attribute("aria-valuetext", str(before))
+    expect(page.locator("#undo")).to_be_disabled()
+    page.remove_listener("request", listen)
+
+
+@pytest.mark.parametrize("name", SLIDERS)
+def test_nothing_moves_while_a_slider_is_dragged(opened: Visitor, name: str) -> None:
+    page = opened.page
+    slider = f'.rail input[aria-label="{name}, slider"]'
+    box = page.locator(slider).bounding_box()
+    assert box is not None
+    value = "(e) => [(e.value - e.min) / (e.max - e.min), e.value]"
+    part, before = page.locator(slider).evaluate(value)
+    x, y = box["x"] + 8 + part * (box["width"] - 16), box["y"] + box["height"] / 2
+    page.evaluate(WATCH, STILL)
+    drag(page, x, y, (box["x"] + box["width"] - 2, y), 60)
+    found, _ = page.evaluate(MOVED)
+    now = page.locator(slider).evaluate(value)[1]
+    page.keyboard.press("Escape")
+    page.mouse.up()
+    assert found == []
+    assert now != before
+    expect(page.locator("#undo")).to_be_disabled()
+
+
+def values(page: Page) -> dict[str, str]:
+    return {k: page.input_value(f"#f-pulley-0-{k}") for k in ("entry_tension", "exit_tension")}
+
+
+def test_one_drag_is_one_step_back_and_keeps_the_pull(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size(SCREEN)
+    visitor.alone()
+    x, y = middle(page, handle("Slack side T2"))
+    drag(page, x, y, (x - 60, y), 12)
+    page.wait_for_timeout(1100)  # longer than what else makes one step
+    page.mouse.move(x - 90, y)
+    page.mouse.up()
+    now = values(page)
+    assert float(now["entry_tension"]) - float(now["exit_tension"]) == pytest.approx(90, abs=0.11)
+    assert float(now["exit_tension"]) > 70
+    page.click("#undo")
+    assert values(page) == {"entry_tension": "150", "exit_tension": "60"}
+    expect(page.locator("#undo")).to_be_disabled()
+    # T1 alone, where that is chosen
+    page.locator(".over").get_by_text("T1", exact=True).click()
+    drag(page, x, y, (x - 60, y), 6)
+    page.mouse.up()
+    assert values(page)["entry_tension"] == "150"
+    assert values(page)["exit_tension"] != "60"
+
+
+def test_what_is_typed_may_be_beyond_the_slider_and_brakes(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    slider = page.locator('.rail input[aria-label="Wrap angle, slider"]')
+    most = slider.evaluate("(e) => e.max")
+    page.fill("#f-pulley-0-wrap_angle", "300")
+    expect(slider).not_to_have_attribute("max", most)
+    expect(slider).to_have_attribute("aria-valuetext", "300 deg")
+    page.fill("#f-pulley-0-exit_tension", "190")
+    expect(page.locator("svg.stage")).to_contain_text("brakes")
+
+
+def test_handles_are_sliders_for_keys(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    knob = page.locator(handle("Tight side T1"))
+    knob.focus()
+    expect(knob).to_have_attribute("role", "slider")
+    for key, told in (
+        ("ArrowRight", "151 kN"),
+        ("Shift+ArrowLeft", "150.9 kN"),
+        ("PageDown", "140.9 kN"),
+    ):
+        page.keyboard.press(key)
+        expect(knob).to_have_attribute("aria-valuetext", told)
+    assert page.evaluate("document.activeElement.getAttribute('aria-label')") == "Tight side T1"
+    # a box goes a step of its slider
+    page.focus("#f-pulley-0-diameter")
+    page.keyboard.press("ArrowUp")
+    expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
+
+
+def test_what_would_change_the_creep_does(visitor: Visitor) -> None:
+    # expected: the creep that each line tells is the one that its press gives
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.wait_for_selector(".ways li")
+    for i in range(page.locator(".ways button").count()):
+        told = page.locator(".ways b").nth(i).inner_text()
+        page.locator(".ways button").nth(i).click()
+        expect(page.locator(".hub-number")).to_have_text(told.replace(" ", ""))
+        visitor.solved()
+        page.click("#undo")
+        expect(page.locator(".hub-number")).to_have_text("7.38mm")
+        visitor.solved()
+        page.wait_for_selector(".ways li")
+
+
+def test_steps_back_outlive_a_reload(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.fill("#f-pulley-0-exit_tension", "70")
+    page.press("#f-pulley-0-exit_tension", "Tab")
+    page.fill("#f-pulley-0-diameter", "1000")
+    page.press("#f-pulley-0-diameter", "Tab")
+    page.reload()
+    visitor.solved()
+    expect(page.locator("#f-pulley-0-diameter")).to_have_value("1000")
+    page.click("#undo")
+    expect(page.locator("#f-pulley-0-diameter")).to_have_value("800")
+    page.click("#undo")
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
+
+
+def test_a_long_title_widens_nothing(visitor: Visitor) -> None:
+    page = visitor.open("drive")
+    for width in (1440, 1024, 390):
+        page.set_viewport_size({"width": width, "height": 900})
+        page.fill("#f-title", "x" * 300)
+        visitor.painted()
+        assert page.evaluate("document.documentElement.scrollWidth") == width
