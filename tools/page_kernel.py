@@ -28,7 +28,7 @@ from wraparc.present import arc_tables, train_sheet, train_words
 from wraparc.present.sheet import term
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
-from wraparc.schema import limits, source
+from wraparc.schema import limits, source, tables
 from wraparc.train import (
     CaseResult,
     FluidCoupling,
@@ -140,6 +140,8 @@ OF_FILES: dict[Any, str] = {
 }
 #: Methods of what is read that nothing asks for there.
 UNREAD = ("written", "schema", "rows")
+#: Words for forms and documents.
+UNASKED = ((tables.Entry, "meaning"), (tables.Entry, "title"), (tables.Table, "title"))
 HEAD = """\
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
@@ -170,7 +172,7 @@ def train_module() -> str:
 def reader_module() -> str:
     """Return the module that reads documents as it must stand in its file."""
     frozen = [catalogue.design_friction]
-    module = whole.Module("wraparc", OF_FILES, frozen=frozen, without=UNREAD)
+    module = whole.Module("wraparc", OF_FILES, frozen=frozen, without=UNREAD, unasked=UNASKED)
     for name, value in READER.items():
         module.export(name, value)
     text = module.text()

@@ -127,7 +127,7 @@ def documents() -> Iterator[tuple[str, Data]]:
     fabric = DRIVES["head-drive-fabric"]
     yield (
         "a belt of no rating to speak of",
-        {**fabric, "belt": {**fabric["belt"], "rating": "15 kN/m"}},
+        {**fabric, "belt": {**fabric["belt"], "kind": "aramid", "rating": "15 kN/m"}},
     )
     yield "a fixed take-up", {**fabric, "take_up": {"kind": "fixed"}}
     yield (

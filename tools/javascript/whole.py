@@ -71,6 +71,8 @@ class Module:
         Functions that always return the same, which is taken as it is.
     without
         Methods that are left out, by name.
+    unasked
+        Fields of classes that nothing asks a constant for.
     """
 
     def __init__(
@@ -79,9 +81,11 @@ class Module:
         instead: Mapping[Any, str],
         frozen: Iterable[Any] = (),
         without: Iterable[str] = (),
+        unasked: Iterable[tuple[type, str]] = (),
     ) -> None:
         self.package, self.instead = package, instead
         self.frozen, self.without = frozenset(frozen), frozenset(without)
+        self.unasked = frozenset(unasked)
         self.natives = set[str]()
         self.left_out = dict[str, str]()
         self.reached, self.by_name = set[str](), set[str]()
@@ -195,6 +199,7 @@ class Module:
         kind = self.kind(type(value), where)
         found = getattr(value, "__dict__", {})
         own = {k: v for k, v in found.items() if k in self.reached and not _lazy(type(value), k)}
+        own = {k: v for k, v in own.items() if (type(value), k) not in self.unasked}
         parts = ", ".join(f"{k}: {self.value(v, where)}" for k, v in own.items())
         return f"$made({kind}, {{{parts}}})"
 

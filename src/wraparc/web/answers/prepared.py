@@ -147,7 +147,7 @@ def _own(document: Document, case: LoadCase) -> dict[str, Any]:
     """Return what a load case gives of the tensions itself."""
     for table in document.get("load_case") or []:
         if case.name in (table.get("name"), f"{table.get('name')}, {case.condition}"):
-            given = next(iter((table.get("pulley") or {}).values()), {})
+            given: dict[str, Any] = next(iter((table.get("pulley") or {}).values()), {})
             return {key: value for key, value in given.items() if value is not None}
     return {}
 

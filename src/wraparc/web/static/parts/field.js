@@ -17,8 +17,8 @@ import { valueIn } from "./choose.js";
  *   scale?: Scale | null, inUnit?: string, placeholder?: string, page?: string, read?: () => any,
  *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
- *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the document; a field with a check is taken when the
- *   typing is done and nothing speaks against it
+ *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the
+ *   document; a field with a check is taken when the typing is done and nothing speaks against it
  * @typedef {{draft: string | null, from: any, help: boolean, refused: string}} FieldState
  */
 
