@@ -17,7 +17,8 @@ import { valueIn } from "./choose.js";
  *   scale?: Scale | null, inUnit?: string, placeholder?: string, page?: string, read?: () => any,
  *   put?: (value: any) => void,
  *   check?: (text: string) => string}} FieldProps
- *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the document; a field with a check is taken when the
+ *   inUnit: the unit of a number that is not there yet; read and put: other than the place of the
+ *   document; a field with a check is taken when the
  *   typing is done and nothing speaks against it
  * @typedef {{draft: string | null, from: any, help: boolean, refused: string}} FieldState
  */
@@ -214,11 +215,12 @@ export class Field extends Component {
     const problem = this.problem;
     const tall = /description/.test(s.key);
     const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
+    const standing = problem ? (problem === NEEDED ? " needed" : " wrong") : "";
     const [text, u] = this.text();
     return h(
       "div",
       {
-        class: `field${shape}${problem ? ` ${problem === NEEDED ? "needed" : "wrong"}` : ""}`,
+        class: `field${shape}${standing}`,
         ref: this.row,
       },
       h(

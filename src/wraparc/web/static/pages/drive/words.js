@@ -116,7 +116,8 @@ export function listed(checks) {
 function keeping(count, wet, over) {
   if (!(wet >= 0)) return `All ${count} checks are kept${wet < 0 ? "" : ", dry only"}`;
   const finite = Number.isFinite(wet);
-  const told = `et ${finite ? `it creeps ${quantity(wet, "length", DIGITS + +over)}` : "it slips through"}`;
+  const creeps = `it creeps ${quantity(wet, "length", DIGITS + +over)}`;
+  const told = `et ${finite ? creeps : "it slips through"}`;
   if (!over) return `All ${count} checks are kept, dry only (w${told})`;
   return `W${told}${finite ? ", beyond its limit" : ""}: all ${count} checks are kept dry only`;
 }
