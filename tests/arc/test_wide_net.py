@@ -98,6 +98,7 @@ CAPACITIES = [
     ("any table", [1, 386]),
     ("constant", [1, 239]),
     ("constant", [1, 122]),
+    ("constant", [1, 941]),  # an overrun on a rest arc; next to gross slip creep says all
     ("elastic-plastic", [1, 178]),
     ("elastic-plastic", [1, 718]),
     ("table", [1, 1110]),

@@ -16,6 +16,7 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Drive
 from wraparc.drive.pitch import cover_compliance, layers_of, pitch_offset
 from wraparc.files import drive_from_text, drive_text
+from wraparc.train.file import train_from_text
 
 LAYERS = 'pulley_cover = "3 mm"\ncarry_cover = "7 mm"\ncarcass = "6 mm"\nmass = "20 kg/m"'
 TEXT = """
@@ -183,3 +184,64 @@ def test_a_law_that_says_what_its_slip_includes() -> None:
             assert arc(of).shear_compliance == pytest.approx(series, rel=1e-15)
         finally:
             object.__delattr__(law, "slip_includes")
+
+
+HEAVY = 'pulley_cover = "8 mm"\ncarcass = "6 mm"\nthickness = "10 mm"\nmass = "20000 kg/m"'
+SECOND = """
+[[pulley]]
+name = "second"
+diameter = "800 mm"
+wrap_angle = "180 deg"
+lagging = "diamond-rubber"
+side = "carry"
+"""
+ALL = (
+    'pulley.head.side = "back": must be one of "pulley", "carry"',
+    "pulley_cover + carcass = 14 mm, too much for a belt of 10 mm",
+    'pulley.second.side = "carry": the pulley meets the carry side, and carry_cover of the belt',
+    "Give the mass of a metre of belt, not that of the whole belt.",
+)
+
+
+@pytest.mark.parametrize("door", ["drive", "train"])
+def test_what_belt_and_drums_have_wrong_together_is_told_at_once(door: str) -> None:
+    """Layers, sides and mass: though neither the belt nor the first drum can be made."""
+    text = TEXT.format(belt=HEAVY, pulley='side = "back"\nentry_tension = "150 kN"') + SECOND
+    if door == "drive":
+        text += 'entry_tension = "60 kN"\nexit_tension = "30 kN"\n'
+    else:
+        own = 'exit_tension = "60 kN"\n', 'entry_tension = "150 kN"\n'
+        text = text.replace(own[0], "").replace(own[1], "")
+        text += (
+            '[train]\nentry_tension = "150 kN"\nexit_tension = "60 kN"\nshare = ["50 %", "50 %"]\n'
+        )
+    with pytest.raises(InputError) as error:
+        train_from_text(text)
+    for part in ALL:
+        assert part in told(error), (part, told(error))
+    assert len(error.value.problems) == len(ALL)
+
+
+@pytest.mark.parametrize(
+    ("belt", "pulley", "said"),
+    [
+        ('pulley_cover = "nan mm"', "", "not a finite number"),
+        ("pulley_cover = 3", "", "no unit, where a length is needed"),
+        ("pulley_cover = true", "", "neither text nor a number"),
+        ('pulley_covers = "3 mm"', "", 'Did you mean "pulley_cover" or "carry_cover"?'),
+        ('carcass = "-6 mm"', "", "more than 0 mm and at most 60 mm"),
+        ('thickness = "1e400 mm"', "", "not a finite number"),
+        ('mass = "20 kg"', "", "a mass, where a mass per length is needed"),
+        ('mass = "inf kg/m"', "", "not a finite number"),
+        ('mass = "45 lb/ft"', "", "a force per width, where a mass per length is needed"),
+        ('cover_shear_modulus = "0 MPa"', "", "between 100 kPa and 100 MPa"),
+        ("", 'side = "Carry"', 'Did you mean "carry"?'),
+        ("", 'side = ["carry"]', 'must be one of "pulley", "carry"'),
+        ('thickness = "16 mm"', 'side = "carry"', "carry_cover of the belt is not given"),
+    ],
+)
+def test_odd_input_of_a_belt(belt: str, pulley: str, said: str) -> None:
+    with pytest.raises(InputError) as error:
+        drive(belt, f'entry_tension = "150 kN"\n{pulley}')
+    assert said in told(error)
+    assert len(error.value.problems) == 1

@@ -1,18 +1,19 @@
 // What the page itself says first: documents as JSON come in, words of the verdict go out.
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
+import { assemble } from "../../src/wraparc/web/static/pages/drive/assemble.js";
 import { arcsOf, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
 import { verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
-import { assembled } from "../../src/wraparc/web/one_file/plain_drive.js";
+
 
 const { form, book, documents } = JSON.parse(readFileSync(0, "utf-8"));
 app.form = form;
 app.units = "si";
 const told = documents.map((doc) => {
   app.doc = doc;
-  const { judging, problems } = assembled(doc, book);
+  const { judging, problems } = assemble(doc, book);
   if (!judging) return { first: problems.map((p) => p.message).join(" "), least: null };
   const judged = judge(judging, doc, numbersOfAll(arcsOf(judging)));
   const verdict = judged && verdictOf(judged);

@@ -11,6 +11,7 @@ import pytest
 
 from shear_test.virtual import fitted, laboratory
 from wraparc.errors import InputError
+from wraparc.present.sheet import shown
 from wraparc.report.shear_test_budget import budget_table
 from wraparc.shear_test import MachineRecord, TestPlan
 from wraparc.shear_test.budget import Common, Uncertainty
@@ -134,7 +135,7 @@ def test_what_a_cover_may_be_wrong_by_is_said(sound: tuple[TestPlan, Records]) -
     ):
         asked = replace(covered, uncertainty=Uncertainty(cover_shear_modulus=error))
         found = fitted(asked, records)
-        table = budget_table(found.conditions[0], "si", "")
+        table = shown(budget_table(found.conditions[0], ""), "si")
         assert table is not None
         assert [r.note for r in table.rows if r.title == "modulus of the belt cover"] == [origin]
         assert any(r.endswith(said) for r in found.conditions[0].remarks)

@@ -192,15 +192,6 @@ def test_the_same_of_many_tests_is_said_once() -> None:
     assert " of 8 tests, as test[" in rubbing[0]
 
 
-def test_duplicates_are_left_out_and_named() -> None:
-    plan, records = laboratory(pressures=[69e3, 207e3], repeats=2, points=300)
-    records["p0r1"] = records["p0r0"]
-    result = fitted(plan, records)
-    assert sum(len(c.tests) for c in result.conditions) == 3
-    (problem,) = result.left_out
-    assert "the file holds the same data as test[1]: it was counted once" in str(problem)
-
-
 def test_misfit_goes_into_the_lagging() -> None:
     found = scaled(3, 0.75)
     assert found.lagging.fit.misfit == found.misfit

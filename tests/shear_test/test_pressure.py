@@ -1,6 +1,7 @@
 """The law over pressure. Expected values: the known law behind virtual tests; closed forms."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from wraparc.files.write import lagging_text
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.shear_test import PressureOptions, TestPlan
 from wraparc.shear_test.lack_of_fit import with_lack_of_fit
+from wraparc.shear_test.law import knot_pressures
 from wraparc.shear_test.pressure_fit import CurvePoints, fit_form
 from wraparc.shear_test.pressure_form import LawForm, equations, ln_peaks
 from wraparc.shear_test.transition import transition_interval
@@ -237,6 +239,17 @@ def test_the_covariance_of_the_law_is_that_of_its_parameters() -> None:
     np.testing.assert_allclose(found, wanted, rtol=1e-4, atol=1e-9)
     own = law.own_covariance(p)
     np.testing.assert_allclose(own[1], found[2:4, 2:4], rtol=1e-9)
+
+
+def test_a_pressure_that_rounding_moves_off_an_end_is_no_knot_of_its_own() -> None:
+    """Its law had two knots at one pressure, and a sound test was left out for it."""
+    end = 30e3 * (1.0 + 1e-9)
+    tails: Any = SimpleNamespace(pressure=np.array([end, 200e3]), slope=np.array([-2.0, -1.0]))
+    fit: Any = SimpleNamespace(
+        form=SimpleNamespace(nodes=()), ends=(30e3, 200e3), transition_pressure=None,
+        peaks=lambda p: np.stack([np.log(p / 3e6), np.log(3e4 / p)], axis=-1),
+    )  # fmt: skip
+    assert np.all(np.diff(np.log(knot_pressures(fit, tails))) > 1e-4)
 
 
 def test_no_test_can_be_used() -> None:

@@ -130,25 +130,31 @@ def test_names_in_many_languages(travel: str, force: str) -> None:
      ("Заданная сила", "Сила"), ("Уставка силы", "Сила"), ("目標荷重", "荷重"),
      ("荷重指令", "荷重"), ("目标力", "力"), ("给定载荷", "载荷"), ("Force command", "Force"),
      ("Force demand", "Force"), ("Load_SP", "Load"), ("Reference load", "Load"),
-     ("Nominal force", "Force")],
+     ("Nominal force", "Force"), ("Kraftsollwert", "Kraft"), ("Kraftvorgabe", "Kraft"),
+     ("Kraftsoll", "Kraft"), ("F_set", "F_act"), ("Load setting", "Load"), ("Zielkraft", "Kraft"),
+     ("Force programmée", "Force"), ("Force imposée", "Force"), ("Fuerza teórica", "Fuerza"),
+     ("Força comandada", "Força"), ("Siła wymagana", "Siła"), ("Программная нагрузка", "Нагрузка"),
+     ("命令力", "力"), ("Peak force", "Force"), ("Regelabweichung Kraft", "Kraft"),
+     ("Bezugskraft", "Kraft")],
 )  # fmt: skip
-def test_what_was_demanded_is_never_taken_for_what_was_measured(
+def test_what_was_demanded_or_is_an_extreme_is_never_taken_for_what_was_measured(
     demanded: str, measured: str
 ) -> None:
-    table = "\n".join(f"99;{10.5 * k};{0.25 * k}" for k in range(12))
+    table = "\n".join(f"{99 + k};{10.5 * k};{0.25 * k}" for k in range(12))
     head = f"{demanded};{measured};Travel\nN;N;mm\n"
     record = read_machine_bytes((head + table).encode(), "x")
     np.testing.assert_allclose(record.force, 10.5 * np.arange(12))
     # alone, it is asked for
-    table = "\n".join(f"99;{0.25 * k}" for k in range(12))
+    table = "\n".join(f"{99 + k};{0.25 * k}" for k in range(12))
     with pytest.raises(InputError, match="force"):
         read_machine_bytes(f"{demanded};Travel\nN;mm\n{table}\n".encode(), "x")
 
 
-def test_a_strain_in_japanese_is_no_travel() -> None:
+def test_a_strain_in_japanese_is_no_travel_and_a_normalized_force_presses_nothing() -> None:
     """Its voiced sounds are taken off as accents are, off the words looked for too."""
     assert suitability("ひずみ 変位", Role.TRAVEL) == 0.0
     assert suitability("変位", Role.TRAVEL) > 0.0
+    assert suitability("Normalized force", Role.NORMAL_FORCE) == 0.0
 
 
 def test_machine_is_no_travel_where_the_name_says_force() -> None:

@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Page, Route, expect
 
 from cli.running import wraparc
-from web.browser import Calculator, Visitor, turn
+from web.browser import LATER, Calculator, Visitor, turn
 from web.calculators import document, wait_for
 from web.test_pages import key_figure
 
@@ -409,6 +409,7 @@ def test_phone_keyboard_offers_letters_for_units(visitor: Visitor) -> None:
 
 def test_server_that_is_gone_and_comes_back(calculator: Calculator) -> None:
     visitor = Visitor(calculator[0], calculator[1].address)
+    visitor.page.clock.install()
     page = visitor.open("drive")
     visitor.solved()
     page.route("**/api/v1/**", lambda route: route.abort())
@@ -417,6 +418,7 @@ def test_server_that_is_gone_and_comes_back(calculator: Calculator) -> None:
     assert "cannot be used" not in page.inner_text("#results")
     assert kept(page)["pulley"][0]["exit_tension"] == "75 kN"
     page.unroute("**/api/v1/**")
+    page.clock.fast_forward(LATER)
     expect(page.locator(".gone")).to_have_count(0)
     visitor.solved()
     expect(page.locator("#results [role=alert]")).to_have_text("")
@@ -434,6 +436,7 @@ QUESTIONS = {
 def test_questions_are_asked_again_once_the_server_is_back(calculator: Calculator) -> None:
     """The server drops requests in the middle; what was asked needs no second press."""
     visitor = Visitor(calculator[0], calculator[1].address)
+    visitor.page.clock.install()
     page = visitor.open("drive")
     visitor.solved()
     panels = {name: page.locator(f"#drive {panel}") for name, panel in QUESTIONS.items()}
@@ -447,6 +450,7 @@ def test_questions_are_asked_again_once_the_server_is_back(calculator: Calculato
         expect(panel).to_contain_text("does not answer: is `wraparc serve` still running?")
         expect(panel).not_to_contain_text("Solving …")
     page.unroute("**/api/v1/**")
+    page.clock.fast_forward(LATER)
     expect(page.locator(".gone")).to_have_count(0)
     for panel in panels.values():
         expect(panel).not_to_contain_text("does not answer")

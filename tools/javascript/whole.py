@@ -32,7 +32,7 @@ _BUILT_IN = {
     **{getattr(builtins, name): name for name in (
         "len", "isinstance", "str", "repr", "int", "float", "bool", "list", "tuple", "set", "any",
         "frozenset", "dict", "all", "sum", "abs", "min", "max", "sorted", "zip", "enumerate",
-        "range", "map", "next", "iter", "ord", "type", "getattr",
+        "range", "map", "next", "reversed", "iter", "ord", "type", "getattr",
     )},
     itertools.pairwise: "pairwise", Counter: "Counter", Decimal: "Decimal",
 }  # fmt: skip
@@ -748,6 +748,8 @@ class Function:
     # calls
 
     def _call(self, node: ast.Call) -> str:
+        if isinstance(node.func, ast.Subscript):  # list[Problem]()
+            node.func = node.func.value
         called = self.value(node.func)
         special = self._special(node, called)
         if special:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import inf, log, sqrt
 from typing import NamedTuple
 
-from wraparc.arc.capacity import Limit, ends_at, growth, largest_ratio
+from wraparc.arc.capacity import Limit, ends_at, growth, largest_ratio, log_ratio
 from wraparc.arc.collocation import (
     CREEP,
     MESH,
@@ -31,7 +31,9 @@ from wraparc.arc.quantities import BREAKAWAY, POINT_STEPS, SOLVED, UNSOLVED, Geo
 from wraparc.friction.compact import CompactLaw
 
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
-LEAST_GUESS, CLOSE = 1e-7, 1e-3  # of a continuation in creep: from [m], end
+#: Of a continuation in creep: from [m]; how near to the tensions asked they are tried, then nearer;
+#: steps of a factor to the first creep that is met.
+LEAST_GUESS, CLOSE, NEARER, AWAY = 1e-7, 1e-3, 1e-2, 8.0
 RATIO_END = 1.0  # entry creep ratio from which on the belt would stand still
 
 
@@ -94,30 +96,34 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     more friction, tensions alone say little of it.
     """
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
-    asked, low, high, step = log(tight / slack), 0.0, inf, 3.0
-    creep, near = max(abs(goal.creep), LEAST_GUESS), None
+    asked, low, high, step, close = log(tight / slack), 0.0, inf, 3.0, CLOSE
+    first, near, found = max(abs(goal.creep), LEAST_GUESS), None, False
+    creep = first
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
-    for _ in range(STEPS):
+    for i in range(STEPS):
         ends = ends_at(arc, 1.0, 0.0, tight, Limit(CREEP, creep))
         guess = goal._replace(creep=arc.side * creep)
         met = meet(law, arc, ends, guess, near, ROUGH)
         if met.done:
-            near = met.course
-            carried = abs(log(met.entry / near.tension[-1]))
-            if abs(carried - asked) < CLOSE * asked:
-                break
+            near, found = met.course if met.rest == 0.0 else None, True
+            carried = log_ratio(met)
+            if abs(carried - asked) < close * asked:
+                there = meet(law, arc, between_tensions(goal.entry, goal.leaving), goal, near, MESH)
+                if there.done:
+                    return there
+                close *= NEARER
             below = carried < asked and (met.rest > 0.0 or growth(arc, met.slopes) > 0.0)
             low, high = (creep, high) if below else (low, creep)
-        elif near is None or step < LEAST_GROWTH:
+        elif not found:  # more, less, more: what is known of the creep may be far off
+            creep = first * AWAY ** ((i + 2) // 2 if i % 2 == 0 else -((i + 1) // 2))
+            continue
+        elif step < LEAST_GROWTH:
             high = creep
         else:
             step = sqrt(step)
         between = sqrt(low * high) if low > 0.0 else 0.3 * high
         creep = between if high < inf else step * low
-    if not met.done:
-        return met
-    ends = between_tensions(goal.entry, goal.leaving)
-    return meet(law, arc, ends, goal, met.course, MESH)
+    return unmet(interface(law, arc), met.course)
 
 
 def _still(face: Interface, arc: Geometry, tension: float) -> Met:

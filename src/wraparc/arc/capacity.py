@@ -309,9 +309,10 @@ def largest_ratio(
     either, unless more is carried at some creep on the way there (`outweighs`).
     """
     pressure = tight / (arc.width * arc.radius)
-    if not softening:
-        return plateau_capacity(law, pressure, arc.wrap_angle), inf
-    residual = residual_capacity(law, pressure, arc.wrap_angle)
+    plateau = plateau_capacity(law, pressure, arc.wrap_angle)
+    residual = residual_capacity(law, pressure, arc.wrap_angle) if softening else plateau
+    if residual >= plateau:
+        return plateau, inf
     if not outweighs(law, arc, tight, residual):
         return residual, inf
     most, creep = _largest_at_creep(law, arc, tight)

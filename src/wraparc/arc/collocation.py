@@ -69,7 +69,7 @@ SMALL, MOST_KINKS = 1e-5, 60  # creep without a sign, of the largest; kinks of o
 TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn of the creep
 FREELY = 1e-10  # of a change of K behind a rest arc that its start does not take back
 KINK = 1e-4  # of an element: how near to a kink an element has to end
-MESH = 3e-6  # misfit of an element, of the largest change of tension, that is let stand
+MESH = 1e-6  # misfit of an element, of the largest change of tension, that is let stand
 LONGEST = 2.0  # slide behind a rest arc that is followed, of the wrap
 ROUGH = 1e-3  # misfit that is let stand on the way
 #: Continuation in what shears: shear-lag lengths of the softest arc, shear of one that has none, of

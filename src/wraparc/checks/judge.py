@@ -133,6 +133,8 @@ def _helps(check: Check, least: LeastTension | None, both: bool) -> bool:
     if least is None:
         return not both
     own = next((f for f in least.figures if f.name == check.name), None)
+    if own is None and both:  # across the width: one asks for more, another for less
+        return False
     top = least.highest
     too_much = own is not None and top is not None and own.at_least and own.tension > top.tension
     return math.isfinite(least.tension) and not too_much

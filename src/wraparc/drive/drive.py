@@ -102,9 +102,8 @@ class Drive(Viewable):
                     value=display(mass, "mass_per_length"),
                 )
             )
-        for case in self.load_cases:
-            least = min((min(t.entry, t.exit) for t in case.tensions.values()), default=math.inf)
-            problems += flying_problems(self.belt, f"load_case.{case.name}", least)
+        for key, least in least_tensions(self.load_cases).items():
+            problems += flying_problems(self.belt, key, least)
         return problems
 
     def pulley(self, name: str | None = None) -> Pulley:
@@ -180,6 +179,16 @@ def side_problems(belt: Belt, pulleys: Iterable[Pulley]) -> list[Problem]:
         for pulley in pulleys
         if pulley.side == "carry" and math.isnan(touching_cover(layers_of(belt), True))
     ]
+
+
+def least_tensions(cases: Iterable[LoadCase]) -> dict[str, float]:
+    """Return the least tension of every load case, by its key [N]."""
+    return {
+        f"load_case.{case.name}": min(
+            (min(t.entry, t.exit) for t in case.tensions.values()), default=math.inf
+        )
+        for case in cases
+    }
 
 
 def flying_problems(belt: Belt, key: str, least: float) -> list[Problem]:

@@ -13,8 +13,6 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import ClassVar
 
-import numpy as np
-
 from wraparc.errors import Problem, shown
 from wraparc.friction import FrictionLaw, MeasuredTable
 from wraparc.provenance import Provenance
@@ -57,7 +55,15 @@ class FrictionFactor:
     def least(self, low: float, high: float) -> float:
         """Return the least factor between two values of the quantity [-]."""
         inside = [f for x, f in zip(self.at, self.factor, strict=True) if low <= x <= high]
-        return float(min([*inside, *np.interp([low, high], self.at, self.factor).tolist()]))
+        return min([*inside, self._of(low), self._of(high)])
+
+    def _of(self, value: float) -> float:
+        """Return the factor at a value of the quantity, that of the ends beyond them [-]."""
+        rows = list(zip(self.at, self.factor, strict=True))
+        for (x, f), (x1, f1) in pairwise(rows):
+            if x <= value < x1:
+                return (f1 - f) / (x1 - x) * (value - x) + f
+        return self.factor[0] if value < self.at[0] else self.factor[-1]
 
 
 @dataclass(frozen=True, kw_only=True)

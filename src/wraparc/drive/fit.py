@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -80,13 +80,14 @@ class Fit:
             given = f"{len(rows)} rows of {sorted(set(rows))} numbers"
             message = f"must be {n} rows of {n} numbers, one for each parameter"
             return [Problem(key="covariance", value=given, message=message)]
-        matrix = np.array(self.covariance, dtype=float).reshape(n, n)
-        message = ""
-        if not np.all(np.isfinite(matrix)):
+        matrix, message = self.covariance, ""
+        numbers = [v for row in matrix for v in row]
+        apart = [abs(matrix[i][j] - matrix[j][i]) for i in range(n) for j in range(i)]
+        if not all(map(math.isfinite, numbers)):
             message = "must be finite"
-        elif n and np.abs(matrix - matrix.T).max() > 1e-9 * np.abs(matrix).max():
+        elif max(apart, default=0.0) > 1e-9 * max(map(abs, numbers), default=0.0):
             message = "must be symmetric"
-        elif n and _least_correlation_eigenvalue(matrix) < -1e-8 * n:
+        elif not _has_no_negative(matrix, 1e-8 * n):
             message = "must have no negative eigenvalue: no variance is negative"
         return [Problem(key="covariance", message=message)] if message else []
 
@@ -110,11 +111,24 @@ class Fit:
         return np.asarray(0.5 * (logs + logs.T))
 
 
-def _least_correlation_eigenvalue(covariance: Array) -> float:
-    """Least eigenvalue of the matrix scaled to unit diagonal [-]."""
-    scale = np.sqrt(np.abs(np.diag(covariance)))
-    scale = np.where(scale > 0.0, scale, 1.0)
-    return float(np.linalg.eigvalsh(covariance / np.outer(scale, scale))[0])
+def _has_no_negative(covariance: Sequence[Sequence[float]], rounding: float) -> bool:
+    """Whether no eigenvalue of the matrix scaled to unit diagonal is less than -rounding [-].
+
+    With so much on its diagonal it then has a Cholesky factor.
+    """
+    scale = [math.sqrt(abs(row[i])) or 1.0 for i, row in enumerate(covariance)]
+    lower: list[list[float]] = []
+    for i, given in enumerate(covariance):
+        row: list[float] = []
+        for j in range(i + 1):
+            before = lower[j] if j < i else row
+            rest = given[j] / (scale[i] * scale[j]) + (rounding if i == j else 0.0)
+            rest -= math.fsum(a * b for a, b in zip(row, before[:j], strict=True))
+            if i == j and rest <= 0.0:
+                return False
+            row.append(math.sqrt(rest) if i == j else rest / lower[j][j])
+        lower.append(row)
+    return True
 
 
 def with_peaks(law: FrictionLaw, peaks: Mapping[tuple[int, str], float]) -> FrictionLaw:

@@ -1,5 +1,6 @@
 """The tables of a drive file, their keys already read, to belt, laggings and pulleys."""
 
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from wraparc import catalogue
@@ -11,6 +12,8 @@ from wraparc.drive import (
     Lagging,
     Pulley,
 )
+from wraparc.drive.belt import LAYERS, THICKNESS
+from wraparc.drive.drive import flying_problems, side_problems
 from wraparc.errors import InputError, Problem
 from wraparc.files.across_keys import build_across
 from wraparc.files.conditions import Conditions, at_its_place, condition_of
@@ -34,7 +37,11 @@ _EITHER = (("compression_modulus", "block"),)
 
 
 def build_belt(record: Record, report: Report) -> Belt | None:
-    """Return the belt of a ``[belt]`` table, or None after reporting."""
+    """Return the belt of a ``[belt]`` table, or None after reporting.
+
+    One whose layers are at fault, which was reported, comes without its thickness: what else is
+    wrong with it is told as well, see `report_together`.
+    """
     sources = read_sources(record, (e.key for e in BELT.entries), report)
     own = own_provenance(record, report) or Provenance()
     more: dict[str, Any] = {"name": "belt", "provenance": own}
@@ -54,7 +61,39 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         return None
     more = {key: v for key, v in more.items() if key == "provenance" or key not in record}
     built: Belt | None = BELT.built(record, report, sources=sources, **more)
+    if built is None and record.faulty <= {*LAYERS, THICKNESS, "mass", "cover_shear_modulus"}:
+        rest = {key: value for key, value in record.items() if key != THICKNESS}
+        built = BELT.built(Record(rest, record.place, record.raw), Report(), sources={}, **more)
     return built
+
+
+def report_together(
+    record: object,
+    belt: Belt | None,
+    pulleys: Iterable[Pulley | None],
+    tensions: Mapping[str, float],
+    report: Report,
+) -> None:
+    """Report what belt and drums have wrong together, where a drive cannot be made to tell it.
+
+    Parameters
+    ----------
+    record, belt
+        The ``[belt]`` table, and the belt as far as it could be made.
+    pulleys
+        As far as they could be made.
+    tensions
+        The least tension of every load case, by the key where it stands [N].
+    report
+        Takes what is wrong, if it has something already.
+    """
+    if not report.problems or belt is None or not isinstance(record, Record):
+        return
+    found = [p for key, least in tensions.items() for p in flying_problems(belt, key, least)]
+    if record.sound(*LAYERS, THICKNESS):
+        found += side_problems(belt, [pulley for pulley in pulleys if pulley is not None])
+    if found:
+        report.take(InputError(found), ())
 
 
 class Laggings:

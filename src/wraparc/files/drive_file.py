@@ -4,12 +4,19 @@ import os
 from typing import cast
 
 from wraparc.drive import DESIGN, Belt, Drive, LoadCase, Pulley, TakeUp, repeated
+from wraparc.drive.drive import least_tensions
 from wraparc.drive.pitch import pitch_offset
 from wraparc.errors import InputError, nearest, shown
 from wraparc.files.across_keys import check_width
 from wraparc.files.conditions import build_conditions, condition_name, in_each_condition
 from wraparc.files.conveyor_build import build_conveyor
-from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
+from wraparc.files.drive_build import (
+    Laggings,
+    build_belt,
+    build_criteria,
+    build_pulley,
+    report_together,
+)
 from wraparc.files.drive_keys import DRIVE
 from wraparc.files.tensions import KEYS, Given, complete, resolve
 from wraparc.schema.overrides import Overrides, load, put_over
@@ -120,6 +127,7 @@ def drive_from_document(
         conveyor, cases = build_conveyor(record, criteria.take_up, report)
     else:
         cases = _load_cases(record, records, belt, criteria.take_up, report)
+    report_together(belt_record, belt, pulleys, least_tensions(cases), report)
     report.raise_all()
     parts = {key: record[key] for key in ("title", "description", "creep_limit") if key in record}
     return report.sure(

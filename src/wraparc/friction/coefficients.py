@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from math import exp, isfinite, log
+from math import exp, inf, isfinite, log, nan
 
 import numpy as np
 
 from wraparc.errors import InputError, Problem
 from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, MOST_SLIP, Array, check
 from wraparc.friction.trend import Trend
+
+#: Powers of e that are floats other than 0.
+_LEAST_POWER, _LARGEST_POWER = -700.0, 709.0
 
 
 def ab_from_peak(peak_friction: float, peak_slip: float) -> tuple[float, float]:
@@ -220,14 +223,14 @@ class CoefficientPieces:
                 f"must have {n + 1} pressures, the ends of {n} pieces",
             ),
             (
-                0.0 < self.slip_unit < np.inf,
+                0.0 < self.slip_unit < inf,
                 "slip_unit",
                 f"{self.slip_unit:g} m",
                 "the unit of slip must be positive and finite",
             ),
             (
                 all(a < b for a, b in zip(self.pressure, self.pressure[1:], strict=False))
-                and all(0 < p < np.inf for p in self.pressure),
+                and all(0 < p < inf for p in self.pressure),
                 "pressure",
                 _list(self.pressure, "Pa"),
                 "the transition pressures must be positive, finite and in ascending order",
@@ -238,17 +241,17 @@ class CoefficientPieces:
             raise InputError(problems)
 
     def _piece_problems(self, i: int) -> list[Problem]:
-        p = np.linspace(self.pressure[i], self.pressure[i + 1], 101)
+        low, high = self.pressure[i : i + 2]
+        places = [low + (high - low) * k / 100.0 for k in range(101)]
         piece = self.pieces[i]
-        where = f"between {self.pressure[i]:g} and {self.pressure[i + 1]:g} Pa"
+        where = f"between {low:g} and {high:g} Pa"
         key = f"pieces[{i + 1}]"
-        with np.errstate(all="ignore"):
-            a, b = piece.a(p), piece.b(p)
-            slip = np.exp(b / a - 1.0)
-            slope, residual = piece.post_peak_slope(p), piece.residual_friction(p)
+        a, b = [piece.a.at(p) for p in places], [piece.b.at(p) for p in places]
+        slope = [piece.post_peak_slope.at(p) for p in places]
+        residual = [piece.residual_friction.at(p) for p in places]
         bad: list[Problem] = []
-        if not (np.all(np.isfinite(a)) and np.all(a < 0.0)):
-            worst = float(np.nanmax(a))
+        if not all(isfinite(v) and v < 0.0 for v in a):
+            worst = max([v for v in a if v == v], default=nan)
             bad.append(
                 Problem(
                     key=f"{key}.a",
@@ -256,29 +259,31 @@ class CoefficientPieces:
                     message=f"A must be negative {where}, else the law gives no positive friction",
                 )
             )
-        elif not np.all(
-            (slip * self.slip_unit >= LEAST_SLIP) & (slip * self.slip_unit <= MOST_SLIP)
+        elif not all(
+            _LEAST_POWER <= v / u - 1.0 < _LARGEST_POWER
+            and LEAST_SLIP <= exp(v / u - 1.0) * self.slip_unit <= MOST_SLIP
+            for u, v in zip(a, b, strict=True)
         ):
             bad.append(
                 Problem(
                     key=f"{key}.b",
-                    value=f"{float(b[0]):g} 1/m",
+                    value=f"{b[0]:g} 1/m",
                     message=f"the slip at the peak exp(b/A - 1) must be 1 nm to 1 km {where}",
                 )
             )
-        if not np.all(slope <= 0.0):
+        if not all(v <= 0.0 for v in slope):
             bad.append(
                 Problem(
                     key=f"{key}.post_peak_slope",
-                    value=f"{float(slope.max()):g} 1/m",
+                    value=f"{max(slope):g} 1/m",
                     message=f"the slope past the peak must be 0 or negative {where}",
                 )
             )
-        if not np.all(residual >= LEAST_FRICTION):
+        if not all(v >= LEAST_FRICTION for v in residual):
             bad.append(
                 Problem(
                     key=f"{key}.residual_friction",
-                    value=f"{float(residual.min()):g}",
+                    value=f"{min(residual):g}",
                     message=f"residual friction must be at least {LEAST_FRICTION:g} {where}",
                 )
             )
@@ -288,7 +293,7 @@ class CoefficientPieces:
         bad: list[Problem] = []
         for i in range(len(self.pieces) - 1):
             p = self.pressure[i + 1]
-            low, high = (peak_from_ab(float(s.a(p)), float(s.b(p))) for s in self.pieces[i : i + 2])
+            low, high = (peak_from_ab(s.a.at(p), s.b.at(p)) for s in self.pieces[i : i + 2])
             for name, u, v in (("peak friction", low[0], high[0]), ("peak slip", low[1], high[1])):
                 if abs(v / u - 1.0) > self.continuity:
                     bad.append(
@@ -315,8 +320,8 @@ class CoefficientPieces:
         """
         levels, slopes = [], []
         for piece, (friction, _) in zip(self.pieces[i : i + 2], (low, high), strict=True):
-            levels.append(min(float(piece.residual_friction(p)), friction))
-            slopes.append(float(piece.post_peak_slope(p)) if levels[-1] < friction else 0.0)
+            levels.append(min(piece.residual_friction.at(p), friction))
+            slopes.append(piece.post_peak_slope.at(p) if levels[-1] < friction else 0.0)
         apart = abs(slopes[1] - slopes[0]) * self.slip_unit * low[1] / low[0]
         lower = levels[1] * low[0] / (levels[0] * high[0]) if all(slopes) else 1.0
         return [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import isfinite, log
+from math import exp, inf, isfinite, log
 from typing import Literal
 
 import numpy as np
@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 from wraparc.friction.base import Array, check
 
 Form = Literal["polynomial", "logarithmic", "power", "exponential"]
+#: Of e, whose power is a float.
+_LARGEST_POWER = 709.0
 #: form -> (v = ln p, y = exp), see friction.compact._trend
 _FORM_CODES: dict[str, tuple[bool, bool]] = {
     "polynomial": (False, False),
@@ -59,6 +61,14 @@ class Trend:
             (self.sign in (1, -1), "sign", str(self.sign), "the sign must be 1 or -1"),
         )
 
+    def at(self, pressure: float) -> float:
+        """Value at one pressure [Pa]."""
+        logarithmic, exponential = _FORM_CODES[self.form]
+        v, y = log(pressure) if logarithmic else pressure, 0.0
+        for c in reversed(self.coefficients):
+            y = c + y * v
+        return self.sign * _exp(y) if exponential else y
+
     def __call__(self, pressure: ArrayLike) -> Array:
         """Value at a pressure [Pa]."""
         p = np.asarray(pressure, dtype=float)
@@ -78,3 +88,8 @@ class Trend:
         logarithmic, exponential = _FORM_CODES[self.form]
         c = self.coefficients + (0.0,) * (4 - len(self.coefficients))
         return (*c, float(logarithmic), float(self.sign) if exponential else 0.0)
+
+
+def _exp(power: float) -> float:
+    """Return e to a power, infinity where no float holds it."""
+    return exp(power) if power < _LARGEST_POWER else inf

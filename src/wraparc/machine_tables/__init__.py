@@ -8,6 +8,7 @@ from wraparc.machine_tables.columns import (
     plain_name,
     read_unit,
 )
+from wraparc.machine_tables.limits import refused
 from wraparc.machine_tables.lines import DELIMITER_NAMES
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric
 from wraparc.machine_tables.read import TableFile, find_tables, read_bytes
@@ -29,4 +30,5 @@ __all__ = [
     "plain_name",
     "read_bytes",
     "read_unit",
+    "refused",
 ]

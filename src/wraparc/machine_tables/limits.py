@@ -17,6 +17,15 @@ MOST_CELLS, MOST_SHEET_COLUMNS = 4_000_000, 1000
 _REMEDY = "Export the test as a table of one row a reading, with the columns it needs."
 
 
+def refused(
+    file: str, message: str, remedy: str, *, key: str = "", value: str = "", line: int | None = None
+) -> InputError:
+    """Return the error of a file: what is wrong with it, and what to do."""
+    return InputError(
+        Problem(message=message, remedy=remedy, file=file, key=key, value=value, line=line)
+    )
+
+
 def beyond(message: str, file: str, line: int | None = None, remedy: str = _REMEDY) -> InputError:
     """Return the error of a file that is more than a test can need."""
-    return InputError(Problem(message=message, remedy=remedy, file=file, line=line))
+    return refused(file, message, remedy, line=line)

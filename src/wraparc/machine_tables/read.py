@@ -4,8 +4,8 @@ import stat
 from dataclasses import dataclass
 from pathlib import Path
 
-from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables.limits import LARGEST_FILE
+from wraparc.errors import shown
+from wraparc.machine_tables.limits import LARGEST_FILE, refused
 from wraparc.machine_tables.lines import DELIMITER_NAMES, split_all
 from wraparc.machine_tables.sniff import decode, is_workbook
 from wraparc.machine_tables.tables import RawTable, refuse_units_in_cells
@@ -46,15 +46,15 @@ def read_bytes(path: str | Path, remedy: str = "") -> bytes:
         if stat.S_ISREG(status.st_mode) and status.st_size <= LARGEST_FILE:
             return place.read_bytes()
     except FileNotFoundError:
-        raise _refused(name, "there is no such file", "Correct the name.") from None
+        raise refused(name, "there is no such file", "Correct the name.") from None
     except (OSError, ValueError) as error:
         said = getattr(error, "strerror", None) or "its name cannot be used"
-        raise _refused(name, f"the file cannot be read ({said})", "See its rights.") from None
+        raise refused(name, f"the file cannot be read ({said})", "See its rights.") from None
     if stat.S_ISDIR(status.st_mode):
-        raise _refused(name, "this is a folder", "Name a file in it.")
+        raise refused(name, "this is a folder", "Name a file in it.")
     large = stat.S_ISREG(status.st_mode)
     message = "the file is larger than 200 MB" if large else "this is not a plain file"
-    raise _refused(name, message, remedy)
+    raise refused(name, message, remedy)
 
 
 def find_tables(
@@ -98,16 +98,10 @@ def _delimiter(given: str, file: str) -> str:
     sign = named.get(given, given)
     if sign in DELIMITER_NAMES:
         return sign
-    raise InputError(
-        Problem(
-            message="no delimiter that is known",
-            remedy=f"Write one of {', '.join(named)}.",
-            file=file,
-            key="delimiter",
-            value=shown(given),
-        )
+    raise refused(
+        file,
+        "no delimiter that is known",
+        f"Write one of {', '.join(named)}.",
+        key="delimiter",
+        value=shown(given),
     )
-
-
-def _refused(file: str, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, file=file))

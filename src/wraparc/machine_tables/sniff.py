@@ -7,7 +7,8 @@ letters only, so the choice among them touches column names and nothing else.
 import codecs
 from dataclasses import dataclass
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import shown
+from wraparc.machine_tables.limits import refused
 
 _BOMS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
@@ -79,15 +80,13 @@ def decode(data: bytes, file: str, encoding: str | None = None) -> Decoded:
         If `data` is empty or is no text, or `encoding` does not fit.
     """
     if not data.strip(b"\x00\x1a\r\n\t "):
-        raise InputError(Problem(message="the file is empty", remedy=_REMEDY, file=file))
+        raise refused(file, "the file is empty", _REMEDY)
     for magic, kind in _OTHER_FORMATS:
         if data.startswith(magic):
-            raise InputError(
-                Problem(message=f"this is {kind}, no table", remedy=_REMEDY, file=file)
-            )
+            raise refused(file, f"this is {kind}, no table", _REMEDY)
     name = encoding or _encoding_of(data)
     if name is None:
-        raise InputError(Problem(message="the file is binary, no text", remedy=_REMEDY, file=file))
+        raise refused(file, "the file is binary, no text", _REMEDY)
     text, notes = _decode(data, name, file, found=encoding is None)
     text = text.rstrip("\x1a\x00").replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
     return Decoded(text=text, encoding=name, ended=text.endswith("\n"), notes=notes)
@@ -101,26 +100,22 @@ def _decode(data: bytes, name: str, file: str, *, found: bool) -> tuple[str, tup
         if error.start >= len(data) - 3:
             text = data[: error.start].decode(name)
             return text, ("the file ends inside a character, which was left out",)
-        raise InputError(
-            Problem(
-                message=f"byte {error.start} does not fit the encoding {name}"
-                + (", the likeliest" if found else ""),
-                remedy="Name the one that the machine writes, such as gbk, shift_jis or cp1251: "
-                "--encoding on the command line, encoding in a plan."
-                if found
-                else "Leave the encoding to be found, or name the one the machine writes.",
-                file=file,
-            )
+        raise refused(
+            file,
+            f"byte {error.start} does not fit the encoding {name}"
+            + (", the likeliest" if found else ""),
+            "Name the one that the machine writes, such as gbk, shift_jis or cp1251: "
+            "--encoding on the command line, encoding in a plan."
+            if found
+            else "Leave the encoding to be found, or name the one the machine writes.",
         ) from None
     except (LookupError, ValueError):
-        raise InputError(
-            Problem(
-                message="an encoding that is not known",
-                remedy="Write for example utf-8, utf-16, cp1252, cp1250 or latin-1.",
-                file=file,
-                key="encoding",
-                value=shown(name),
-            )
+        raise refused(
+            file,
+            "an encoding that is not known",
+            "Write for example utf-8, utf-16, cp1252, cp1250 or latin-1.",
+            key="encoding",
+            value=shown(name),
         ) from None
 
 

@@ -13,14 +13,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import shown
 from wraparc.machine_tables.columns import (
     NamedColumn,
     are_numbers_of_columns,
     is_unit_text,
     name_columns,
 )
-from wraparc.machine_tables.limits import MOST_TABLES, beyond
+from wraparc.machine_tables.limits import MOST_TABLES, beyond, refused
 from wraparc.machine_tables.lines import split_all, splitter
 from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
 
@@ -200,13 +200,11 @@ def refuse_units_in_cells(rows: Sequence[Sequence[str]], file: str) -> None:
     found = [cells for cells in found if len(cells) > 1]
     if len(found) < _RISING:
         return
-    raise InputError(
-        Problem(
-            message=f"its cells hold numbers with their units, such as {shown(found[0][0])}: they "
-            "are text, not numbers",
-            remedy="Write the unit into the heading, Travel [mm], and numbers alone below it.",
-            file=file,
-        )
+    raise refused(
+        file,
+        f"its cells hold numbers with their units, such as {shown(found[0][0])}: they "
+        "are text, not numbers",
+        "Write the unit into the heading, Travel [mm], and numbers alone below it.",
     )
 
 

@@ -10,12 +10,7 @@ from numpy.typing import NDArray
 
 from wraparc.errors import InputError
 from wraparc.machine_tables.bulk import OtherSignError, read_bulk
-from wraparc.machine_tables.limits import (
-    LONGEST_LINE,
-    MOST_COLUMNS,
-    MOST_LOOSE_CELLS,
-    beyond,
-)
+from wraparc.machine_tables.limits import LONGEST_LINE, MOST_COLUMNS, MOST_LOOSE_CELLS, beyond
 from wraparc.machine_tables.lines import delimiter_of, splitter, unwrapped
 from wraparc.machine_tables.numerals import (
     Array,

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.errors import InputError, MissingExtraError
 from wraparc.machine_tables.limits import (
     MOST_CELLS,
     MOST_RATIO,
@@ -21,6 +21,7 @@ from wraparc.machine_tables.limits import (
     MOST_UNPACKED,
     SMALL_UNPACKED,
     beyond,
+    refused,
 )
 from wraparc.machine_tables.tables import RawTable, tables_in_rows
 
@@ -53,14 +54,12 @@ def tables_in_workbook(data: bytes, file: str, sheet: str | None = None) -> list
         raise beyond(_too_many(f"sheet {told['large']!r}"), file, remedy=_CSV)
     if "sheets" not in told:
         listed = ", ".join(repr(name) for name in told["names"])
-        raise InputError(
-            Problem(
-                message=f"there is no such sheet; the workbook has {listed}",
-                remedy="Name one of these.",
-                file=file,
-                key="sheet",
-                value=repr(sheet),
-            )
+        raise refused(
+            file,
+            f"there is no such sheet; the workbook has {listed}",
+            "Name one of these.",
+            key="sheet",
+            value=repr(sheet),
         )
     return [
         table
@@ -183,6 +182,4 @@ def _squared(rows: Sequence[Sequence[object]]) -> list[list[object]]:
 
 def _unreadable(file: str, said: str) -> InputError:
     first = said.splitlines()[0][:80] if said else "damaged"
-    return InputError(
-        Problem(message=f"the workbook cannot be opened ({first})", remedy=_REMEDY, file=file)
-    )
+    return refused(file, f"the workbook cannot be opened ({first})", _REMEDY)

@@ -10,7 +10,8 @@ from wraparc.present.sources import Sources
 _SAME = 1e-9
 #: Checks that a short answer shows, if no more are missed.
 _NEAREST = 4
-_NOTE = (
+#: What to know about the table.
+NOTE = (
     "Margin: how far the value is from its limit, over the limit; positive on the safe side. Each "
     "check is shown where it comes off worst."
 )
@@ -34,7 +35,7 @@ def check_table(verdict: Verdict, of: Sources | None = None, title: str = "Check
         title,
         rows,
         ("found", "limit", "margin"),
-        f"{_NOTE}{_left(verdict)}",
+        f"{NOTE}{_left(verdict)}",
         name="checks",
         short=_nearest(verdict, title),
         brief=f"{f'{_counted(verdict)}. ' if verdict.missed else ''}{_unchecked(verdict)}".strip(),

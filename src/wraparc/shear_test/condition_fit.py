@@ -6,13 +6,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.shear_test.analysis import (
-    ConditionResult,
-    Findings,
-    LeftOut,
-    Separated,
-    TestResult,
-)
+from wraparc.shear_test.analysis import ConditionResult, Findings, LeftOut, Separated, TestResult
 from wraparc.shear_test.budget import Common, bent_peak
 from wraparc.shear_test.consistency import lone_distances, outliers
 from wraparc.shear_test.joint_fit import curve_points, refine

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import peak_from_ab
-from wraparc.machine_tables import RawTable, find_tables
+from wraparc.machine_tables import RawTable, find_tables, refused
 from wraparc.shear_test.budget import ReadOff, Uncertainty
 from wraparc.shear_test.plan import Digitised, PlannedTest, TestPlan
 from wraparc.shear_test.record import Array, MachineRecord
@@ -86,27 +86,23 @@ def read_points(data: bytes, file: str) -> list[Points]:
         try:
             found = list(_in_json(json.loads(data), "", 0))
         except (ValueError, RecursionError):
-            raise _refused(file, "it begins as JSON and is none", "Export it again.") from None
+            raise refused(file, "it begins as JSON and is none", "Export it again.") from None
     else:
         found = _in_table(data, file)
     if len(found) > _MOST_CURVES:
-        raise _refused(file, f"it holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
+        raise refused(file, f"it holds {len(found)} curves", f"At most {_MOST_CURVES} are read.")
     curves = [
         Points(name, *np.array(sorted(points), dtype=float).T)
         for name, points in found
         if len(points) > 1
     ]
     if not curves:
-        raise _refused(
+        raise refused(
             file,
             "there is no digitised curve in it",
             "Export x and y of the points as CSV, or the JSON of the digitiser.",
         )
     return curves
-
-
-def _refused(file: str, message: str, remedy: str, key: str = "") -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, file=file, key=key))
 
 
 def _in_json(node: Any, name: str, depth: int) -> Iterator[tuple[str, list[tuple[float, float]]]]:
@@ -324,12 +320,12 @@ def _refuse_scale(of: Digitised, taken: list[tuple[PlannedTest, Points]]) -> Non
             if least < -_ERRORS * of.error * top:
                 remedy = "See the axes in the digitiser, and which column is x."
                 message = f"its {title} goes down to {least:.3g}"
-                problems += _refused(f"{test.file}: {curve.name}", message, remedy).problems
+                problems += refused(f"{test.file}: {curve.name}", message, remedy).problems
     end = max(float(curve.x.max()) for _, curve in taken) * of.metres
     if of.slip_unit is None and not _USUAL_SLIP[0] <= end <= _USUAL_SLIP[1]:
         message = f"missing: the slip would end at {end * 1e3:.3g} mm, which tests seldom do"
         remedy = 'Say the unit of x: slip_unit = "in", or "mm" where it is that.'
-        problems += _refused(taken[0][0].file, message, remedy, "digitised.slip_unit").problems
+        problems += refused(taken[0][0].file, message, remedy, key="digitised.slip_unit").problems
     if problems:
         raise InputError(problems)
 
@@ -351,28 +347,26 @@ def _wanted(curves: list[Points], test: PlannedTest) -> list[Points]:
     """All curves of the file, or the one that the test names."""
     if not test.curve:
         if len(curves) > 1 and test.pressure is not None:
-            raise _refused(
+            raise refused(
                 test.file,
                 f"one pressure is given for its {len(curves)} curves",
                 "Give each a [[test]] with its curve and pressure, or name them by pressure.",
-                "pressure",
+                key="pressure",
             )
         return curves
     if len(curves) == 1:
         return [replace(curves[0], name=test.curve)]
     chosen = [curve for curve in curves if curve.name.strip() == test.curve.strip()]
     if len(chosen) > 1:
-        raise _refused(test.file, f"{len(chosen)} curves are named so", _RENAME, "curve")
+        raise refused(test.file, f"{len(chosen)} curves are named so", _RENAME, key="curve")
     if not chosen:
         listed = ", ".join(shown(curve.name) for curve in curves[:10])
-        raise InputError(
-            Problem(
-                message="there is no such curve",
-                remedy=f"The file has {listed}.",
-                file=test.file,
-                key="curve",
-                value=shown(test.curve),
-            )
+        raise refused(
+            test.file,
+            "there is no such curve",
+            f"The file has {listed}.",
+            key="curve",
+            value=shown(test.curve),
         )
     return chosen
 
@@ -385,17 +379,17 @@ def _refuse_condition(label: str, curve: Points, test: PlannedTest) -> None:
         remedy = (
             f"Give it a [[test]] of its own with curve = {shown(curve.name)}, condition = {own}."
         )
-        raise _refused(label, f"its name says {own}, its test {shown(test.condition)}", remedy)
+        raise refused(label, f"its name says {own}, its test {shown(test.condition)}", remedy)
 
 
 def _refuse_again(record: MachineRecord, others: dict[str, MachineRecord]) -> None:
     """Refuse a curve that another one is, by its name or by its points."""
     if record.file in others:
-        raise _refused(record.file, "two curves of the file have this name", _RENAME)
+        raise refused(record.file, "two curves of the file have this name", _RENAME)
     same = next((name for name, other in others.items() if other.digest == record.digest), None)
     if same is not None:
         remedy = "Click its own points, or take it out."
-        raise _refused(record.file, f"it has the same points as {shown(same)}", remedy)
+        raise refused(record.file, f"it has the same points as {shown(same)}", remedy)
 
 
 def _letter(test: PlannedTest, curve: Points) -> str:
@@ -409,16 +403,16 @@ def _coefficient_curves(
     letters = [_letter(test, curve) for test, curve in taken]
     for letter, title in (("a", "A"), ("b", "b")):
         if letters.count(letter) > 1:
-            raise _refused(taken[0][0].file, f"two curves are named {title}", _RENAME)
+            raise refused(taken[0][0].file, f"two curves are named {title}", _RENAME)
     by = dict(zip(letters, taken, strict=True))
     if not {"a", "b"} <= by.keys():
         listed = ", ".join(shown(curve.name) for _, curve in taken[:10])
         remedy = 'Name them in the file, or say curve = "A" and curve = "b" in a [[test]] for each.'
-        raise _refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
+        raise refused(taken[0][0].file, f"A and b are not both in it, but {listed}", remedy)
     (test, a), (_, b) = by["a"], by["b"]
     beyond = a.x[(a.x * _EDGE < b.x[0]) | (a.x > b.x[-1] * _EDGE)]
     if len(beyond):
-        raise _refused(
+        raise refused(
             test.file,
             f"A is read at {beyond[0]:.4g}, b only from {b.x[0]:.4g} to {b.x[-1]:.4g}",
             "Read both at the same pressures.",
@@ -426,7 +420,7 @@ def _coefficient_curves(
     curves = []
     for p, first, second in zip(a.x, a.y, np.interp(a.x, b.x, b.y), strict=True):
         if not first < 0.0 or abs(second / first) > 10.0:
-            raise _refused(
+            raise refused(
                 test.file,
                 f"A = {first:.4g} and b = {second:.4g} at {p:.4g} make no peak of friction",
                 "A is below 0 in mu = A x ln x - b x; see the axes and the unit of x.",
@@ -449,12 +443,12 @@ def _record(
     count = len(curve.x)
     if pressure is None:
         remedy = 'Give pressure in its [[test]], or name the curve "207 kPa" in the digitiser.'
-        raise _refused(label, "the pressure of this curve is not known", remedy)
+        raise refused(label, "the pressure of this curve is not known", remedy)
     if not pressure > 0.0:
-        raise _refused(label, f"its pressure is {pressure / 1e3:.4g} kPa", "It is above 0.")
+        raise refused(label, f"its pressure is {pressure / 1e3:.4g} kPa", "It is above 0.")
     if count < LEAST_POINTS:
         remedy = f"Click {LEAST_POINTS} points or more along it, most where it bends."
-        raise _refused(label, f"the curve has {count} points only", remedy)
+        raise refused(label, f"the curve has {count} points only", remedy)
     force = curve.y * pressure * plan.rig.area * plan.rig.faces
     return MachineRecord(
         file=label, place=f"{count} points", encoding="", delimiter="", decimal=".", columns=(),

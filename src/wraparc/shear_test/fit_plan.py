@@ -9,18 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.errors import InputError, Problem
-from wraparc.machine_tables import read_bytes
+from wraparc.machine_tables import read_bytes, refused
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
 from wraparc.shear_test.condition_fit import fit_condition
 from wraparc.shear_test.curve_fit import fit_curve
 from wraparc.shear_test.digitised import as_drawn, with_curves
-from wraparc.shear_test.misfit import (
-    OTHER_PRESSURE,
-    Sentence,
-    judged_fit,
-    stick_slip,
-    with_misfit,
-)
+from wraparc.shear_test.misfit import OTHER_PRESSURE, Sentence, judged_fit, stick_slip, with_misfit
 from wraparc.shear_test.noise import noise_level
 from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.reader import read_machine_file
@@ -111,13 +105,11 @@ def _refuse_duplicate(
 ) -> None:
     """Refuse the readings of a test before, also under another name: they are no repeat."""
     for first, other in seen:
-        if _are_same_readings(record, other):
-            raise InputError(
-                Problem(
-                    message=f"the file holds the same data as {first.place}: it was counted once",
-                    remedy="Name the right file, or take this test out of the plan.",
-                    file=record.file,
-                )
+        if first.place != test.place and _are_same_readings(record, other):
+            raise refused(
+                record.file,
+                f"the file holds the same data as {first.place}: it was counted once",
+                "Name the right file, or take this test out of the plan.",
             )
     seen.append((test, record))
 
@@ -210,13 +202,11 @@ def _refuse_long_lash(plan: TestPlan, test: PlannedTest, travel: float) -> None:
     lash = plan.held.lash
     if lash is None or lash < _LASH_OF_TEST * travel:
         return
-    raise InputError(
-        Problem(
-            message=f"the lash held by the plan, {lash * 1e3:.3g} mm, leaves no slip of its "
-            f"{travel * 1e3:.3g} mm of travel",
-            remedy="Correct lash in fixed of [fit], or leave it out to have it fitted.",
-            file=test.file,
-        )
+    raise refused(
+        test.file,
+        f"the lash held by the plan, {lash * 1e3:.3g} mm, leaves no slip of its "
+        f"{travel * 1e3:.3g} mm of travel",
+        "Correct lash in fixed of [fit], or leave it out to have it fitted.",
     )
 
 

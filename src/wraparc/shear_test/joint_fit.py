@@ -26,9 +26,7 @@ _LARGEST = 0.7
 
 
 def curve_points(
-    curves: Sequence[FrictionCurve],
-    fits: Sequence[CurveFit],
-    levels: NDArray[np.int64],
+    curves: Sequence[FrictionCurve], fits: Sequence[CurveFit], levels: NDArray[np.int64]
 ) -> CurvePoints:
     """Curves as points over pressure.
 

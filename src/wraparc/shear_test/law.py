@@ -13,17 +13,14 @@ from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Findings
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.plan import TestPlan
-from wraparc.shear_test.pressure_fit import (
-    CurvePoints,
-    PressureFit,
-    at_least,
-    scatter_within,
-)
+from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 
 _MOST_KNOTS = 24
 _CLOSE = 1e-3
+# A pressure nearer to an end than this, by rounding, is that end.
+_APART = 1.001
 _ONE_PRESSURE_SCATTER = 0.02
 _METHOD = (
     "integral-log law to each curve (soft-L1), then over pressure by generalised least "
@@ -41,10 +38,10 @@ def knot_pressures(fit: PressureFit, tails: Tails) -> Array:
     if fit.form.nodes:
         return np.array(fit.form.nodes)
     at = fit.transition_pressure
-    places = {low, high, *tails.pressure[_changing(tails)].tolist()}
+    changing = tails.pressure[_changing(tails)].tolist()
+    places = {low, high, *(p for p in changing if low * _APART < p < high / _APART)}
     if at is not None and low * 1.01 < at < high / 1.01:
         places = {p for p in places if p in (low, high) or abs(p / at - 1.0) > 0.02} | {at}
-    places = {min(max(p, low), high) for p in places}
     fine = np.geomspace(low, high, 601)
     wanted = np.exp(fit.peaks(fine))
     while len(places) < _MOST_KNOTS:
@@ -78,11 +75,7 @@ def _to_digits(values: Array, digits: int) -> Array:
 
 
 def law_through(
-    pressure: Array,
-    peaks: Array,
-    tails: Tails,
-    slip_max: float,
-    slip_speed: float | None = None,
+    pressure: Array, peaks: Array, tails: Tails, slip_max: float, slip_speed: float | None = None
 ) -> IntegralLog:
     """Return the law with knots at pressures.
 

@@ -58,10 +58,7 @@ class JudgedFit:
 
 
 def judged_fit(
-    curve: FrictionCurve,
-    largest_lash: float,
-    bending: float | None = None,
-    held: Held = FREE,
+    curve: FrictionCurve, largest_lash: float, bending: float | None = None, held: Held = FREE
 ) -> JudgedFit:
     """Fit a curve, hold its lash to what is possible, and say where the law fails.
 

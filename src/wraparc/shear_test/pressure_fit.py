@@ -11,12 +11,7 @@ from typing import Any
 import numpy as np
 
 from wraparc.shear_test.budget import Budget, Common
-from wraparc.shear_test.pressure_form import (
-    LawForm,
-    coefficients_from_peaks,
-    ln_peaks,
-    node_count,
-)
+from wraparc.shear_test.pressure_form import LawForm, coefficients_from_peaks, ln_peaks, node_count
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.robust import minimise
 from wraparc.shear_test.student import t95
@@ -294,10 +289,7 @@ def transition_bounds(points: CurvePoints) -> tuple[float, float]:
 
 
 def _best_start(
-    form: LawForm,
-    points: CurvePoints,
-    ends: tuple[float, float],
-    transition: float | None,
+    form: LawForm, points: CurvePoints, ends: tuple[float, float], transition: float | None
 ) -> list[Array]:
     """Starts: the means of the levels, read off at the nodes, for some transition pressures."""
     levels = points.level_pressures

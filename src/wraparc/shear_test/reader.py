@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, shown
 from wraparc.machine_tables import (
     DELIMITER_NAMES,
     Array,
@@ -18,13 +18,21 @@ from wraparc.machine_tables import (
     find_tables,
     looks_numeric,
     read_bytes,
+    refused,
 )
-from wraparc.shear_test.buffers import further_tests, joined, one_run
 from wraparc.shear_test.choose import Chosen, choose_columns
+from wraparc.shear_test.one_test import (
+    further_tests,
+    joined,
+    last_row,
+    off_trend,
+    one_run,
+    results_at_ends,
+    sentinel_rows,
+    side_by_side,
+)
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
-from wraparc.shear_test.sentinels import last_row, off_trend, results_at_ends, sentinel_rows
-from wraparc.shear_test.side_by_side import side_by_side
 
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
 _FACTORS = re.compile(r"(?i)fa[ck]t|gain|scal|skal|multipl|verst|sensit|empf|offset|calib|kalib")
@@ -145,29 +153,23 @@ def _wanted_blocks(
     """Which of the tests side by side are to be read, counted from 0."""
     if choices.block is not None and not 1 <= choices.block <= len(blocks):
         count = f"{len(blocks)} tests side by side" if len(blocks) > 1 else "one test only"
-        raise InputError(
-            Problem(
-                message=f"the table holds {count}",
-                remedy=f"Write a number from 1 to {len(blocks)}."
-                if len(blocks) > 1
-                else "Leave it out.",
-                file=file,
-                key="block",
-                value=str(choices.block),
-            )
+        raise refused(
+            file,
+            f"the table holds {count}",
+            f"Write a number from 1 to {len(blocks)}." if len(blocks) > 1 else "Leave it out.",
+            key="block",
+            value=str(choices.block),
         )
     if choices.block is not None:
         return [choices.block - 1]
     if every or len(blocks) == 1:
         return list(range(len(blocks)))
     listed = "; ".join(f"{k} is {_columns(block)}" for k, block in enumerate(blocks[:4], start=1))
-    raise InputError(
-        Problem(
-            message=f"{len(blocks)} tests stand side by side in it: {listed}",
-            remedy="Say which one this is: block = 1 in its [[test]], a [[test]] for each "
-            "(wraparc read shows them all).",
-            file=file,
-        )
+    raise refused(
+        file,
+        f"{len(blocks)} tests stand side by side in it: {listed}",
+        "Say which one this is: block = 1 in its [[test]], a [[test]] for each "
+        "(wraparc read shows them all).",
     )
 
 
@@ -207,23 +209,17 @@ def _pick_table(
 ) -> tuple[RawTable, tuple[str, ...], int]:
     """The table to read, notes on the others, and how many of them look like further tests."""
     if not tables:
-        raise InputError(
-            Problem(
-                message="there is no table in it: no line has two numbers side by side",
-                remedy=_EXPORT,
-                file=file,
-            )
+        raise refused(
+            file, "there is no table in it: no line has two numbers side by side", _EXPORT
         )
     if choices.table is not None:
         if not 1 <= choices.table <= len(tables):
-            raise InputError(
-                Problem(
-                    message=f"the file has {len(tables)} tables",
-                    remedy=f"Write a number from 1 to {len(tables)}.",
-                    file=file,
-                    key="table",
-                    value=str(choices.table),
-                )
+            raise refused(
+                file,
+                f"the file has {len(tables)} tables",
+                f"Write a number from 1 to {len(tables)}.",
+                key="table",
+                value=str(choices.table),
             )
         return tables[choices.table - 1], (), 0
     readings = [table for table in tables if not table.is_settings]
@@ -250,13 +246,10 @@ def _pick_table(
 
 def _only_settings(tables: Sequence[RawTable], file: str) -> InputError:
     where = ", ".join(table.place for table in tables[:3])
-    return InputError(
-        Problem(
-            message=f"it holds settings or results ({where}: each row under a name of its own), "
-            "no readings",
-            remedy=f"{_EXPORT} If they are readings, name the table: table = 1.",
-            file=file,
-        )
+    return refused(
+        file,
+        f"it holds settings or results ({where}: each row under a name of its own), no readings",
+        f"{_EXPORT} If they are readings, name the table: table = 1.",
     )
 
 
@@ -274,40 +267,33 @@ def _refuse_ragged(tables: Sequence[RawTable], best: RawTable, file: str) -> Non
     total = sum(table.rows for table in tables)
     if len(tables) < 6 or best.rows > total / 2 or best.delimiter != ",":
         return
-    raise InputError(
-        Problem(
-            message="the rows have changing numbers of cells, as decimal commas between "
-            "delimiting commas give, and cannot be told apart",
-            remedy="Export with decimal points, or with semicolons or tabs between the columns.",
-            file=file,
-            line=int(best.lines[0]),
-        )
+    raise refused(
+        file,
+        "the rows have changing numbers of cells, as decimal commas between "
+        "delimiting commas give, and cannot be told apart",
+        "Export with decimal points, or with semicolons or tabs between the columns.",
+        line=int(best.lines[0]),
     )
 
 
 def _named(table: RawTable, choices: Choices, file: str) -> list[NamedColumn]:
     named, complaint = table.named(is_known)
     if _is_split(table, len(named)) and choices.travel is None:
-        raise InputError(
-            Problem(
-                message=f"its {len(named)} columns of whole numbers are what decimal commas make "
-                "of fewer columns where commas stand between the cells: each number was split in "
-                "two",
-                remedy="Export with decimal points, or with semicolons or tabs between the "
-                "columns.",
-                file=file,
-                line=int(table.lines[0]),
-            )
+        raise refused(
+            file,
+            f"its {len(named)} columns of whole numbers are what decimal commas make "
+            "of fewer columns where commas stand between the cells: each number was split in "
+            "two",
+            "Export with decimal points, or with semicolons or tabs between the columns.",
+            line=int(table.lines[0]),
         )
     if complaint and choices.travel is None:
-        raise InputError(
-            Problem(
-                message=f"{complaint}: it cannot be told which belongs to which",
-                remedy="Name the columns by number: --travel 1 --force 2 with their --unit, or "
-                "export with another delimiter or with decimal points.",
-                file=file,
-                line=int(table.lines[0]),
-            )
+        raise refused(
+            file,
+            f"{complaint}: it cannot be told which belongs to which",
+            "Name the columns by number: --travel 1 --force 2 with their --unit, or "
+            "export with another delimiter or with decimal points.",
+            line=int(table.lines[0]),
         )
     return named
 
@@ -373,39 +359,33 @@ def _refuse_factors(table: RawTable, file: str) -> None:
         if any(map(_FACTORS.match, said)) and any(
             looks_numeric(x) and x not in _NO_FACTOR for x in said
         ):
-            raise InputError(
-                Problem(
-                    message=f"a row of factors stands above the readings ({' '.join(said)}); it is "
-                    "not said whether they are taken into account",
-                    remedy="Multiply the readings by them if they are not, and delete that line.",
-                    file=file,
-                    line=line,
-                )
+            raise refused(
+                file,
+                f"a row of factors stands above the readings ({' '.join(said)}); it is "
+                "not said whether they are taken into account",
+                "Multiply the readings by them if they are not, and delete that line.",
+                line=line,
             )
 
 
 def _style(table: RawTable, choices: Choices, file: str) -> tuple[NumeralStyle, tuple[str, ...]]:
     if choices.decimal is not None:
         if choices.decimal not in {".", ","}:
-            raise InputError(
-                Problem(
-                    message="no decimal sign",
-                    remedy='Write "." or ",".',
-                    file=file,
-                    key="decimal",
-                    value=shown(choices.decimal),
-                )
-            )
-        if table.style is None or table.style.decimal == choices.decimal:
-            return NumeralStyle(choices.decimal), ()
-        raise InputError(
-            Problem(
-                message=f"the file shows the other one, in {table.style.proof}",
-                remedy="Leave the decimal sign out.",
-                file=file,
+            raise refused(
+                file,
+                "no decimal sign",
+                'Write "." or ",".',
                 key="decimal",
                 value=shown(choices.decimal),
             )
+        if table.style is None or table.style.decimal == choices.decimal:
+            return NumeralStyle(choices.decimal), ()
+        raise refused(
+            file,
+            f"the file shows the other one, in {table.style.proof}",
+            "Leave the decimal sign out.",
+            key="decimal",
+            value=shown(choices.decimal),
         )
     style = table.found_style(file, _NAME_DECIMAL)
     if style.decimal == ",":
@@ -444,9 +424,7 @@ def _kept_rows(
 
 def _no_rows(file: str, dropped: Sequence[Dropped]) -> InputError:
     reasons = "; ".join(f"{d.count} rows: {d.reason}" for d in dropped)
-    return InputError(
-        Problem(message=f"no row of the table can be used ({reasons})", remedy=_EXPORT, file=file)
-    )
+    return refused(file, f"no row of the table can be used ({reasons})", _EXPORT)
 
 
 def _info(name: str, unit: str, role: str, values: Array) -> ColumnInfo:

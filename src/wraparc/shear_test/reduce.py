@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError
+from wraparc.machine_tables import refused
 from wraparc.shear_test.noise import despiked, noise_level
 from wraparc.shear_test.record import Array, MachineRecord
 from wraparc.shear_test.record_faults import (
@@ -410,4 +411,4 @@ def _notes(
 
 def _refused(record: MachineRecord, message: str, remedy: str) -> InputError:
     line = int(record.lines[0]) if len(record.lines) else None
-    return InputError(Problem(message=message, remedy=remedy, file=record.file, line=line))
+    return refused(record.file, message, remedy, line=line)

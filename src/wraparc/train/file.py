@@ -8,7 +8,13 @@ from typing import Any, cast
 from wraparc.drive import DESIGN, Belt, Drive, Pulley
 from wraparc.errors import InputError, Problem, placed
 from wraparc.files.conditions import asking, build_conditions, in_each_condition
-from wraparc.files.drive_build import Laggings, build_belt, build_criteria, build_pulley
+from wraparc.files.drive_build import (
+    Laggings,
+    build_belt,
+    build_criteria,
+    build_pulley,
+    report_together,
+)
 from wraparc.files.drive_file import drive_from_document, overridden
 from wraparc.files.tensions import KEYS
 from wraparc.schema.overrides import Overrides, load
@@ -152,6 +158,13 @@ def train_from_document(
         message = "gives the tensions of one drive, and those of a train stand in [train]"
         report.add(("conveyor",), message, "Leave one of them out.")
     criteria = build_criteria(record, report)
+    train = record.get("train")
+    ends = (
+        [train[key] for key in ("entry_tension", "exit_tension") if key in train]
+        if isinstance(train, Record)
+        else []
+    )
+    report_together(belt_record, belt, pulleys, {"train": min(ends)} if ends else {}, report)
     report.raise_all()
     # nothing was reported, so nothing is None
     known = cast(Belt, belt), [cast(Pulley, p) for p in pulleys]

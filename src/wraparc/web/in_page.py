@@ -243,7 +243,7 @@ def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
     """
     arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
     load = load_of(given, arc, None)
-    geometry = geometry_of(arc, law.onset_compliance)
+    geometry = geometry_of(arc)
     found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
     return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
 

@@ -20,7 +20,7 @@ from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
 from wraparc.checks.usual import USUAL
-from wraparc.conveyor import GRAVITY
+from wraparc.conveyor import EMPTIEST, FULLEST, GRAVITY, STEEPEST, USUAL_CONVEYOR
 from wraparc.drive import (
     CASE_KINDS,
     CREEP_LIMIT,
@@ -36,7 +36,7 @@ from wraparc.drive.pitch import counts_shear
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
 from wraparc.friction import LAGGING_SHEAR
-from wraparc.present.checks_table import check_table
+from wraparc.present.checks_table import NOTE, check_table
 from wraparc.present.least_tension import least_name, least_table
 from wraparc.schema.source import Document, parse
 from wraparc.web.answers.book_parts import (
@@ -62,7 +62,7 @@ from wraparc.web.answers.book_words import (
 from wraparc.web.answers.documents import json_like
 from wraparc.web.answers.judging import Ask, Words, words_of
 from wraparc.web.answers.prepared import Law
-from wraparc.web.answers.shown import tables
+from wraparc.web.answers.shown import both, tables
 
 _NO_INTERVAL = (
     "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
@@ -118,7 +118,12 @@ def _whole() -> Book:
             "share": Sag.share,
             **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
         },
-        sizes={name: dict(ends) for name, ends in USUAL.items()},
+        sizes={
+            **{name: dict(ends) for name, ends in USUAL.items()},
+            "Conveyor": {key: ends for key, *ends in USUAL_CONVEYOR} | USUAL["Conveyor"],
+        },
+        load=(EMPTIEST, FULLEST),
+        steepest=STEEPEST,
         design=DESIGN,
         own={},
     )
@@ -302,14 +307,12 @@ def _standards(lagging: Lagging) -> Standards:
 
 def _heads() -> Heads:
     checks = tables([check_table(judge(probe()))], ["checks"])[0]
-    notes = {text: text.split(" Not checked: ")[0] for text in (checks.note.si, checks.note.us)}
-    bare = checks.note.model_copy(update={"si": notes[checks.note.si], "us": notes[checks.note.us]})
     least = {}
     for held, take_up in HELD.items():
         of = with_criteria(probe(), take_up=take_up)
         found = tables([least_table(of)], ["least"])[0]
         least[held] = found.model_copy(update={"rows": []})
-    return Heads(checks=checks.model_copy(update={"rows": [], "note": bare}), least=least)
+    return Heads(checks=checks.model_copy(update={"rows": [], "note": both(NOTE)}), least=least)
 
 
 def _number(value: float | None) -> float:

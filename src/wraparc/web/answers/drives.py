@@ -51,6 +51,7 @@ from wraparc.web.answers.shown import (
     sheet,
     status_of,
     tables,
+    texts,
 )
 from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
@@ -335,7 +336,7 @@ def _alone(answered: DriveResult, result: ArcResult) -> float | None:
 
 
 def _remarks(answered: DriveResult) -> list[Both]:
-    return [Both(si=text, us=text) for text in judge(answered).data]
+    return texts(judge(answered).data)
 
 
 def check(asked: CheckRequest) -> SheetAnswer:

@@ -992,7 +992,7 @@ const RESIDUAL = 2;
 const _PIECE = 0.25;
 const BREAKAWAY = 1;
 const TENSION = 0;
-const MESH = 3e-6;
+const MESH = 1e-6;
 const STIFF = 40.0;
 const FIRST_SLIDES = [0.5, 0.1, 0.01, 0.001];
 const FIRST_STEPS = 15;
@@ -1052,8 +1052,10 @@ const FIRST_GOAL = 0.01;
 const STEPS = 40;
 const LEAST_GROWTH = 1.01;
 const WIDER = 1.5;
-const LEAST_GUESS = 1e-7;
 const CLOSE = 0.001;
+const LEAST_GUESS = 1e-7;
+const NEARER = 0.01;
+const AWAY = 8.0;
 const UNSOLVED = 2;
 const RATIO_END = 1.0;
 const RECORD = 5;
@@ -1073,7 +1075,7 @@ const USUAL_SIZES = [
   [0.15, 3.0],
   [0.17453292519943295, 4.71238898038469],
   [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.03],
+  [5e-5, 0.061],
   [-0.002, 0.002],
   [0.0, 0.06],
   [100000.0, 50000000.0],
@@ -2828,7 +2830,7 @@ export function collocation__meshed(face, arc, at, kind, tol) {
 }
 
 /** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
-export function collocation__solved(face, arc, ends, start, tol = 3e-6) {
+export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
   let finer, new_;
   let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
   for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
@@ -2932,7 +2934,7 @@ export function collocation__softened(face, arc, ends, at, tol) {
 }
 
 /** `solved`, by continuation in what shears where Newton's method alone does not get there. */
-export function collocation__solved_or_softened(face, arc, ends, start, tol = 3e-6) {
+export function collocation__solved_or_softened(face, arc, ends, start, tol = 1e-6) {
   let found = collocation__solved(face, arc, ends, start, tol);
   if (found.done) {
     return found;
@@ -3204,10 +3206,11 @@ export function capacity___largest_at_creep(law, arc, tight) {
 /** Gross-slip capacity of a held tight side: ln(tight/slack), and the exit creep there [m]. */
 export function capacity__largest_ratio(law, arc, tight, softening) {
   let pressure = tight / (arc.width * arc.radius);
-  if (!softening) {
-    return [gross_slip__plateau_capacity(law, pressure, arc.wrap_angle), Infinity];
+  let plateau = gross_slip__plateau_capacity(law, pressure, arc.wrap_angle);
+  let residual = softening ? gross_slip__residual_capacity(law, pressure, arc.wrap_angle) : plateau;
+  if (residual >= plateau) {
+    return [plateau, Infinity];
   }
-  let residual = gross_slip__residual_capacity(law, pressure, arc.wrap_angle);
   if (!gross_slip__outweighs(law, arc, tight, residual)) {
     return [residual, Infinity];
   }
@@ -3219,34 +3222,54 @@ export function capacity__largest_ratio(law, arc, tight, softening) {
 
 /** Operating point by continuation in the creep at the exit, the tight side held. */
 export function answer___by_creep(law, arc, goal) {
-  let below, between, carried, ends, guess;
+  let below, between, carried, ends, guess, i, there;
   let tight = max(goal.entry, goal.leaving);
   let slack = min(goal.entry, goal.leaving);
   let asked = Math.log(tight / slack);
   let low = 0.0;
   let high = Infinity;
   let step = 3.0;
-  let creep = max(Math.abs(goal.creep), LEAST_GUESS);
+  let close = CLOSE;
+  let first = max(Math.abs(goal.creep), LEAST_GUESS);
   let near = null;
+  let found = false;
+  let creep = first;
   let met = meet__unmet(
     meet__interface(law, arc),
     collocation__first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep),
   );
   for (let each1 = 0, end1 = STEPS; each1 < end1; each1++) {
+    i = each1;
     ends = capacity__ends_at(arc, 1.0, 0.0, tight, new Limit(CREEP, creep));
     guess = Object.assign(Object.create(Object.getPrototypeOf(goal)), goal, {
       creep: arc.side * creep,
     });
     met = meet__meet(law, arc, ends, guess, near, ROUGH);
     if (met.done) {
-      near = met.course;
-      carried = Math.abs(Math.log(met.entry / near.tension.at(-1)));
-      if (Math.abs(carried - asked) < CLOSE * asked) {
-        break;
+      near = met.rest === 0.0 ? met.course : null;
+      found = true;
+      carried = capacity__log_ratio(met);
+      if (Math.abs(carried - asked) < close * asked) {
+        there = meet__meet(
+          law,
+          arc,
+          collocation__between_tensions(goal.entry, goal.leaving),
+          goal,
+          near,
+          MESH,
+        );
+        if (there.done) {
+          return there;
+        }
+        close *= NEARER;
       }
       below = carried < asked && (met.rest > 0.0 || capacity__growth(arc, met.slopes) > 0.0);
       [low, high] = below ? [creep, high] : [low, creep];
-    } else if (near === null || step < LEAST_GROWTH) {
+    } else if (!found) {
+      creep =
+        first * AWAY ** (modulo(i, 2) === 0 ? Math.floor((i + 2) / 2) : -Math.floor((i + 1) / 2));
+      continue;
+    } else if (step < LEAST_GROWTH) {
       high = creep;
     } else {
       step = Math.sqrt(step);
@@ -3254,11 +3277,7 @@ export function answer___by_creep(law, arc, goal) {
     between = low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
     creep = high < Infinity ? between : step * low;
   }
-  if (!met.done) {
-    return met;
-  }
-  ends = collocation__between_tensions(goal.entry, goal.leaving);
-  return meet__meet(law, arc, ends, goal, met.course, MESH);
+  return meet__unmet(meet__interface(law, arc), met.course);
 }
 
 /** Entry creep ratio g of a course [-]. */
@@ -4769,7 +4788,7 @@ export function in_page__covered_creep(law, given, cover) {
     }),
   );
   let load = in_page__load_of(given, arc, null);
-  let geometry = summary__geometry_of(arc, law.onset_compliance);
+  let geometry = summary__geometry_of(arc);
   let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }

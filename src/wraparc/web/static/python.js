@@ -201,7 +201,8 @@ export function $at(of, key) {
     if (!of.has(key)) throw new $KeyError(key);
     return of.get(key);
   }
-  const found = typeof of === "string" ? letters(of) : of.$found ? of.$found : [...of];
+  const found =
+    typeof of === "string" ? letters(of) : (of.$found ?? (Array.isArray(of) ? of : [...of]));
   return typeof key === "number" ? (found.at(key) ?? null) : (found.groups?.[key] ?? null);
 }
 export const $put = (of, key, value) => {
@@ -517,6 +518,7 @@ export const $b = {
     throw new $StopIteration();
   },
   iter: (x) => [...$iter(x)][Symbol.iterator](),
+  reversed: (x) => [...$iter(x)].reverse(),
   ord: (x) => x.codePointAt(0),
   type: (x) => x.constructor,
   getattr: (x, name, other) => (x[name] === undefined ? (other ?? null) : x[name]),

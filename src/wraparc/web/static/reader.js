@@ -29,6 +29,7 @@ if (($in("conveyor", document))) {
 } else {
 (cases = drive_file___load_cases(record, records, belt, $bound(criteria, "take_up"), report));
 }
+drive_build__report_together(belt_record, belt, pulleys, drive__least_tensions(cases), report);
 report.raise_all();
 (parts = $map([...(function* () { for (const key of $iter(["title", "description", "creep_limit"])) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return report.sure((() => $call(Drive, [], [["belt", belt], ["pulleys", $b.tuple((function* () { for (const pulley of $iter(pulleys)) { yield pulley; } })())], ["load_cases", conditions__in_each_condition(cases, conditions)], ["criteria", criteria], ["conveyor", conveyor], ...parts])));
@@ -60,7 +61,7 @@ source__check_format(document, file);
 return [table.read(document, [], report), report];
 }
 function drive_build__build_belt(record, report) {
-let built, more, own, place, preset, published, remedy, sources;
+let built, more, own, place, preset, published, remedy, rest, sources;
 
 (sources = origins__read_sources(record, (function* () { for (const e of $iter($c1)) { yield e.key; } })(), report));
 (own = $or(origins__own_provenance(record, report), () => new Provenance()));
@@ -86,6 +87,10 @@ return null;
 }
 (more = $map([...(function* () { for (const [key, v] of $iter($m.items(more))) { if (!((($eq(key, "provenance")) || (!$in(key, record))))) continue; yield [key, v]; } })()]));
 (built = $method($c5, "built", [record, report], [["sources", sources], ...more]));
+if (((built == null) && (record.faulty <= new Set([...$iter($c6), "thickness", "mass", "cover_shear_modulus"])))) {
+(rest = $map([...(function* () { for (const [key, value] of $iter($m.items(record))) { if (!((!$eq(key, "thickness")))) continue; yield [key, value]; } })()]));
+(built = $method($c5, "built", [new Record(rest, $bound(record, "place"), $bound(record, "raw")), new Report()], [["sources", $map([])], ...more]));
+}
 return built;
 }
 function origins__read_sources(record, keys, report) {
@@ -196,7 +201,7 @@ return new InputError($call(Problem, [], [["message", ("" + "the catalogue has n
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
 
-(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c6))) continue; yield row; } })()]);
+(rows = [...(function* () { for (const row of $iter($m.get(record, "condition", []))) { if (!((row !== $c7))) continue; yield row; } })()]);
 (main = [...(function* () { for (const row of $iter(rows)) { yield [conditions__condition_of(row, report), ["condition"]]; } })()]);
 for (problem of $iter(drive__repeated("condition", (function* () { for (const [condition, _] of $iter(main)) { yield condition.name; } })()))) {
 report.take(new InputError(problem), []);
@@ -212,7 +217,7 @@ return $call(Condition, [], [["name", $b.str(value)]]);
 }
 (factors = $m.get(value, "friction_factors", $map([])));
 (source = $or(origins__own_provenance(value, report), () => new Provenance()));
-(made = $method($c7, "built", [value, report], [["factors", factors], ["source", source]]));
+(made = $method($c8, "built", [value, report], [["factors", factors], ["source", source]]));
 return $or(made, () => $call(Condition, [], [["name", $b.str($m.get(value, "name", "dry"))]]));
 }
 function drive__repeated(key, names) {
@@ -227,7 +232,7 @@ return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter
 function drive_build__build_pulley(record, laggings, conditions, report) {
 let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
 
-(sources = origins__read_sources(record, (function* () { for (const e of $iter($c8)) { yield e.key; } })(), report));
+(sources = origins__read_sources(record, (function* () { for (const e of $iter($c9)) { yield e.key; } })(), report));
 (laws = []);
 if (($in("lagging", record))) {
 (laws = laggings.of($at(record, "lagging"), [...$iter(record.place), "lagging"]));
@@ -253,7 +258,7 @@ if (($in("belt_path", record))) {
 if ((wrap == null)) {
 return null;
 }
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c28], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
 }
 if (($in("across", record))) {
 (found_before = $b.len($bound(report, "problems")));
@@ -262,7 +267,7 @@ if (($b.len($bound(report, "problems")) > found_before)) {
 return null;
 }
 }
-(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+(built = $method($c32, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
 return built;
 }
 function conditions__at_its_place(condition, laws) {
@@ -290,7 +295,7 @@ if ((!$truth($b.isinstance(path, Record)) || !$truth(path.sound()) || (!$in("dia
 return null;
 }
 function point(given, more = new Map()) {
-return $call(Point, [], [...$map([...(function* () { for (const key of $iter($c9)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
+return $call(Point, [], [...$map([...(function* () { for (const key of $iter($c10)) { if (!(($in(key, given)))) continue; yield [key, $at(given, key)]; } })()]), ...more]);
 }
 $sig(point, ["given"], true);
 (own = $call(point, [path], [["diameter", $at(record, "diameter")]]));
@@ -321,12 +326,12 @@ return $once(display___shown, $kept_display___shown)(value, dimension, system, d
 }
 function display___shown(value, dimension, system, digits) {
 let bound, larger, larger_unit, number, size, unit;
-([unit, larger] = $at($at($c10, system), dimension));
+([unit, larger] = $at($at($c11, system), dimension));
 if (($eq(dimension, "temperature"))) {
 return ("" + $str(display___rounded(display___degrees(value, unit), digits)) + " " + $str(unit));
 }
 (number = (value / parse__unit_factor(unit, dimension)));
-if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c26)))) {
+if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c27)))) {
 (number = 0.0);
 }
 (size = $b.abs($b.float(display___rounded(number, digits))));
@@ -346,7 +351,7 @@ return ($sub(kelvin, zero) / $sub(parse__parse_quantity(("" + "1 " + $str(unit))
 function parse__parse_quantity(value, dimension) {
 let kind, problem;
 
-(kind = $at($c11, dimension));
+(kind = $at($c12, dimension));
 if (($truth($b.isinstance(value, "int", "float")) && !$truth($b.isinstance(value, "bool")))) {
 if (($eq(dimension, "number"))) {
 return numbers__finite(value, value);
@@ -382,7 +387,7 @@ return new InputError($call(Problem, [], [["message", message], ["remedy", remed
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
-(kind = $at($c11, dimension));
+(kind = $at($c12, dimension));
 (message = ("" + "no unit, where " + $str(kind.name) + " is needed"));
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
@@ -406,13 +411,13 @@ if (($b.len(text) > 80)) {
 throw numbers___refused(text, ("" + "longer than " + $str(80) + " characters"), "Shorten it.");
 }
 (stripped = $m.strip(text));
-(match = $m.match($c12, stripped));
+(match = $m.match($c13, stripped));
 if ((match == null)) {
 throw numbers___malformed(text, stripped);
 }
 (rest = $m.strip($slice(stripped, $m.end(match), null)));
-(inverse_unit = $and(($m.end(match) < $b.len(stripped)), () => $m.match($c18, rest)));
-if (($truth(rest) && ($truth($m.match($c19, rest)) || $truth($m.isdecimal($at(rest, 0)))) && !$truth(inverse_unit))) {
+(inverse_unit = $and(($m.end(match) < $b.len(stripped)), () => $m.match($c19, rest)));
+if (($truth(rest) && ($truth($m.match($c20, rest)) || $truth($m.isdecimal($at(rest, 0)))) && !$truth(inverse_unit))) {
 throw numbers___malformed(text, stripped);
 }
 return [numbers___decimal($m.group(match), text), rest];
@@ -420,13 +425,13 @@ return [numbers___decimal($m.group(match), text), rest];
 function numbers___malformed(text, stripped) {
 let digits, head, message, rest;
 
-(head = $m.match($c13, stripped));
+(head = $m.match($c14, stripped));
 (digits = ($truth(head) ? $m.strip($m.group(head)) : ""));
 (rest = ($truth(head) ? $m.strip($slice(stripped, $b.len($m.group(head)), null)) : ""));
 if (!$truth(stripped)) {
 return numbers___refused(text, "empty, where a number is needed", "Write a number.");
 }
-if ($truth($m.match($c14, stripped))) {
+if ($truth($m.match($c15, stripped))) {
 return numbers___refused(text, "not a finite number", "Give the size that was measured or meant.");
 }
 if ($truth($b.any((function* () { for (const c of $iter(stripped)) { yield $and($m.isdecimal(c), () => !$truth($m.isascii(c))); } })()))) {
@@ -436,9 +441,9 @@ if (($in(",", digits))) {
 (message = "a comma can mean a decimal point or a thousands separator");
 return numbers___refused(text, message, numbers___write(numbers___comma_readings(digits), rest));
 }
-if (($truth($m.search($c16, digits)) && (!$in("/", digits)))) {
+if (($truth($m.search($c17, digits)) && (!$in("/", digits)))) {
 (message = "digits in groups can be read as one number or as several");
-return numbers___refused(text, message, numbers___write([$m.sub($c16, "", digits)], rest));
+return numbers___refused(text, message, numbers___write([$m.sub($c17, "", digits)], rest));
 }
 if (($in("/", digits))) {
 return numbers___refused(text, "a fraction, where a decimal number is needed", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
@@ -451,11 +456,11 @@ return numbers___refused(text, "does not begin with one plain number", "Use the 
 function numbers___comma_readings(digits) {
 let _, bare_whole, decimal, decimals, exponent, joined, power, readings, whole;
 
-(exponent = $m.search($c15, digits));
+(exponent = $m.search($c16, digits));
 (power = ($truth(exponent) ? $m.group(exponent) : ""));
-(joined = $m.sub($c16, "", $m.removesuffix(digits, power)));
+(joined = $m.sub($c17, "", $m.removesuffix(digits, power)));
 ([whole, _, decimals] = $m.rpartition(joined, ","));
-(bare_whole = $m.sub($c17, "", whole));
+(bare_whole = $m.sub($c18, "", whole));
 (readings = [$m.replace(joined, ",", "")]);
 if (((!$in(",", whole)) && (!$in(".", decimals)))) {
 (decimal = ("" + $str(bare_whole) + "." + $str(decimals)));
@@ -464,14 +469,14 @@ if (((!$in(",", whole)) && (!$in(".", decimals)))) {
 return [...(function* () { for (const reading of $iter(readings)) { yield $add(reading, power); } })()];
 }
 function numbers___write(readings, rest) {
-if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c12, reading); } })()))) {
+if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c13, reading); } })()))) {
 return "Use the digits 0-9, a point for decimals, and nothing between thousands.";
 }
 return $add($add("Write ", $m.join(" or ", (function* () { for (const r of $iter(readings)) { yield $shown($m.strip(("" + $str(r) + " " + $str(rest)))); } })())), ".");
 }
 function numbers___decimal(digits, given) {
 let exponent;
-(exponent = $m.search($c15, digits));
+(exponent = $m.search($c16, digits));
 if (((exponent != null) && ($b.len($m.lstrip($m.group(exponent, 1), "0")) > 4))) {
 throw numbers___refused(given, "its exponent is out of range", "Check the exponent.");
 }
@@ -479,7 +484,7 @@ return $b.Decimal(digits);
 }
 function parse___checked_unit(text, dimension, given) {
 let error, found, kind, measured, message, unit;
-(kind = $at($c11, dimension));
+(kind = $at($c12, dimension));
 try {
 (unit = $once(parse___resolve, $kept_parse___resolve)(text));
 } catch ($error) {
@@ -490,7 +495,7 @@ throw parse___refused(given, $b.str(error), $bound(error, "remedy"));
 }
 if ((!$eq(unit.powers, $once(parse___powers, $kept_parse___powers)(dimension)))) {
 (measured = parse__dimension_of(text));
-(found = ($truth(measured) ? $at($c11, measured).name : "of no dimension used here"));
+(found = ($truth(measured) ? $at($c12, measured).name : "of no dimension used here"));
 (message = ("" + $str(found) + ", where " + $str(kind.name) + " is needed"));
 throw parse___refused(given, message, ("" + "Write for example " + $str($shown($bound(kind, "example"))) + "."));
 }
@@ -503,9 +508,9 @@ const $kept_parse___resolve = new Map();
 function parse___units() {
 let definition, known, of, size, unit;
 
-(size = $b.len($c20));
-(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c20))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
-for (definition of $iter($c21)) {
+(size = $b.len($c21));
+(known = $map([...(function* () { for (const [i, name] of $iter($b.enumerate($c21))) { yield [name, new Unit($b.Decimal(1), $b.tuple((function* () { for (const j of $iter($b.range(size))) { yield $b.int(($eq(i, j))); } })()))]; } })()]));
+for (definition of $iter($c22)) {
 (of = parse___evaluate($bound(definition, "unit"), known));
 (unit = new Unit($mul(definition.factor, of.factor), $bound(of, "powers"), $bound(definition, "zero")));
 $m.update(known, $b.fromkeys(definition.names, unit));
@@ -515,21 +520,21 @@ return known;
 const $kept_parse___units = new Map();
 function parse___evaluate(text, known) {
 let factors, match, message, name, over, plain, power, powers, product, under, unit;
-(plain = $m.replace($m.strip($m.translate(text, $c22)), "**", "^"));
+(plain = $m.replace($m.strip($m.translate(text, $c23)), "**", "^"));
 if (($in(plain, known))) {
 return $at(known, plain);
 }
-(match = (($b.len(plain) <= 40) ? $m.fullmatch($c23, plain) : null));
+(match = (($b.len(plain) <= 40) ? $m.fullmatch($c24, plain) : null));
 if ((match == null)) {
 throw new _UnitTextError(("" + "the unit " + $str($shown(text)) + " cannot be read"), "Write a product of units with at most one '/', a product below it in brackets: \"kN/m\", \"N m\", \"mm3/(N m)\".");
 }
 ([over, under] = [$or($at(match, "over"), () => ""), $or($at(match, "one"), () => $or($at(match, "under"), () => ""))]);
-(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c24, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
-(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c24, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
+(factors = [...(function* () { for (const [name, power] of $iter($m.findall($c25, over))) { yield [name, $b.int($or(power, () => 1))]; } })()]);
+(factors = $add(factors, [...(function* () { for (const [name, power] of $iter($m.findall($c25, under))) { yield [name, $neg($b.int($or(power, () => 1)))]; } })()]));
 if ((($eq($b.len(factors), 1)) && ($eq($at($at(factors, 0), 1), 1)))) {
 return parse___named($at($at(factors, 0), 0), known);
 }
-(product = new Unit($b.Decimal(1), $mul([0], $b.len($c20))));
+(product = new Unit($b.Decimal(1), $mul([0], $b.len($c21))));
 for ([name, power] of $iter(factors)) {
 (unit = parse___named(name, known));
 if ($truth(unit.zero)) {
@@ -556,7 +561,7 @@ if ($truth(meant)) {
 throw new _UnitTextError(("" + "unknown unit " + $str($shown(name))), remedy);
 }
 function parse___powers(dimension) {
-return $once(parse___resolve, $kept_parse___resolve)($bound($at($c11, dimension), "si_unit")).powers;
+return $once(parse___resolve, $kept_parse___resolve)($bound($at($c12, dimension), "si_unit")).powers;
 }
 const $kept_parse___powers = new Map();
 function parse__dimension_of(unit) {
@@ -572,7 +577,7 @@ return null;
 if ((($in("J", unit)) && ($eq(powers, $once(parse___powers, $kept_parse___powers)("energy_per_area"))))) {
 return "energy_per_area";
 }
-return $b.next((function* () { for (const name of $iter($c25)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
+return $b.next((function* () { for (const name of $iter($c26)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
 function display___rounded(number, digits) {
 let exponent, given, rounded, whole;
@@ -634,8 +639,8 @@ let built, ends;
 if (!$truth($b.isinstance(record, Record))) {
 return null;
 }
-(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
-(built = $method($c30, "built", [record, report], [...ends]));
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c29], ["after", $c30]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c31, "built", [record, report], [...ends]));
 return built;
 }
 function across_keys__check_width(pulleys, belt, report) {
@@ -661,7 +666,7 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 function drive_build__build_criteria(record, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($c33)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
@@ -676,7 +681,7 @@ report.take(new InputError(problem), []);
 if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
-(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c34)); } })())));
 (speed = $m.get(belt, "speed"));
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
@@ -867,12 +872,12 @@ return new LoadFault(message, ($truth(inherited) ? remedy : "Leave one of them o
 }
 function tension_rules__effective_keys(of) {
 
-return [...(function* () { for (const key of $iter($c34)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
+return [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
 }
 function tension_rules__families(of) {
 let keys, pulls;
 
-(keys = [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
+(keys = [...(function* () { for (const key of $iter($c36)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
 (pulls = tension_rules__effective_keys(of));
 if (($b.len(pulls) > 0)) {
 $m.append(keys, $at(pulls, 0));
@@ -906,7 +911,7 @@ let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c36))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c37))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
 return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
 } catch ($error) {
 if ($error instanceof InputError) {
@@ -991,7 +996,7 @@ function conveyor_build___refuse_tensions(record, pulleys, report) {
 let key, pulley;
 
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
 }
 }
@@ -1007,7 +1012,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c37, "built", [given, report], [...more]));
+(conveyor = $method($c38, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -1021,7 +1026,7 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c38)) {
+for ([first, second, example] of $iter($c39)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
 $m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
@@ -1032,7 +1037,7 @@ $m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], 
 }
 }
 }
-for (key of $iter($c39)) {
+for (key of $iter($c40)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
@@ -1049,6 +1054,51 @@ let kind, made, tensions, why;
 (kind = state.kind);
 return $call(LoadCase, [], [["name", state.name], ["tensions", $map([[pulley, tensions]])], ["kind", kind]]);
 }
+function drive__least_tensions(cases) {
+
+return $map([...(function* () { for (const case_ of $iter(cases)) { yield [("" + "load_case." + $str(case_.name)), $b.min((function* () { for (const t of $iter($m.values(case_.tensions))) { yield $b.min($bound(t, "entry"), $bound(t, "exit")); } })(), $k({default: Infinity}))]; } })()]);
+}
+function drive_build__report_together(record, belt, pulleys, tensions, report) {
+let found;
+
+if ((!$truth(report.problems) || (belt == null) || !$truth($b.isinstance(record, Record)))) {
+return null;
+}
+(found = [...(function* () { for (const [key, least] of $iter($m.items(tensions))) { for (const p of $iter(drive__flying_problems(belt, key, least))) { yield p; }} })()]);
+if ($truth(record.sound(...$iter($c6), "thickness"))) {
+(found = $add(found, drive__side_problems(belt, [...(function* () { for (const pulley of $iter(pulleys)) { if (!((pulley != null))) continue; yield pulley; } })()])));
+}
+if ($truth(found)) {
+report.take(new InputError(found), []);
+}
+}
+function drive__flying_problems(belt, key, least) {
+let force;
+
+(force = pitch__centrifugal_of(belt));
+if ((force < least)) {
+return [];
+}
+return [$call(Problem, [], [["message", ("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force")))], ["remedy", "Give the mass of a metre of belt, not that of the whole belt."], ["key", key]])];
+}
+function pitch__centrifugal_of(belt) {
+
+if (((belt.mass == null) || (belt.speed == null))) {
+return 0.0;
+}
+return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
+}
+function pitch__centrifugal_force(mass, speed) {
+
+return $mul($mul(mass, speed), speed);
+}
+function drive__side_problems(belt, pulleys) {
+
+if ($truth($b.all((function* () { for (const key of $iter([...$iter($c6), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
+return [];
+}
+return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield $call(Problem, [], [["message", "the pulley meets the carry side, and carry_cover of the belt is not given"], ["remedy", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers."], ["key", ("" + "pulley." + $str(pulley.name) + ".side")], ["value", $shown($bound(pulley, "side"))]]); } })()];
+}
 function conditions__in_each_condition(cases, conditions) {
 let case_, found, names, split;
 
@@ -1064,14 +1114,14 @@ for (case_ of $iter(cases)) {
 return $b.tuple(found);
 }
 function file__train_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
-let belt, belt_record, cases, conditions, criteria, drive, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told;
+let belt, belt_record, cases, conditions, criteria, drive, ends, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told, train;
 
 (document = $call(overridden, [document, overrides], [["file", file]]));
 if ((!$in("train", document))) {
 (drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c40, document, file));
+([record, report] = source__read_tables($c41, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1085,6 +1135,9 @@ if (($in("conveyor", record))) {
 report.add(["conveyor"], message, "Leave one of them out.");
 }
 (criteria = drive_build__build_criteria(record, report));
+(train = $m.get(record, "train"));
+(ends = ($truth($b.isinstance(train, Record)) ? [...(function* () { for (const key of $iter(["entry_tension", "exit_tension"])) { if (!(($in(key, train)))) continue; yield $at(train, key); } })()] : []));
+drive_build__report_together(belt_record, belt, pulleys, ($truth(ends) ? $map([["train", $b.min(ends)]]) : $map([])), report);
 report.raise_all();
 (known = [belt, [...(function* () { for (const p of $iter(pulleys)) { yield p; } })()]]);
 (reader = new Reader(record, ...$iter(known), report, $bound(criteria, "take_up")));
@@ -1109,7 +1162,7 @@ let case_, key, message, pulley, remedy;
 
 (message = "the tensions of single pulleys follow from [train]");
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
 }
 }
@@ -1142,7 +1195,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c41, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($c42, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1204,17 +1257,6 @@ let total;
 (total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
 return ($truth($math.isnan(total)) ? null : total);
 }
-function pitch__centrifugal_of(belt) {
-
-if (((belt.mass == null) || (belt.speed == null))) {
-return 0.0;
-}
-return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
-}
-function pitch__centrifugal_force(mass, speed) {
-
-return $mul($mul(mass, speed), speed);
-}
 function* of_data__weak_sources(drive, pulley) {
 let belt, lagging, owners, source, told, what;
 
@@ -1254,7 +1296,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c42, key))) {
+for ([name, position] of $iter($m.findall($c43, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -1274,7 +1316,7 @@ if (($truth($b.isinstance(step, "int")) && $truth($b.isinstance(raw, "Sequence")
 if (($truth($b.isinstance(raw, "Mapping")) && ($in(step, raw)))) {
 (raw = $at(raw, step));
 } else {
-return $c6;
+return $c7;
 }
 }
 }
@@ -1284,10 +1326,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c43, report));
-(common = $map([...(function* () { for (const key of $iter($c44)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c44, report));
+(common = $map([...(function* () { for (const key of $iter($c45)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c45.built($m.get(record, "cost"), report));
+$put(common, "cost", $c46.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -1306,8 +1348,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c46)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c46)))) {
+(given = [...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c47)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -1329,7 +1371,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c48)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -1351,7 +1393,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c48, "built", [shape, report], [...height]));
+(block = $method($c49, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -1390,7 +1432,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c49, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c50, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -1408,7 +1450,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c56.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c57.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -1417,7 +1459,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c50, $map([["pressure", $m.get($c51, kind, "tested_pressure")]])));
+(names = $merged($c51, $map([["pressure", $m.get($c52, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -1426,7 +1468,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c52, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c53, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -1609,7 +1651,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c53;
+return $c54;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -1710,7 +1752,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c54], ["temperature", $c55]])) {
+for ([key, table] of $iter([["slip_speed", $c55], ["temperature", $c56]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -1769,7 +1811,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c57, document, file));
+([record, report] = source__read_tables($c58, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -1805,7 +1847,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c59)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c60)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -1832,11 +1874,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -1853,7 +1895,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function tension_rules__overridden(of, over, fixed, at, runs) {
@@ -1910,22 +1952,6 @@ return $call(Problem, [], [["key", ("" + "load_case." + $str(case_.name))], ["me
 function drive__condition_problems(case_, condition, pulleys) {
 
 return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield $call(Problem, [], [["key", ("" + "load_case." + $str(case_) + ".condition")], ["value", $shown(condition)], ["message", ("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition")]]); } })()];
-}
-function drive__side_problems(belt, pulleys) {
-
-if ($truth($b.all((function* () { for (const key of $iter([...$iter($c63), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
-return [];
-}
-return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield $call(Problem, [], [["message", "the pulley meets the carry side, and carry_cover of the belt is not given"], ["remedy", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers."], ["key", ("" + "pulley." + $str(pulley.name) + ".side")], ["value", $shown($bound(pulley, "side"))]]); } })()];
-}
-function drive__flying_problems(belt, key, least) {
-let force;
-
-(force = pitch__centrifugal_of(belt));
-if ((force < least)) {
-return [];
-}
-return [$call(Problem, [], [["message", ("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force")))], ["remedy", "Give the mass of a metre of belt, not that of the whole belt."], ["key", key]])];
 }
 function train___count_problems(key, values, count) {
 let message;
@@ -2096,6 +2122,10 @@ throw new InputError(failed);
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
 }
+function trend___exp(power) {
+
+return ((power < 709.0) ? $math.exp(power) : Infinity);
+}
 function coefficients___list(values, unit = "") {
 return $add($m.join(", ", (function* () { for (const v of $iter(values)) { yield ("" + $format(v, ("" + "g"))); } })()), ($truth(unit) ? ("" + " " + $str(unit)) : ""));
 }
@@ -2155,7 +2185,7 @@ if ($truth(entry.example)) {
 return ("" + "Write " + $str(entry.example) + ".");
 }
 if ($truth($b.isinstance(kind, Quantity))) {
-return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c11, kind.dimension), "example"))) + ".");
+return ("" + "Write for example " + $str(entry.key) + " = " + $str($shown($bound($at($c12, kind.dimension), "example"))) + ".");
 }
 if ($truth($b.isinstance(kind, Choice))) {
 return ("" + "Write " + $str(entry.key) + " = " + $str($shown($at(kind.options, 0))) + " or another of its words.");
@@ -2173,7 +2203,7 @@ return $b.all($b.map(tables___sound, $m.values(value)));
 if ($truth($b.isinstance(value, "list"))) {
 return $b.all($b.map(tables___sound, value));
 }
-return (value !== $c6);
+return (value !== $c7);
 }
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
@@ -2227,6 +2257,26 @@ function resistance__inertia(acceleration, length, moving) {
 
 return $mul($mul(acceleration, length), moving);
 }
+function fit___has_no_negative(covariance, rounding) {
+let before, given, i, j, lower, rest, row, scale;
+
+(scale = [...(function* () { for (const [i, row] of $iter($b.enumerate(covariance))) { yield $or($math.sqrt($b.abs($at(row, i))), () => 1.0); } })()]);
+(lower = []);
+for ([i, given] of $iter($b.enumerate(covariance))) {
+(row = []);
+for (j of $iter($b.range($add(i, 1)))) {
+(before = ((j < i) ? $at(lower, j) : row));
+(rest = $add(($at(given, j) / $mul($at(scale, i), $at(scale, j))), (($eq(i, j)) ? rounding : 0.0)));
+(rest = $sub(rest, $math.fsum((function* () { for (const [a, b] of $iter($b.zip(row, $slice(before, null, j), $k({strict: true})))) { yield $mul(a, b); } })())));
+if ((($eq(i, j)) && (rest <= 0.0))) {
+return false;
+}
+$m.append(row, (($eq(i, j)) ? $math.sqrt(rest) : (rest / $at($at(lower, j), j))));
+}
+$m.append(lower, row);
+}
+return true;
+}
 function motors___rpm(speed) {
 return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
 }
@@ -2249,12 +2299,12 @@ if (($eq(parse__parse_quantity(text, dimension), value))) {
 return text;
 }
 }
-return ("" + $repr(value) + " " + $str($at($c11, dimension).si_unit));
+return ("" + $repr(value) + " " + $str($at($c12, dimension).si_unit));
 }
 function display__display_unit(dimension, system = "si") {
 let unit;
 
-(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c10, system), dimension), 0)));
+(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c11, system), dimension), 0)));
 return [unit, parse__unit_factor(unit, dimension)];
 }
 class Problem extends $Object {
@@ -2295,17 +2345,17 @@ const self = this; (self.file = file);
 (self.problems = []);
 (self._left_out = 0);
 }
-add(place, message, remedy = "", value = $c6) {
+add(place, message, remedy = "", value = $c7) {
 const self = this; let given;
 
 if ($truth(self.full)) {
 (self._left_out = $add(self._left_out, 1));
 return null;
 }
-(given = ((value === $c6) ? "" : $shown(value)));
+(given = ((value === $c7) ? "" : $shown(value)));
 self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", problems__place_text(place)], ["value", given]]));
 }
-take(error, place, raw = $c6, names = null) {
+take(error, place, raw = $c7, names = null) {
 const self = this; let below, given, key, problem, value;
 
 for (problem of $iter(error.problems)) {
@@ -2315,7 +2365,7 @@ continue;
 }
 (below = problems___renamed($bound(problem, "key"), $or(names, () => $map([]))));
 (given = problems__value_at(raw, below));
-(value = ((given === $c6) ? problem.value : $shown(given)));
+(value = ((given === $c7) ? problem.value : $shown(given)));
 if ($truth($b.isinstance(given, "list", "dict"))) {
 (value = problem.value);
 }
@@ -2323,7 +2373,7 @@ if ($truth($b.isinstance(given, "list", "dict"))) {
 self._append($replaced(problem, new Map([["key", key], ["value", value], ["file", self.file]])));
 }
 }
-tried(make, place, raw = $c6, names = null) {
+tried(make, place, raw = $c7, names = null) {
 const self = this; let error;
 
 try {
@@ -2460,7 +2510,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c58)) {
+for (group of $iter($c59)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -2528,7 +2578,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -2627,19 +2677,19 @@ $init(name, place, values, raw, diameter, inherited = []) { this.name = name; th
 static of(name, record, diameter) {
 const cls = this; let values;
 
-(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c34)) { yield $m.get(record, key); } })())));
 return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
 }
 at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c61) {
+overridden(record, fixed = false, speed = null, runs = $c62) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
 (values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
-(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
+(own = $b.zip($c34, values, $bound(self, "values"), $k({strict: true})));
 (kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
 return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
 }
@@ -2671,7 +2721,7 @@ class LoadCase extends $Object {
 $init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c62]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c63]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -2709,7 +2759,7 @@ if ((pulley.across != null)) {
 limits__raise_all(problems);
 }
 _mass_problems() {
-const self = this; let case_, least, mass, other, problems;
+const self = this; let key, least, mass, other, problems;
 
 (problems = []);
 (mass = self.belt.mass);
@@ -2720,9 +2770,8 @@ if (((self.conveyor != null) && ($b.abs($sub((self.conveyor.belt_mass / mass), 1
 (other = display__display($bound(self.conveyor, "belt_mass"), "mass_per_length"));
 $m.append(problems, $call(Problem, [], [["message", ("" + "the belt of [conveyor] has belt_mass = " + $str(other))], ["remedy", "Both are the mass of a metre of belt: give one, or the same twice."], ["key", "belt.mass"], ["value", display__display(mass, "mass_per_length")]]));
 }
-for (case_ of $iter(self.load_cases)) {
-(least = $b.min((function* () { for (const t of $iter($m.values(case_.tensions))) { yield $b.min($bound(t, "entry"), $bound(t, "exit")); } })(), $k({default: Infinity})));
-(problems = $add(problems, drive__flying_problems($bound(self, "belt"), ("" + "load_case." + $str(case_.name)), least)));
+for ([key, least] of $iter($m.items(drive__least_tensions($bound(self, "load_cases"))))) {
+(problems = $add(problems, drive__flying_problems($bound(self, "belt"), key, least)));
 }
 return problems;
 }
@@ -2876,7 +2925,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c61, self._take_up.fixed]);
+([runs, fixed] = [$c62, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -2889,7 +2938,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c34), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c35), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -2975,7 +3024,7 @@ _powers(record) {
 const self = this; let values;
 
 (values = $m.get(record, "share"));
-if ((!$truth(values) || ($in($c6, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
+if ((!$truth(values) || ($in($c7, values)) || (!$eq($at($at(values, 0), 0), "power")) || !$truth(self.belt.speed))) {
 return null;
 }
 return ($math.fsum((function* () { for (const [_, value] of $iter(values)) { yield value; } })()) / self.belt.speed);
@@ -3080,6 +3129,16 @@ const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
 base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
+at(pressure) {
+const self = this; let c, exponential, logarithmic, v, y;
+
+([logarithmic, exponential] = $at($c597, self.form));
+([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
+for (c of $iter($b.reversed($bound(self, "coefficients")))) {
+(y = $add(c, $mul(y, v)));
+}
+return ($truth(exponential) ? $mul(self.sign, trend___exp(y)) : y);
+}
 times(factor) {
 const self = this; let c;
 
@@ -3104,13 +3163,39 @@ if ($truth(problems)) {
 throw new InputError(problems);
 }
 }
-
+_piece_problems(i) {
+const self = this; let a, b, bad, high, key, low, piece, places, residual, slope, where, worst;
+([low, high] = $slice(self.pressure, i, $add(i, 2)));
+(places = [...(function* () { for (const k of $iter($b.range(101))) { yield $add(low, ($mul($sub(high, low), k) / 100.0)); } })()]);
+(piece = $at(self.pieces, i));
+(where = ("" + "between " + $format(low, ("" + "g")) + " and " + $format(high, ("" + "g")) + " Pa"));
+(key = ("" + "pieces[" + $str($add(i, 1)) + "]"));
+([a, b] = [[...(function* () { for (const p of $iter(places)) { yield piece.a.at(p); } })()], [...(function* () { for (const p of $iter(places)) { yield piece.b.at(p); } })()]]);
+(slope = [...(function* () { for (const p of $iter(places)) { yield piece.post_peak_slope.at(p); } })()]);
+(residual = [...(function* () { for (const p of $iter(places)) { yield piece.residual_friction.at(p); } })()]);
+(bad = []);
+if (!$truth($b.all((function* () { for (const v of $iter(a)) { yield $and($math.isfinite(v), () => (v < 0.0)); } })()))) {
+(worst = $b.max([...(function* () { for (const v of $iter(a)) { if (!(($eq(v, v)))) continue; yield v; } })()], $k({default: NaN})));
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".a")], ["value", ("" + $format(worst, ("" + "g")) + " 1/m")], ["message", ("" + "A must be negative " + $str(where) + ", else the law gives no positive friction")]]));
+} else {
+if (!$truth($b.all((function* () { for (const [u, v] of $iter($b.zip(a, b, $k({strict: true})))) { yield $and((-700.0 <= $sub((v / u), 1.0) && $sub((v / u), 1.0) < 709.0), () => (1e-09 <= $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) && $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) <= 1000.0)); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".b")], ["value", ("" + $format($at(b, 0), ("" + "g")) + " 1/m")], ["message", ("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where))]]));
+}
+}
+if (!$truth($b.all((function* () { for (const v of $iter(slope)) { yield (v <= 0.0); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".post_peak_slope")], ["value", ("" + $format($b.max(slope), ("" + "g")) + " 1/m")], ["message", ("" + "the slope past the peak must be 0 or negative " + $str(where))]]));
+}
+if (!$truth($b.all((function* () { for (const v of $iter(residual)) { yield (v >= 1e-06); } })()))) {
+$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".residual_friction")], ["value", ("" + $format($b.min(residual), ("" + "g")))], ["message", ("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where))]]));
+}
+return bad;
+}
 _jumps() {
 const self = this; let bad, high, i, low, name, p, u, v;
 (bad = []);
 for (i of $iter($b.range($sub($b.len($bound(self, "pieces")), 1)))) {
 (p = $at(self.pressure, $add(i, 1)));
-([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab($b.float(s.a(p)), $b.float(s.b(p))); } })());
+([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab(s.a.at(p), s.b.at(p)); } })());
 for ([name, u, v] of $iter([["peak friction", $at(low, 0), $at(high, 0)], ["peak slip", $at(low, 1), $at(high, 1)]])) {
 if (($b.abs($sub((v / u), 1.0)) > self.continuity)) {
 $m.append(bad, $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]")], ["value", ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %")]]));
@@ -3125,8 +3210,8 @@ const self = this; let _, apart, friction, levels, lower, piece, slopes;
 
 ([levels, slopes] = [[], []]);
 for ([piece, [friction, _]] of $iter($b.zip($slice(self.pieces, i, $add(i, 2)), [low, high], $k({strict: true})))) {
-$m.append(levels, $b.min($b.float(piece.residual_friction(p)), friction));
-$m.append(slopes, (($at(levels, $neg(1)) < friction) ? $b.float(piece.post_peak_slope(p)) : 0.0));
+$m.append(levels, $b.min(piece.residual_friction.at(p), friction));
+$m.append(slopes, (($at(levels, $neg(1)) < friction) ? piece.post_peak_slope.at(p) : 0.0));
 }
 (apart = ($mul($mul($b.abs($sub($at(slopes, 1), $at(slopes, 0))), self.slip_unit), $at(low, 1)) / $at(low, 0)));
 (lower = ($truth($b.all(slopes)) ? ($mul($at(levels, 1), $at(low, 0)) / $mul($at(levels, 0), $at(high, 0))) : 1.0));
@@ -3364,7 +3449,7 @@ const self = this; let entry, given, key, known, record, remedy, value;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c6;
+return $c7;
 }
 (given = self._renamed(raw, place, report));
 (known = self._known);
@@ -3379,7 +3464,7 @@ if (($in(key, given))) {
 if (!$truth(tables___sound(value))) {
 record.faulty.add(key);
 }
-if ((value !== $c6)) {
+if ((value !== $c7)) {
 $put(record, key, value);
 }
 } else {
@@ -3437,9 +3522,9 @@ read(raw, place, report) {
 const self = this; let value;
 
 (value = new Text($bound(self, "longest")).read(raw, place, report));
-if (((value !== $c6) && !$truth($m.strip(value)))) {
+if (((value !== $c7) && !$truth($m.strip(value)))) {
 report.add(place, "must not be empty", "Write a name.", raw);
-return $c6;
+return $c7;
 }
 return value;
 }
@@ -3461,7 +3546,7 @@ return raw;
 }
 }
 }
-return $c6;
+return $c7;
 }
 }
 class Quantity extends Kind {
@@ -3475,13 +3560,13 @@ try {
 if ($error instanceof InputError) {
 error = $error;
 report.take(error, place, raw);
-return $c6;
+return $c7;
 } else throw $error;
 }
 (refusal = ($truth(self.limit) ? self.limit.refusal(value) : ""));
 if ($truth(refusal)) {
 $method(report, "add", [place, refusal], [["value", raw]]);
-return $c6;
+return $c7;
 }
 return value;
 }
@@ -3499,13 +3584,13 @@ read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
-return $c6;
+return $c7;
 }
 if (($b.len(raw) > self.most)) {
 report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
-return $c6;
+return $c7;
 }
-return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c6))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
 }
 }
 class Limit extends $Object {
@@ -3532,7 +3617,7 @@ refusal(value) {
 const self = this; let unit;
 
 if (!$truth(isNumber(value))) {
-(unit = $at($c11, self.dimension).si_unit);
+(unit = $at($c12, self.dimension).si_unit);
 return ($truth(unit) ? ("" + "must be a number [" + $str(unit) + "]") : "must be a number");
 }
 if (($truth($math.isnan(value)) || ($truth($math.isinf(value)) && !($truth(self.rigid) && (value > 0))))) {
@@ -3554,7 +3639,7 @@ limits__raise_all($or(problems, () => self._layer_problems()));
 _layer_problems() {
 const self = this; let given, key, message, remedy, rounding, short, total, whole;
 
-(given = $map([...(function* () { for (const key of $iter($c63)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
+(given = $map([...(function* () { for (const key of $iter($c6)) { if (!(($b.getattr(self, key) != null))) continue; yield [key, $b.getattr(self, key)]; } })()]));
 ([total, whole] = [$b.sum($m.values(given)), self.thickness]);
 ([short, key, remedy] = [(total <= 0.06), "thickness", ""]);
 if ((whole == null)) {
@@ -3566,7 +3651,7 @@ if ((whole == null)) {
 (short = (total <= $add(whole, ((self.carcass != null) ? rounding : $neg(rounding)))));
 (message = ("" + "too much for a belt of " + $str(display__display(whole, "length"))));
 (remedy = "Give the thickness of the whole belt, or leave it out.");
-if ((($eq($b.len(given), $b.len($c63))) && (total < $mul(0.98, whole)))) {
+if ((($eq($b.len(given), $b.len($c6))) && (total < $mul(0.98, whole)))) {
 ([short, message] = [false, ("" + "and the belt is " + $str(display__display(whole, "length")) + " thick")]);
 (remedy = "Leave out the one of the four that is not known.");
 }
@@ -3595,7 +3680,7 @@ if ($truth($b.isinstance(raw, "bool"))) {
 return raw;
 }
 report.add(place, "must be true or false", "Write it without quotes.", raw);
-return $c6;
+return $c7;
 }
 }
 class Choice extends Kind {
@@ -3608,7 +3693,7 @@ return raw;
 }
 (allowed = $m.join(", ", (function* () { for (const option of $iter(self.options)) { yield $shown(option); } })()));
 report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw, $bound(self, "options")), raw);
-return $c6;
+return $c7;
 }
 }
 class Across extends $Object {
@@ -3671,16 +3756,16 @@ const self = this; let allowed, options, word;
 
 if (!$truth($b.isinstance(raw, "dict"))) {
 report.add(place, "must be a table", "Write its keys below its name in [ ].", raw);
-return $c6;
+return $c7;
 }
 (options = $b.tuple($bound(self, "tables")));
 if ((!$in(self.tag, raw))) {
 (allowed = $m.join(", ", (function* () { for (const option of $iter(options)) { yield $shown(option); } })()));
 report.add([...$iter(place), self.tag], "missing", ("" + "Write one of " + $str(allowed) + "."));
-return $c6;
+return $c7;
 }
 (word = new Choice(options).read($at(raw, self.tag), [...$iter(place), self.tag], report));
-return ((word === $c6) ? $c6 : $at(self.tables, word).read(raw, place, report));
+return ((word === $c7) ? $c7 : $at(self.tables, word).read(raw, place, report));
 }
 }
 class Pulley extends $Object {
@@ -3889,7 +3974,7 @@ class FrictionFactor extends $Object {
 $init(at, factor, source) { this.at = at; this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let bad, count, message, n, problems;
-([n, problems] = [$b.len($bound(self, "at")), $at($b.list, Problem)()]);
+([n, problems] = [$b.len($bound(self, "at")), $b.list()]);
 if (((n < 2) || (!$eq($b.len($bound(self, "factor")), n)))) {
 (count = ("" + $str(n) + " values and " + $str($b.len($bound(self, "factor"))) + " factors"));
 (message = "must be as many factors as values, two at least");
@@ -3905,7 +3990,23 @@ $m.append(problems, $call(Problem, [], [["key", "factor"], ["value", $shown($at(
 }
 limits__raise_all(problems);
 }
+least(low, high) {
+const self = this; let inside;
 
+(inside = [...(function* () { for (const [x, f] of $iter($b.zip($bound(self, "at"), $bound(self, "factor"), $k({strict: true})))) { if (!((low <= x && x <= high))) continue; yield f; } })()]);
+return $b.min([...$iter(inside), self._of(low), self._of(high)]);
+}
+_of(value) {
+const self = this; let f, f1, rows, x, x1;
+
+(rows = $b.list($b.zip($bound(self, "at"), $bound(self, "factor"), $k({strict: true}))));
+for ([[x, f], [x1, f1]] of $iter($b.pairwise(rows))) {
+if ((x <= value && value < x1)) {
+return $add($mul(($sub(f1, f) / $sub(x1, x)), $sub(value, x)), f);
+}
+}
+return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(1)));
+}
 }
 class Fit extends $Object {
 $init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
@@ -3924,7 +4025,30 @@ $m.append(problems, $call(Problem, [], [["key", "values"], ["value", $b.str($b.l
 (problems = $add(problems, self._covariance_problems(n)));
 limits__raise_all(problems);
 }
-
+_covariance_problems(n) {
+const self = this; let apart, given, matrix, message, numbers, rows;
+(rows = [...(function* () { for (const row of $iter(self.covariance)) { yield $b.len(row); } })()]);
+if ((!$eq(rows, $mul([n], n)))) {
+(given = ("" + $str($b.len(rows)) + " rows of " + $str($b.sorted($b.set(rows))) + " numbers"));
+(message = ("" + "must be " + $str(n) + " rows of " + $str(n) + " numbers, one for each parameter"));
+return [$call(Problem, [], [["key", "covariance"], ["value", given], ["message", message]])];
+}
+([matrix, message] = [self.covariance, ""]);
+(numbers = [...(function* () { for (const row of $iter(matrix)) { for (const v of $iter(row)) { yield v; }} })()]);
+(apart = [...(function* () { for (const i of $iter($b.range(n))) { for (const j of $iter($b.range(i))) { yield $b.abs($sub($at($at(matrix, i), j), $at($at(matrix, j), i))); }} })()]);
+if (!$truth($b.all($b.map($math.isfinite, numbers)))) {
+(message = "must be finite");
+} else {
+if (($b.max(apart, $k({default: 0.0})) > $mul(1e-09, $b.max($b.map($b.abs, numbers), $k({default: 0.0}))))) {
+(message = "must be symmetric");
+} else {
+if (!$truth(fit___has_no_negative(matrix, $mul(1e-08, n)))) {
+(message = "must have no negative eigenvalue: no variance is negative");
+}
+}
+}
+return ($truth(message) ? [$call(Problem, [], [["key", "covariance"], ["message", message]])] : []);
+}
 }
 class DesignFriction extends $Object {
 $init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
@@ -4023,12 +4147,12 @@ const self = this; let count, labels;
 
 if (!$truth($b.isinstance(raw, "list"))) {
 report.add(place, "must be an array", "Put it in [ ], as the examples show.", raw);
-return $c6;
+return $c7;
 }
 if (!(self.least <= $b.len(raw) && $b.len(raw) <= self.most)) {
 (count = ($truth(self.least) ? ("" + $str(self.least) + " to " + $str(self.most)) : ("" + "at most " + $str(self.most))));
 report.add(place, ("" + "must have " + $str(count) + " entries, and has " + $str($b.len(raw))));
-return $c6;
+return $c7;
 }
 (labels = kinds__table_labels(raw));
 return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
@@ -4087,8 +4211,8 @@ const self = this; let built, crown, factor, found, half, heights, mean, on, rea
 
 (found = $b.len($bound(report, "problems")));
 (read = self.within.read(raw, place, report));
-if (((read === $c6) || ($b.len($bound(report, "problems")) > found))) {
-return $c6;
+if (((read === $c7) || ($b.len($bound(report, "problems")) > found))) {
+return $c7;
 }
 (table = ($truth($b.isinstance(read, Record)) ? read : $map([["rows", read]])));
 ([rows, on] = [$m.get(table, "rows", []), $m.get(table, "on", "radius")]);
@@ -4105,10 +4229,10 @@ if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
 (values = [...(function* () { for (const value of $iter(values)) { yield $mul(factor, value); } })()]);
 (heights = [...$iter(values), crown]);
 if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
-return $c6;
+return $c7;
 }
 (built = report.tried((() => $call(WidthProfile, [], [["position", $b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })())], ["value", $b.tuple(values)], ["crown", crown], ["uncertainty", (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null)]])), place));
-return ((built == null) ? $c6 : built);
+return ((built == null) ? $c7 : built);
 }
 _deviations(values, half, place, report) {
 const self = this; let worst;
@@ -4138,7 +4262,7 @@ return raw;
 }
 (message = ("" + "must be a whole number from " + $str(self.least) + " to " + $str(self.most)));
 $method(report, "add", [place, message], [["value", raw]]);
-return $c6;
+return $c7;
 }
 }
 class Elsewhere extends Kind {
@@ -4162,10 +4286,10 @@ continue;
 } else throw $error;
 }
 (value = kind.read(raw, place, report));
-return ((value === $c6) ? $c6 : [kind.dimension, value]);
+return ((value === $c7) ? $c7 : [kind.dimension, value]);
 }
 $method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value", raw]]);
-return $c6;
+return $c7;
 }
 }
 class SpeedList extends Kind {
@@ -4177,7 +4301,7 @@ return "equal";
 }
 if ($truth($b.isinstance(raw, "str"))) {
 $method(report, "add", [place, ("" + "must be \"" + $str("equal") + "\" or an array of speeds")], [["value", raw]]);
-return $c6;
+return $c7;
 }
 return self.rows.read(raw, place, report);
 }
@@ -4196,10 +4320,10 @@ read(raw, place, report) {
 const self = this; let pair;
 if ((!$truth($b.isinstance(raw, "list")) || (!$eq($b.len(raw), 2)))) {
 $method(report, "add", [place, "must be a pair, position and value"], [["value", raw]]);
-return $c6;
+return $c7;
 }
 (pair = [...(function* () { for (const [kind, item, what] of $iter($b.zip($bound(self, "kinds"), raw, ["position", "value"], $k({strict: true})))) { yield kind.read(item, [...$iter(place), what], report); } })()]);
-return (($in($c6, pair)) ? $c6 : $b.tuple(pair));
+return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
 const $c635 = $made(Quantity, {dimension: "number", limit: null});
@@ -4237,8 +4361,8 @@ const $c2 = $made(Table, {title: "Provenance", of: Provenance, entries: $c653, _
 const $c647 = $made(Entry, {key: "provenance", meaning: "Where the factors came from.", kind: $c2, title: "Provenance", required: false, alias: "", example: "", attribute: "provenance", unless: ""});
 const $c641 = [$c643, $c644, $c645, $c646, $c647];
 const $c642 = new Map([["name", $c643], ["friction_factor", $c644], ["friction_factors", $c645], ["standard", $c646], ["provenance", $c647]]);
-const $c7 = $made(Table, {title: "Condition", of: Condition, entries: $c641, _known: $c642});
-const $c160 = $made(TextOr, {text: $c640, table: $c7});
+const $c8 = $made(Table, {title: "Condition", of: Condition, entries: $c641, _known: $c642});
+const $c160 = $made(TextOr, {text: $c640, table: $c8});
 const $c639 = $made(OneOrMore, {kind: $c160, most: 8});
 const $c627 = $made(Entry, {key: "condition", meaning: "Dry, wet, wet and dirty ...; several are solved side by side.", kind: $c639, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
 const $c101 = $made(Name, {longest: 60});
@@ -4376,8 +4500,8 @@ const $c738 = $made(Quantity, {dimension: "number", limit: $c739});
 const $c730 = $made(Entry, {key: "contact_fraction", meaning: "Part of the wrap area that the blocks cover; 1 if left out.", kind: $c738, title: "Contact fraction", required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
 const $c724 = [$c726, $c727, $c728, $c729, $c730];
 const $c725 = new Map([["shape", $c726], ["width", $c727], ["height", $c728], ["stiffening", $c729], ["contact_fraction", $c730]]);
-const $c48 = $made(Table, {title: "Blocks that carry the pressure", of: Block, entries: $c724, _known: $c725});
-const $c702 = $made(Entry, {key: "block", meaning: "Shape of the blocks, to estimate the compression modulus.", kind: $c48, title: "Blocks", required: false, alias: "", example: "", attribute: "block", unless: ""});
+const $c49 = $made(Table, {title: "Blocks that carry the pressure", of: Block, entries: $c724, _known: $c725});
+const $c702 = $made(Entry, {key: "block", meaning: "Shape of the blocks, to estimate the compression modulus.", kind: $c49, title: "Blocks", required: false, alias: "", example: "", attribute: "block", unless: ""});
 const $c589 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
 const $c740 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
 const $c703 = $made(Entry, {key: "wear_coefficient", meaning: "Volume worn off the lagging per frictional energy.", kind: $c740, title: "Energetic wear coefficient", required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
@@ -4406,8 +4530,8 @@ const $c758 = $made(Rows, {kind: $c759, least: 2, most: 2});
 const $c750 = $made(Entry, {key: "life_years", meaning: "Shortest and longest life in years.", kind: $c758, title: "Life", required: true, alias: "", example: "", attribute: "life_years", unless: ""});
 const $c744 = [$c746, $c747, $c748, $c749, $c750];
 const $c745 = new Map([["material", $c746], ["installation", $c747], ["currency", $c748], ["area", $c749], ["life_years", $c750]]);
-const $c45 = $made(Table, {title: "Cost on one pulley", of: Cost, entries: $c744, _known: $c745});
-const $c707 = $made(Entry, {key: "cost", meaning: "What it costs on one pulley.", kind: $c45, title: "Cost", required: false, alias: "", example: "", attribute: "cost", unless: ""});
+const $c46 = $made(Table, {title: "Cost on one pulley", of: Cost, entries: $c744, _known: $c745});
+const $c707 = $made(Entry, {key: "cost", meaning: "What it costs on one pulley.", kind: $c46, title: "Cost", required: false, alias: "", example: "", attribute: "cost", unless: ""});
 const $c761 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
 const $c760 = $made(Quantity, {dimension: "speed", limit: $c761});
 const $c708 = $made(Entry, {key: "slip_speed", meaning: "Largest slip speed it is used at, for slip_speed_factor; its table's if left out.", kind: $c760, title: "Slip speed", required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
@@ -4422,8 +4546,8 @@ const $c768 = $made(Entry, {key: "factor", meaning: "Friction over that of the t
 const $c769 = $made(Entry, {key: "provenance", meaning: "Where the factors came from.", kind: $c2, title: "Provenance", required: true, alias: "", example: "", attribute: "provenance", unless: ""});
 const $c765 = [$c767, $c768, $c769];
 const $c766 = new Map([["condition", $c767], ["factor", $c768], ["provenance", $c769]]);
-const $c49 = $made(Table, {title: "Factor of a condition", of: ConditionFactor, entries: $c765, _known: $c766});
-const $c764 = $made(Rows, {kind: $c49, least: 0, most: 20});
+const $c50 = $made(Table, {title: "Factor of a condition", of: ConditionFactor, entries: $c765, _known: $c766});
+const $c764 = $made(Rows, {kind: $c50, least: 0, most: 20});
 const $c710 = $made(Entry, {key: "condition_factor", meaning: "Friction in conditions that it was not tested in.", kind: $c764, title: "Condition factor", required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
 const $c800 = ["integral-log"];
 const $c799 = $made(Choice, {options: $c800});
@@ -4457,8 +4581,8 @@ const $c826 = $made(Text, {longest: 500, lines: false});
 const $c812 = $made(Entry, {key: "misfit_accepted", meaning: "Why the law was written nevertheless.", kind: $c826, title: "Misfit accepted", required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
 const $c802 = [$c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812];
 const $c803 = new Map([["parameters", $c804], ["values", $c805], ["covariance", $c806], ["residual_noise", $c807], ["coverage_factor", $c808], ["date", $c809], ["method", $c810], ["misfit", $c811], ["misfit_accepted", $c812]]);
-const $c56 = $made(Table, {title: "Statistics of the fit", of: Fit, entries: $c802, _known: $c803});
-const $c786 = $made(Entry, {key: "fit", meaning: "Statistics of the fit.", kind: $c56, title: "Fit", required: false, alias: "", example: "", attribute: "fit", unless: ""});
+const $c57 = $made(Table, {title: "Statistics of the fit", of: Fit, entries: $c802, _known: $c803});
+const $c786 = $made(Entry, {key: "fit", meaning: "Statistics of the fit.", kind: $c57, title: "Fit", required: false, alias: "", example: "", attribute: "fit", unless: ""});
 const $c829 = ["lagging shear", "cover shear"];
 const $c828 = $made(Choice, {options: $c829});
 const $c827 = $made(Rows, {kind: $c828, least: 0, most: 2});
@@ -4471,16 +4595,16 @@ const $c837 = $made(Rows, {kind: $c771, least: 2, most: 100});
 const $c833 = $made(Entry, {key: "factor", meaning: "Friction over that of the tested law.", kind: $c837, title: "Factor", required: true, alias: "", example: "", attribute: "factor", unless: ""});
 const $c830 = [$c832, $c833, $c769];
 const $c831 = new Map([["slip_speed", $c832], ["factor", $c833], ["provenance", $c769]]);
-const $c54 = $made(Table, {title: "Factor of slip speed", of: FrictionFactor, entries: $c830, _known: $c831});
-const $c788 = $made(Entry, {key: "slip_speed_factor", meaning: "What slip speed does to the tested friction.", kind: $c54, title: "Slip speed factor", required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
+const $c55 = $made(Table, {title: "Factor of slip speed", of: FrictionFactor, entries: $c830, _known: $c831});
+const $c788 = $made(Entry, {key: "slip_speed_factor", meaning: "What slip speed does to the tested friction.", kind: $c55, title: "Slip speed factor", required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
 const $c843 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
 const $c842 = $made(Quantity, {dimension: "temperature", limit: $c843});
 const $c841 = $made(Rows, {kind: $c842, least: 2, most: 100});
 const $c840 = $made(Entry, {key: "temperature", meaning: "Temperatures of the surface, rising.", kind: $c841, title: "Temperature", required: true, alias: "", example: "", attribute: "at", unless: ""});
 const $c838 = [$c840, $c833, $c769];
 const $c839 = new Map([["temperature", $c840], ["factor", $c833], ["provenance", $c769]]);
-const $c55 = $made(Table, {title: "Factor of temperature", of: FrictionFactor, entries: $c838, _known: $c839});
-const $c789 = $made(Entry, {key: "temperature_factor", meaning: "What temperature does to it.", kind: $c55, title: "Temperature factor", required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
+const $c56 = $made(Table, {title: "Factor of temperature", of: FrictionFactor, entries: $c838, _known: $c839});
+const $c789 = $made(Entry, {key: "temperature_factor", meaning: "What temperature does to it.", kind: $c56, title: "Temperature factor", required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
 const $c790 = $made(Entry, {key: "notes", meaning: "What a reader must know of this law.", kind: $c824, title: "Notes", required: false, alias: "", example: "", attribute: "notes", unless: ""});
 const $c846 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
 const $c845 = $made(Quantity, {dimension: "pressure", limit: $c846});
@@ -4574,8 +4698,8 @@ const $c901 = [$c903, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c
 const $c902 = new Map([["kind", $c903], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["slip", $c904], ["rows", $c905]]);
 const $c779 = $made(Table, {title: "table", of: MeasuredTable, entries: $c901, _known: $c902});
 const $c774 = new Map([["integral-log", $c775], ["constant", $c776], ["elastic-plastic", $c777], ["power", $c778], ["table", $c779]]);
-const $c52 = $made(Variant, {tag: "kind", tables: $c774});
-const $c773 = $made(OneOrMore, {kind: $c52, most: 50});
+const $c53 = $made(Variant, {tag: "kind", tables: $c774});
+const $c773 = $made(OneOrMore, {kind: $c53, most: 50});
 const $c711 = $made(Entry, {key: "law", meaning: "One for each condition.", kind: $c773, title: "Friction laws", required: false, alias: "", example: "", attribute: "law", unless: ""});
 const $c712 = $made(Entry, {key: "notes", meaning: "What a reader must know.", kind: $c824, title: "Notes", required: false, alias: "", example: "", attribute: "notes", unless: ""});
 const $c691 = [$c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
@@ -4730,8 +4854,8 @@ const $c954 = [$c956, $c957, $c958, $c959, $c960];
 const $c955 = new Map([["kind", $c956], ["length", $c957], ["trough_angle", $c958], ["centre_roll", $c959], ["depth", $c960]]);
 const $c945 = $made(Table, {title: "transition", of: Transition, entries: $c954, _known: $c955});
 const $c943 = new Map([["pulley", $c944], ["transition", $c945]]);
-const $c28 = $made(Variant, {tag: "kind", tables: $c943});
-const $c942 = $made(WordOr, {word: "far", kind: $c28, meaning: null});
+const $c29 = $made(Variant, {tag: "kind", tables: $c943});
+const $c942 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
 const $c931 = $made(Entry, {key: "before", meaning: "What the span before comes from; far if left out.", kind: $c942, title: "Before", required: false, alias: "", example: "", attribute: "before", unless: ""});
 const $c978 = ["pulley"];
 const $c977 = $made(Choice, {options: $c978});
@@ -4740,21 +4864,21 @@ const $c974 = [$c976, $c949];
 const $c975 = new Map([["kind", $c976], ["distance", $c949]]);
 const $c973 = $made(Table, {title: "pulley", of: GrippingPulley, entries: $c974, _known: $c975});
 const $c972 = new Map([["pulley", $c973]]);
-const $c29 = $made(Variant, {tag: "kind", tables: $c972});
-const $c971 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
+const $c30 = $made(Variant, {tag: "kind", tables: $c972});
+const $c971 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
 const $c932 = $made(Entry, {key: "after", meaning: "Where the span after goes to; far if left out.", kind: $c971, title: "After", required: false, alias: "", example: "", attribute: "after", unless: ""});
 const $c979 = $made(Count, {least: 4, most: 128});
 const $c933 = $made(Entry, {key: "strips", meaning: "Strips that the belt is cut into; 32 if left out.", kind: $c979, title: "Strips", required: false, alias: "", example: "", attribute: "strips", unless: ""});
 const $c923 = [$c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932, $c933];
 const $c924 = new Map([["shell_profile", $c925], ["worn_depth", $c926], ["build_up", $c927], ["misalignment", $c928], ["deflection", $c929], ["entry_profile", $c930], ["before", $c931], ["after", $c932], ["strips", $c933]]);
-const $c30 = $made(Table, {title: "Across the width", of: Across, entries: $c923, _known: $c924});
-const $c153 = $made(Entry, {key: "across", meaning: "What is uneven across the width.", kind: $c30, title: "Across", required: false, alias: "", example: "", attribute: "across", unless: ""});
+const $c31 = $made(Table, {title: "Across the width", of: Across, entries: $c923, _known: $c924});
+const $c153 = $made(Entry, {key: "across", meaning: "What is uneven across the width.", kind: $c31, title: "Across", required: false, alias: "", example: "", attribute: "across", unless: ""});
 const $c171 = $made(ByName, {kind: $c2, most: 200});
 const $c154 = $made(Entry, {key: "sources", meaning: "Where single numbers came from, by key.", kind: $c171, title: "Sources", required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c8 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
+const $c9 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
 const $c666 = new Map([["name", $c137], ["diameter", $c138], ["wrap_angle", $c139], ["belt_path", $c140], ["lagging", $c141], ["condition", $c142], ["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147], ["overrun", $c148], ["recovery", $c149], ["creep_limit", $c150], ["side", $c151], ["mass", $c152], ["across", $c153], ["sources", $c154]]);
-const $c31 = $made(Table, {title: "Pulley", of: Pulley, entries: $c8, _known: $c666});
-const $c665 = $made(Rows, {kind: $c31, least: 1, most: 10});
+const $c32 = $made(Table, {title: "Pulley", of: Pulley, entries: $c9, _known: $c666});
+const $c665 = $made(Rows, {kind: $c32, least: 1, most: 10});
 const $c629 = $made(Entry, {key: "pulley", meaning: "The drive pulleys in belt order.", kind: $c665, title: "Pulleys", required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
 const $c980 = $made(ByName, {kind: $c690, most: 200});
 const $c630 = $made(Entry, {key: "lagging", meaning: "Laggings of this drive, by name.", kind: $c980, title: "Laggings", required: false, alias: "", example: "", attribute: "lagging", unless: ""});
@@ -4762,8 +4886,8 @@ const $c991 = $made(Name, {longest: 60});
 const $c985 = $made(Entry, {key: "name", meaning: "Name of the case.", kind: $c991, title: "Name", required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
 const $c992 = $made(Text, {longest: 1000, lines: true});
 const $c986 = $made(Entry, {key: "description", meaning: "What happens then.", kind: $c992, title: "Description", required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c62 = ["running", "starting", "braking"];
-const $c993 = $made(Choice, {options: $c62});
+const $c63 = ["running", "starting", "braking"];
+const $c993 = $made(Choice, {options: $c63});
 const $c987 = $made(Entry, {key: "kind", meaning: "Running (if left out), starting or braking.", kind: $c993, title: "Kind", required: false, alias: "", example: "", attribute: "kind", unless: ""});
 const $c988 = $made(Entry, {key: "condition", meaning: "Dry, wet ...; that of the drive if left out.", kind: $c160, title: "Condition", required: false, alias: "", example: "", attribute: "condition", unless: ""});
 const $c996 = [$c143, $c144, $c145, $c146, $c147];
@@ -4834,8 +4958,8 @@ const $c1053 = $made(Choice, {options: $c605});
 const $c1019 = $made(Entry, {key: "drive_at", meaning: "Where the drive pulley sits; the head if left out.", kind: $c1053, title: "Drive at", required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
 const $c999 = [$c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018, $c1019];
 const $c1000 = new Map([["length", $c1001], ["lift", $c1002], ["belt_mass", $c1003], ["carry_idler_mass", $c1004], ["return_idler_mass", $c1005], ["material_mass", $c1006], ["capacity", $c1007], ["friction_factor", $c1008], ["length_coefficient", $c1009], ["secondary_resistance", $c1010], ["special_resistance", $c1011], ["return_share", $c1012], ["start_factor", $c1013], ["start_time", $c1014], ["stop_time", $c1015], ["take_up_tension", $c1016], ["counterweight", $c1017], ["take_up_distance", $c1018], ["drive_at", $c1019]]);
-const $c37 = $made(Table, {title: "Conveyor", of: Conveyor, entries: $c999, _known: $c1000});
-const $c632 = $made(Entry, {key: "conveyor", meaning: "The load cases by resistances, instead of tensions.", kind: $c37, title: "Conveyor", required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
+const $c38 = $made(Table, {title: "Conveyor", of: Conveyor, entries: $c999, _known: $c1000});
+const $c632 = $made(Entry, {key: "conveyor", meaning: "The load cases by resistances, instead of tensions.", kind: $c38, title: "Conveyor", required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
 const $c599 = ["gravity", "winch", "fixed"];
 const $c1059 = $made(Choice, {options: $c599});
 const $c1056 = $made(Entry, {key: "kind", meaning: "Gravity and winch hold the slack-side tension; fixed holds the sum of both.", kind: $c1059, title: "Take-up", required: false, alias: "", example: "", attribute: "kind", unless: ""});
@@ -4900,8 +5024,9 @@ const $c622 = new Map([["format", $c623], ["title", $c624], ["description", $c62
 const $c0 = $made(Table, {title: "Drive file", of: Drive, entries: $c621, _known: $c622});
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
 const $c4 = new Map([["width", $c122], ["modulus", $c123], ["rating", $c124], ["strength", $c125], ["speed", $c126], ["momentary_factor", $c127], ["least_pulley_diameter", $c128], ["largest_wrap_pressure", $c129], ["in_plane_shear_stiffness", $c130], ["pulley_cover", $c131], ["carry_cover", $c132], ["carcass", $c133], ["thickness", $c134], ["cover_shear_modulus", $c135], ["mass", $c136]]);
-const $c6 = $made(_Nothing, {});
-const $c9 = ["x", "y", "diameter", "turn"];
+const $c6 = ["pulley_cover", "carry_cover", "carcass"];
+const $c7 = $made(_Nothing, {});
+const $c10 = ["x", "y", "diameter", "turn"];
 const $c197 = [10000, "m"];
 const $c196 = [$c197];
 const $c174 = ["mm", $c196];
@@ -4955,7 +5080,7 @@ const $c218 = ["lbm/ft", []];
 const $c219 = ["lbm/h", []];
 const $c220 = ["lbm ft2", []];
 const $c173 = new Map([["length", $c202], ["force", $c203], ["force_per_width", $c204], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c180], ["power", $c209], ["torque", $c210], ["area", $c211], ["time", $c184], ["temperature", $c212], ["per_length", $c213], ["wear_coefficient", $c214], ["energy_per_area", $c215], ["power_per_area", $c216], ["rotation_speed", $c190], ["mass", $c217], ["mass_per_length", $c218], ["mass_flow", $c219], ["moment_of_inertia", $c220], ["number", $c195]]);
-const $c10 = new Map([["si", $c172], ["us", $c173]]);
+const $c11 = new Map([["si", $c172], ["us", $c173]]);
 const $c225 = new DimensionText("m", "a length", "1200 mm");
 const $c226 = new DimensionText("N", "a force", "150 kN");
 const $c227 = new DimensionText("N/m", "a force per width", "12960 kN/m");
@@ -4979,16 +5104,16 @@ const $c244 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
 const $c245 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
 const $c246 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
 const $c247 = new DimensionText("", "a plain number", "0.35");
-const $c11 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
-const $c12 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
-const $c13 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
-const $c14 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
-const $c15 = $re("[eE][+-]?([0-9]+)$", "");
-const $c16 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
-const $c17 = $re("[,.]", "");
-const $c18 = $re("1\\s*/\\s*[A-Za-z(]", "");
-const $c19 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
-const $c20 = ["kg", "m", "s", "K", "rad"];
+const $c12 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
+const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
+const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
+const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
+const $c16 = $re("[eE][+-]?([0-9]+)$", "");
+const $c17 = $re("(?<=[0-9])[\\s'’_´`]+(?=[0-9])", "");
+const $c18 = $re("[,.]", "");
+const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
+const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
+const $c21 = ["kg", "m", "s", "K", "rad"];
 const $c310 = ["meter", "meters", "metre", "metres"];
 const $c311 = $Decimal.of("1");
 const $c312 = $Decimal.of("0");
@@ -5237,24 +5362,24 @@ const $c493 = ["%", "percent"];
 const $c494 = $Decimal.of("0.01");
 const $c495 = $Decimal.of("0");
 const $c309 = new Definition($c493, $c494, "", $c495);
-const $c21 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
-const $c22 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
-const $c23 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
-const $c24 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
-const $c25 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c26 = ["wear_coefficient"];
-const $c27 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
-const $c32 = [$c496, $c497, $c498, $c499];
-const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c34 = ["effective_tension", "torque", "power"];
-const $c35 = ["entry_tension", "exit_tension"];
-const $c36 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c22 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
+const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
+const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
+const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
+const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
+const $c27 = ["wear_coefficient"];
+const $c28 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
+const $c33 = [$c496, $c497, $c498, $c499];
+const $c34 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c35 = ["effective_tension", "torque", "power"];
+const $c36 = ["entry_tension", "exit_tension"];
+const $c37 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
 const $c504 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
 const $c505 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
 const $c506 = ["length_coefficient", "secondary_resistance", ""];
 const $c507 = ["start_factor", "start_time", ""];
-const $c38 = [$c504, $c505, $c506, $c507];
-const $c39 = ["capacity", "start_time", "stop_time"];
+const $c39 = [$c504, $c505, $c506, $c507];
+const $c40 = ["capacity", "start_time", "stop_time"];
 const $c1116 = $made(Quantity, {dimension: "force", limit: $c581});
 const $c1109 = $made(Entry, {key: "entry_tension", meaning: "Tension where the belt meets the first pulley.", kind: $c1116, title: "First entry tension", required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
 const $c1110 = $made(Entry, {key: "exit_tension", meaning: "Tension where the belt leaves the last pulley.", kind: $c1116, title: "Last exit tension", required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
@@ -5392,16 +5517,16 @@ const $c1124 = $made(Table, {title: "Train", of: null, entries: $c1125, _known: 
 const $c1100 = $made(Entry, {key: "train", meaning: "How several drives on the belt divide the load.", kind: $c1124, title: "Train", required: false, alias: "", example: "", attribute: "train", unless: ""});
 const $c1097 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c1099, $c632, $c496, $c497, $c498, $c499, $c1100, $c634];
 const $c1098 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c1099], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c1100], ["motion", $c634]]);
-const $c40 = $made(Table, {title: "Drive file", of: Drive, entries: $c1097, _known: $c1098});
-const $c41 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c42 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c43 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c44 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c46 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c47 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c50 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c51 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c53 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c41 = $made(Table, {title: "Drive file", of: Drive, entries: $c1097, _known: $c1098});
+const $c42 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c43 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c44 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c45 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c47 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c48 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c51 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c52 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c54 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
 const $c1235 = $made(Name, {longest: 60});
 const $c1226 = $made(Entry, {key: "name", meaning: "Name it is called by.", kind: $c1235, title: "Name", required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
 const $c1236 = $made(Quantity, {dimension: "length", limit: $c585});
@@ -5424,10 +5549,10 @@ const $c1245 = $made(Quantity, {dimension: "pressure", limit: $c592});
 const $c1234 = $made(Entry, {key: "fatigue_limit", meaning: "Shear stress that they may bear at every pass of the belt.", kind: $c1245, title: "Fatigue limit", required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
 const $c1224 = [$c623, $c1226, $c695, $c696, $c697, $c1227, $c1228, $c1229, $c1230, $c702, $c1231, $c1232, $c1233, $c1234, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
 const $c1225 = new Map([["format", $c623], ["name", $c1226], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c1227], ["elastic_modulus", $c1228], ["shear_modulus", $c1229], ["compression_modulus", $c1230], ["block", $c702], ["wear_coefficient", $c1231], ["belt_energy_share", $c1232], ["bond_strength", $c1233], ["fatigue_limit", $c1234], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c57 = $made(Table, {title: "Lagging file", of: Lagging, entries: $c1224, _known: $c1225});
+const $c58 = $made(Table, {title: "Lagging file", of: Lagging, entries: $c1224, _known: $c1225});
 const $c508 = ["compression_modulus", "block"];
-const $c58 = [$c508];
-const $c59 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c59 = [$c508];
+const $c60 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
 const $c530 = [0.25, 0.25];
 const $c531 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
 const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c530, provenance: $c531});
@@ -5491,9 +5616,8 @@ const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", c
 const $c570 = [0.35, 0.35];
 const $c571 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
 const $c529 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c570, provenance: $c571});
-const $c60 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
-const $c61 = new RunsGain(0.0, 0.0);
-const $c63 = ["pulley_cover", "carry_cover", "carcass"];
+const $c61 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
+const $c62 = new RunsGain(0.0, 0.0);
 const $c64 = ["share", "speeds", "motor"];
 const $c67 = $Decimal.of("0");
 const $c576 = [0.0];
