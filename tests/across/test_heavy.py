@@ -7,6 +7,7 @@ deviations against the whole solver.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -36,7 +37,7 @@ def heavier(arc: WrapArc) -> WrapArc:
 def test_tensions_raised_by_the_centrifugal_force(arc: WrapArc, recovery: bool) -> None:
     """Creep, stress and energy as without mass at the lower tensions; its strain goes to Gamma."""
     arc, n = replace(arc, overrun=None, recovery=recovery), 8
-    more = {
+    more: dict[str, Any] = {
         "radius_deviation": 1e-3 * mode(1, n),
         "thickness": arc.thickness * (1.0 + 0.1 * mode(2, n)),
         "entry_profile": 3e3 * mode(2, n),
@@ -69,7 +70,7 @@ def test_small_deviations_are_those_of_the_modes(recovery: bool) -> None:
     arc, n = heavier(replace(THICK, overrun=None, recovery=recovery)), 8
     for cause, shape in (("radius", 1e-5), ("lagging", 1e-5)):
         deviation = shape * mode(1, n)
-        more = {"radius_deviation": deviation}
+        more: dict[str, Any] = {"radius_deviation": deviation}
         if cause == "lagging":
             more["thickness"] = arc.thickness + deviation
         given = wide(arc, n, **more)

@@ -17,6 +17,7 @@ from motion import test_twin as twin
 from motion.alone import alone, driven, roll, settle
 from motion.stations import INERTIA, TRAINS
 from wraparc import Distributed, Train, WrapArc, solve_train
+from wraparc.drive.belt import SIDES
 from wraparc.motion.control import Control, Droop, ExactSpeed
 from wraparc.motion.event import Event, OnBelt, OnDrum, Start
 from wraparc.motion.follow import simulate
@@ -25,25 +26,25 @@ from wraparc.motion.march import March
 from wraparc.motion.result import Outcome
 from wraparc.motion.station import Drum, Station
 
-COVERS = {"pulley_cover": 8e-3, "carry_cover": 12e-3, "carcass": 8e-3, "mass": 900.0}
+MASS = 900.0  # [kg/m]
 OFFSETS = 12e-3, 16e-3  # pulley cover, carry cover, and half of the carcass
 
 
 @cache
-def train(name: str, speed: float = 0.0) -> Train:
+def train(name: str) -> Train:
     """A tandem with a thick and very heavy belt, its second drum on the carry side.
 
     The friction of its laggings is without the shear of a cover.
     """
     base = TRAINS[name]
-    belt = replace(base.belt, **COVERS, **({"speed": speed} if speed else {}))
+    belt = replace(base.belt, pulley_cover=8e-3, carry_cover=12e-3, carcass=8e-3, mass=MASS)
     first, second = (
         replace(
             p,
             side=side,
-            lagging=replace(p.lagging, law=replace(p.lagging.law, slip_includes=frozenset())),
+            lagging=replace(p.lagging, law=replace(p.lagging.law, slip_includes=())),
         )
-        for p, side in zip(base.pulleys, ("pulley", "carry"), strict=True)
+        for p, side in zip(base.pulleys, SIDES, strict=True)
     )
     return replace(base, belt=belt, pulleys=(first, second))
 
@@ -55,7 +56,7 @@ def station(name: str, control: Control, **more: float) -> Station:
 
 def lift_of(name: str) -> float:
     """M v^2 [N]."""
-    return COVERS["mass"] * (train(name).belt.speed or math.nan) ** 2
+    return MASS * (train(name).belt.speed or math.nan) ** 2
 
 
 @pytest.mark.parametrize("name", INERTIA)
@@ -85,9 +86,9 @@ def test_a_run_without_an_event_stays_where_the_train_is(name: str) -> None:
         assert d.moment == pytest.approx(exact, rel=1e-12)
         assert m.drum_torque * m.rotation_speed == pytest.approx(m.drum_power, rel=1e-12)
     run = simulate(s, Event(duration=5.0))
-    for d, m in zip(run, members, strict=True):
-        assert d.share == pytest.approx(m.share, abs=1e-4)
-        assert d.speed == pytest.approx(m.rotation_speed, rel=5e-6)  # its droop of such a share
+    for told, m in zip(run, members, strict=True):
+        assert told.share == pytest.approx(m.share, abs=1e-4)
+        assert told.speed == pytest.approx(m.rotation_speed, rel=5e-6)  # its droop of such a share
 
 
 def test_a_piece_of_lagging_goes_from_nip_to_nip_in_the_angle_of_wrap() -> None:

@@ -175,10 +175,8 @@ class StationState:
 
     def slackens(self, tensions: list[float]) -> bool:
         """Whether some tension, above m v^2, has become next to nothing."""
-        now, steady = (
-            max(v)
-            for v in zip(*((d.arc.lift, d.arc.arc.centrifugal) for d in self.drums), strict=True)
-        )
+        now = max(d.arc.lift for d in self.drums)
+        steady = max(d.arc.arc.centrifugal for d in self.drums)
         return min(tensions) - now < 0.05 * (self.slack - steady)
 
     def goes_slack(self, tensions: list[float]) -> HaltError:
