@@ -214,11 +214,12 @@ export class Field extends Component {
     const problem = this.problem;
     const tall = /description/.test(s.key);
     const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
+    const standing = problem ? (problem === NEEDED ? " needed" : " wrong") : "";
     const [text, u] = this.text();
     return h(
       "div",
       {
-        class: `field${shape}${problem ? ` ${problem === NEEDED ? "needed" : "wrong"}` : ""}`,
+        class: `field${shape}${standing}`,
         ref: this.row,
       },
       h(
