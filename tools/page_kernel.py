@@ -40,7 +40,7 @@ from wraparc.train import (
 from wraparc.train import file as train_file
 from wraparc.train.system import System
 from wraparc.units import display, percent, quantity
-from wraparc.web import in_page, in_page_conveyor, in_page_train
+from wraparc.web import in_page, in_page_train
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
@@ -98,10 +98,6 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.fits,
     conveyor.choices,
     conveyor.Conveyor,
-    in_page_conveyor.misfits,
-    in_page_conveyor.unusual,
-    in_page_conveyor.states,
-    in_page_conveyor.unfit,
     belt_path.turned_by,
     belt_path.overlaps,
     belt_path.Point,

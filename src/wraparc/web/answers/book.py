@@ -20,7 +20,7 @@ from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
 from wraparc.checks.usual import USUAL
-from wraparc.conveyor import GRAVITY
+from wraparc.conveyor import EMPTIEST, FULLEST, GRAVITY, STEEPEST, USUAL_CONVEYOR
 from wraparc.drive import (
     CASE_KINDS,
     CREEP_LIMIT,
@@ -118,7 +118,12 @@ def _whole() -> Book:
             "share": Sag.share,
             **{kind: SafetyFactors().of(kind) for kind in CASE_KINDS},
         },
-        sizes={name: dict(ends) for name, ends in USUAL.items()},
+        sizes={
+            **{name: dict(ends) for name, ends in USUAL.items()},
+            "Conveyor": {key: ends for key, *ends in USUAL_CONVEYOR} | USUAL["Conveyor"],
+        },
+        load=(EMPTIEST, FULLEST),
+        steepest=STEEPEST,
         design=DESIGN,
         own={},
     )

@@ -100,5 +100,7 @@ class Book(Plain):
     heads: Heads
     usual: dict[str, float]
     sizes: dict[str, dict[str, tuple[float, float]]]
+    load: tuple[float, float]
+    steepest: float
     design: str
     own: dict[str, Any]

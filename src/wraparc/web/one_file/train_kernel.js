@@ -690,171 +690,6 @@ export class Conveyor {
     this.speed = speed;
     this.sheave_ratio = sheave_ratio;
   }
-  *misfits() {
-    let given, message;
-    let long = display(this.length, "length");
-    if (Math.abs(this.lift) >= this.length) {
-      given = display(this.lift, "length");
-      yield new Problem(
-        "" + "must be less than the length, " + $text(long),
-        undefined,
-        undefined,
-        "lift",
-        given,
-      );
-    }
-    if (this.take_up_distance > this.length) {
-      given = display(this.take_up_distance, "length");
-      message = "" + "is more than the length, " + $text(long) + ", which is the tail";
-      yield new Problem(message, undefined, undefined, "take_up_distance", given);
-    }
-    if (this.secondary_resistance === null && this.length_coefficient === null) {
-      yield* resistance__no_coefficient(this.length);
-    }
-  }
-  get material() {
-    if (this.material_mass !== null) {
-      return this.material_mass;
-    }
-    return conveyor___known(this.capacity, 0.0) / conveyor___known(this.speed, 1.0);
-  }
-  sizes() {
-    return [
-      this.length,
-      this.lift,
-      this.belt_mass,
-      this.carry_idler_mass,
-      this.return_idler_mass,
-      conveyor___known(this.material_mass, NaN),
-      conveyor___known(this.capacity, NaN),
-      this.friction_factor,
-      conveyor___known(this.secondary_resistance, NaN),
-      this.special_resistance === 0.0 ? NaN : this.special_resistance,
-      conveyor___known(this.start_time, NaN),
-      conveyor___known(this.stop_time, NaN),
-      conveyor___known(this.take_up_tension, NaN),
-      conveyor___known(this.counterweight, NaN),
-    ];
-  }
-  reckoned() {
-    let acceleration, kind, name;
-    let full = this._state("full", "running", this.material, 0.0);
-    let states = [full, this._state("empty", "running", 0.0, 0.0)];
-    for (const each1 of this._changes(full.pull)) {
-      [name, kind, acceleration] = each1;
-      states.push(this._state(name, kind, this.material, acceleration));
-    }
-    return states;
-  }
-  unfit(states) {
-    let least, message, remedy, state;
-    let problems = [];
-    if (this.start_factor !== null && states[0].pull <= 0.0) {
-      message = "the full conveyor runs by itself, and no factor starts it";
-      remedy = 'Write start_time = "20 s" instead.';
-      problems.push(new Problem(message, remedy, undefined, "start_factor"));
-    }
-    for (const each1 of states) {
-      state = each1;
-      least = min(min(min(state.head, state.tail), state.entry), state.exit);
-      if (least <= 0.0) {
-        problems.push(conveyor___slack(state, least));
-      }
-    }
-    return problems;
-  }
-  *_changes(pull) {
-    let moving;
-    if (this.start_factor !== null) {
-      moving = this._moving(this.material) + this._moving(null);
-      yield ["start", "starting", ((this.start_factor - 1.0) * pull) / (this.length * moving)];
-    }
-    if (this.start_time !== null && this.speed !== null) {
-      yield ["start", "starting", this.speed / this.start_time];
-    }
-    if (this.stop_time !== null && this.speed !== null) {
-      yield ["stop", "braking", -this.speed / this.stop_time];
-    }
-  }
-  _moving(material) {
-    if (material === null) {
-      return this.return_idler_mass + this.belt_mass;
-    }
-    return this.carry_idler_mass + this.belt_mass + material;
-  }
-  _state(name, kind, material, acceleration) {
-    let resistances = [...this._resistances(material, acceleration)];
-    let carrying = $sum([...resistances].map((r) => r.carrying));
-    let returning = $sum([...resistances].map((r) => r.returning));
-    let head = this.take_up - (returning * this.take_up_distance) / this.length;
-    let tail = head + returning;
-    let at_head = this.drive_at === "head";
-    let entry = at_head ? tail + carrying : tail;
-    let leaving = at_head ? head : head - carrying;
-    return new State(name, kind, resistances, head, tail, entry, leaving);
-  }
-  *_resistances(material, acceleration) {
-    let coefficient;
-    let belt = this.belt_mass;
-    let loaded = this.belt_mass + material;
-    let share = this.return_share;
-    let factor = this.friction_factor;
-    let length = this.length;
-    let lift = this.lift;
-    let main = new Resistance(
-      "main",
-      resistance__main_resistance(factor, length, lift, this.carry_idler_mass, loaded),
-      resistance__main_resistance(factor, length, lift, this.return_idler_mass, belt),
-      "" +
-        $text(MAIN) +
-        ", f = " +
-        $told(this.friction_factor, false, 6, "g") +
-        $text(this._unusual),
-    );
-    yield main;
-    let secondary = this.secondary_resistance;
-    let source = GIVEN;
-    if (secondary === null) {
-      coefficient = conveyor___known(this.coefficient, 1.0);
-      secondary = (coefficient - 1.0) * main.total;
-      source = "" + $text(SECONDARY) + ", C = " + $told(coefficient, false, 3, "g");
-      source += this.length_coefficient === null ? "" : " (given)";
-    }
-    yield new Resistance("secondary", (1.0 - share) * secondary, share * secondary, source);
-    let up = resistance__slope_resistance(this.lift, loaded);
-    let down = -resistance__slope_resistance(this.lift, belt);
-    yield new Resistance("slope", up, down, SLOPE);
-    let special = this.special_resistance;
-    yield new Resistance("special", (1.0 - share) * special, share * special, GIVEN);
-    let carrying = resistance__inertia(acceleration, this.length, this._moving(material));
-    let returning = resistance__inertia(acceleration, this.length, this._moving(null));
-    yield new Resistance("inertia", carrying, returning, INERTIA);
-  }
-  get take_up() {
-    if (this.take_up_tension !== null) {
-      return this.take_up_tension;
-    }
-    return (conveyor___known(this.counterweight, 0.0) * GRAVITY) / this.sheave_ratio;
-  }
-  get coefficient() {
-    if (this.secondary_resistance !== null) {
-      return null;
-    }
-    return conveyor___known(this.length_coefficient, resistance__coefficient_at(this.length));
-  }
-  get _unusual() {
-    let [least, most] = USUAL_FRICTION;
-    if (least <= this.friction_factor && this.friction_factor <= most) {
-      return "";
-    }
-    return (
-      "" +
-      ", outside the usual " +
-      $told(least, false, 3, "f") +
-      " to " +
-      $told(most, false, 3, "f")
-    );
-  }
 }
 
 export class Point {
@@ -1282,33 +1117,6 @@ export class Followed {
   }
 }
 
-export class State {
-  constructor(name, kind, resistances, head, tail, entry, exit) {
-    this.name = name;
-    this.kind = kind;
-    this.resistances = resistances;
-    this.head = head;
-    this.tail = tail;
-    this.entry = entry;
-    this.exit = exit;
-  }
-  get pull() {
-    return $sum([...this.resistances].map((resistance) => resistance.total));
-  }
-}
-
-export class Resistance {
-  constructor(name, carrying, returning, source) {
-    this.name = name;
-    this.carrying = carrying;
-    this.returning = returning;
-    this.source = source;
-  }
-  get total() {
-    return this.carrying + this.returning;
-  }
-}
-
 export class Node {
   constructor(w, miss, slope) {
     this.w = w;
@@ -1361,25 +1169,6 @@ const _EITHER = [
   ["start_factor", "start_time", ""],
 ];
 const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
-const USUAL_CONVEYOR = [
-  ["length", 3.0, 30000.0],
-  ["lift", -1500.0, 1500.0],
-  ["belt_mass", 1.0, 200.0],
-  ["carry_idler_mass", 0.5, 200.0],
-  ["return_idler_mass", 0.2, 100.0],
-  ["material_mass", 0.5, 4000.0],
-  ["capacity", 0.1, 15000.0],
-  ["friction_factor", 0.01, 0.04],
-  ["secondary_resistance", 10.0, 500000.0],
-  ["special_resistance", 10.0, 200000.0],
-  ["start_time", 1.0, 600.0],
-  ["stop_time", 1.0, 600.0],
-  ["take_up_tension", 300.0, 2000000.0],
-  ["counterweight", 30.0, 200000.0],
-];
-const EMPTIEST = 0.7;
-const FULLEST = 700.0;
-const STEEPEST = 0.5;
 const RESULT_DIGITS = 3;
 const _AS_FAST = 5e-6;
 const _TOLERATED = 0.05;
@@ -1410,41 +1199,9 @@ const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
 const _TIP_STEPS = 12;
 const _TIP = 0.0001;
-const _ROWS = [
-  [80.0, 1.92],
-  [90.0, 1.86],
-  [100.0, 1.78],
-  [120.0, 1.7],
-  [140.0, 1.63],
-  [160.0, 1.56],
-  [180.0, 1.5],
-  [200.0, 1.45],
-  [250.0, 1.38],
-  [300.0, 1.31],
-  [350.0, 1.27],
-  [400.0, 1.25],
-  [450.0, 1.22],
-  [500.0, 1.2],
-  [550.0, 1.18],
-  [600.0, 1.17],
-  [700.0, 1.14],
-  [800.0, 1.12],
-  [900.0, 1.1],
-  [1000.0, 1.09],
-  [1500.0, 1.06],
-  [2000.0, 1.05],
-];
-const GRAVITY = 9.80665;
-const MAIN = "DIN 22101:2002-08, 6.2; ISO 5048:1989: f L g (m'R + (m'G + m'L) cos delta)";
-const GIVEN = "given";
-const SECONDARY = "DIN 22101:2002-08, 6.3.3: (C - 1) times the main resistance";
-const SLOPE = "DIN 22101:2002-08, 6.4: g H (m'G + m'L), up on one strand and down on the other";
-const INERTIA =
-  "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass";
 const MOMENTARY = 1.6;
 const BEYOND = 10.0;
 const LOW_VOLTAGE = 0.81;
-const USUAL_FRICTION = [0.016, 0.03];
 
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
@@ -2402,36 +2159,6 @@ export function conveyor__choices(given) {
   return problems;
 }
 
-/** What of a conveyor does not fit together. */
-export function in_page_conveyor__misfits(of) {
-  return [...of.misfits()];
-}
-
-/** Key of a size that conveyors of a belt width [m] do not have; empty where all are usual. */
-export function in_page_conveyor__unusual(of, width) {
-  let key, least, most, value;
-  for (const each1 of $zip(of.sizes(), USUAL_CONVEYOR)) {
-    [value, [key, least, most]] = each1;
-    if (!numbers__usual(value, least, most)) {
-      return key;
-    }
-  }
-  if (!numbers__usual(of.material, EMPTIEST * width ** 2, FULLEST * width ** 2)) {
-    return of.capacity === null ? "material_mass" : "capacity";
-  }
-  return Math.abs(of.lift) > STEEPEST * of.length ? "lift" : "";
-}
-
-/** Load cases of a conveyor, whatever tensions they leave. */
-export function in_page_conveyor__states(of) {
-  return of.reckoned();
-}
-
-/** What keeps the belt from running so. */
-export function in_page_conveyor__unfit(of, found) {
-  return of.unfit(found);
-}
-
 /** Return the direction of the straight belt between two pulleys [rad]. */
 export function belt_path___direction(start, end) {
   let dx = end.x - start.x;
@@ -3373,71 +3100,4 @@ export function roots__rising_root(f, x, reach, low, high, tolerance, slope = 0.
 export function system___turns(a, b) {
   let way = a.miss > 0.0 ? 1.0 : -1.0;
   return way * b.miss > 0.0 && way * a.slope < 0.0 && 0.0 < way * b.slope;
-}
-
-/** Return the same [-], nan below the table. */
-export function resistance__coefficient_at(length) {
-  let end, high, low, start;
-  let found = length < _ROWS[0][0] ? NaN : _ROWS.at(-1)[1];
-  for (const each1 of $pairwise(_ROWS)) {
-    [[start, high], [end, low]] = each1;
-    if (start <= length && length <= end) {
-      return high + ((low - high) * (length - start)) / (end - start);
-    }
-  }
-  return found;
-}
-
-/** Return why a conveying length has no coefficient; nothing where it has one. */
-export function resistance__no_coefficient(length) {
-  if (!Number.isNaN(resistance__coefficient_at(length))) {
-    return [];
-  }
-  let least = _ROWS[0][0];
-  return [
-    new Problem(
-      "" + "is below " + $told(least, false, 6, "g") + " m, where no coefficient C is tabulated",
-      "Give secondary_resistance, or a length_coefficient of your own.",
-      undefined,
-      "length",
-      display(length, "length"),
-    ),
-  ];
-}
-
-export function conveyor___known(value, other) {
-  return value === null ? other : value;
-}
-
-/** Return the problem of a load case in which the belt is pushed. */
-export function conveyor___slack(state, least) {
-  let where =
-    least === state.entry || least === state.exit ? "beside the drive pulley" : "at the far end";
-  let message =
-    "" +
-    "leaves a belt tension of " +
-    $text(display(least, "force")) +
-    " " +
-    $text(where) +
-    " in load case " +
-    $text(state.name) +
-    ", and a belt cannot push";
-  let remedy = "Give a larger take-up tension.";
-  return new Problem(message, remedy, undefined, "take_up_tension");
-}
-
-/** Return the main resistance of one strand, f L g (m'_R + m' cos delta) [N]. */
-export function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
-  let cosine = Math.sqrt(1.0 - (lift / length) ** 2);
-  return friction_factor * length * GRAVITY * (rotating + carried * cosine);
-}
-
-/** Return the gradient resistance of a strand that carries a mass per length up by H [N]. */
-export function resistance__slope_resistance(lift, carried) {
-  return GRAVITY * lift * carried;
-}
-
-/** Return the force that accelerates a strand, a L m' [N]. */
-export function resistance__inertia(acceleration, length, moving) {
-  return acceleration * length * moving;
 }

@@ -370,6 +370,8 @@ export interface Book {
   heads: { checks: Table; least: Record<string, Table> };
   usual: Record<string, number>;
   sizes: Record<string, Record<string, [number, number]>>;
+  load: [number, number];
+  steepest: number;
   design: string;
   own: Record<string, any>;
 }

@@ -198,6 +198,11 @@ export function oddOf({ belt, criteria, conveyor, pulleys }, book) {
       if (v && (v < low || (v > high && v < Number.POSITIVE_INFINITY)))
         return left(NOT_HERE[3], key);
     }
+  if (!conveyor) return undefined;
+  const [least, most] = book.load.map((/** @type {number} */ v) => v * belt.width ** 2);
+  const heaped = conveyor.material < least || conveyor.material > most;
+  const steep = Math.abs(conveyor.lift) > book.steepest * conveyor.length;
+  return heaped || steep ? left(NOT_HERE[3], heaped ? "capacity" : "lift") : undefined;
 }
 /** @param {any} c as read @param {string} pulley @returns {Case} */
 const caseAs = (c, pulley) => ({ ...c, ...pairOf(c.tensions.get(pulley)) });
