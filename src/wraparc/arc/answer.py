@@ -32,8 +32,8 @@ from wraparc.friction.compact import CompactLaw
 
 NO_PULL = 1e-12  # ln of a tension ratio that is rounding
 #: Of a continuation in creep: from [m]; how near to the tensions asked they are tried, then nearer;
-#: steps of a factor to the first creep that is met.
-LEAST_GUESS, CLOSE, NEARER, AWAY = 1e-7, 1e-3, 1e-2, 8.0
+#: steps of a factor to the first creep that is met, and from there upwards.
+LEAST_GUESS, CLOSE, NEARER, AWAY, WIDER = 1e-7, 1e-3, 1e-2, 8.0, 3.0
 RATIO_END = 1.0  # entry creep ratio from which on the belt would stand still
 
 
@@ -96,8 +96,8 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     more friction, tensions alone say little of it.
     """
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
-    asked, low, high, step, close = log(tight / slack), 0.0, inf, 3.0, CLOSE
-    first, near, found = max(abs(goal.creep), LEAST_GUESS), None, False
+    asked, low, high, close = log(tight / slack), 0.0, inf, CLOSE
+    first, near, at = max(abs(goal.creep), LEAST_GUESS), None, 0.0
     creep = first
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
     for i in range(STEPS):
@@ -105,7 +105,7 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
         guess = goal._replace(creep=arc.side * creep)
         met = meet(law, arc, ends, guess, near, ROUGH)
         if met.done:
-            near, found = met.course if met.rest == 0.0 else None, True
+            near, at = met.course if met.rest == 0.0 else None, creep
             carried = log_ratio(met)
             if abs(carried - asked) < close * asked:
                 there = meet(law, arc, between_tensions(goal.entry, goal.leaving), goal, near, MESH)
@@ -114,15 +114,14 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
                 close *= NEARER
             below = carried < asked and (met.rest > 0.0 or growth(arc, met.slopes) > 0.0)
             low, high = (creep, high) if below else (low, creep)
-        elif not found:  # more, less, more: what is known of the creep may be far off
+            between = sqrt(low * high) if low > 0.0 else 0.3 * high
+            creep = between if high < inf else WIDER * low
+        elif at == 0.0:  # more, less, more: what is known of the creep may be far off
             creep = first * AWAY ** ((i + 2) // 2 if i % 2 == 0 else -((i + 1) // 2))
-            continue
-        elif step < LEAST_GROWTH:
-            high = creep
-        else:
-            step = sqrt(step)
-        between = sqrt(low * high) if low > 0.0 else 0.3 * high
-        creep = between if high < inf else step * low
+        elif LEAST_GROWTH * min(creep, at) > max(creep, at):
+            break
+        else:  # nearer to the last one that was met
+            creep = sqrt(creep * at)
     return unmet(interface(law, arc), met.course)
 
 

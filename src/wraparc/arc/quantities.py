@@ -10,7 +10,7 @@ from wraparc.friction.compact import LIMIT, TABLE, CompactLaw
 Buffer = MutableSequence[float]
 
 #: Steps over one element each, 20-50 us, for an operating point or a passage, and for capacities.
-POINT_STEPS, CAPACITY_STEPS = 15_000.0, 25_000.0
+POINT_STEPS, CAPACITY_STEPS = 20_000.0, 25_000.0
 
 #: Outcomes.
 SOLVED, BREAKAWAY, UNSOLVED, REFUSED = range(4)

@@ -971,7 +971,7 @@ const PIECE_STRIDE = 25;
 const MOST_EXPONENT = 300.0;
 const LINE = 1;
 const ELASTIC = 0;
-const POINT_STEPS = 15000.0;
+const POINT_STEPS = 20000.0;
 const NO_PULL = 1e-12;
 const SOLVED = 0;
 const FIRST_ELEMENTS = 8;
@@ -3228,11 +3228,10 @@ export function answer___by_creep(law, arc, goal) {
   let asked = Math.log(tight / slack);
   let low = 0.0;
   let high = Infinity;
-  let step = 3.0;
   let close = CLOSE;
   let first = max(Math.abs(goal.creep), LEAST_GUESS);
   let near = null;
-  let found = false;
+  let at = 0.0;
   let creep = first;
   let met = meet__unmet(
     meet__interface(law, arc),
@@ -3247,7 +3246,7 @@ export function answer___by_creep(law, arc, goal) {
     met = meet__meet(law, arc, ends, guess, near, ROUGH);
     if (met.done) {
       near = met.rest === 0.0 ? met.course : null;
-      found = true;
+      at = creep;
       carried = capacity__log_ratio(met);
       if (Math.abs(carried - asked) < close * asked) {
         there = meet__meet(
@@ -3265,17 +3264,16 @@ export function answer___by_creep(law, arc, goal) {
       }
       below = carried < asked && (met.rest > 0.0 || capacity__growth(arc, met.slopes) > 0.0);
       [low, high] = below ? [creep, high] : [low, creep];
-    } else if (!found) {
+      between = low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
+      creep = high < Infinity ? between : 3.0 * low;
+    } else if (at === 0.0) {
       creep =
         first * AWAY ** (modulo(i, 2) === 0 ? Math.floor((i + 2) / 2) : -Math.floor((i + 1) / 2));
-      continue;
-    } else if (step < LEAST_GROWTH) {
-      high = creep;
+    } else if (LEAST_GROWTH * min(creep, at) > max(creep, at)) {
+      break;
     } else {
-      step = Math.sqrt(step);
+      creep = Math.sqrt(creep * at);
     }
-    between = low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
-    creep = high < Infinity ? between : step * low;
   }
   return meet__unmet(meet__interface(law, arc), met.course);
 }
