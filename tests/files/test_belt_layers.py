@@ -212,7 +212,9 @@ def test_what_belt_and_drums_have_wrong_together_is_told_at_once(door: str) -> N
     else:
         own = 'exit_tension = "60 kN"\n', 'entry_tension = "150 kN"\n'
         text = text.replace(own[0], "").replace(own[1], "")
-        text += '[train]\nentry_tension = "150 kN"\nexit_tension = "60 kN"\nshare = ["50 %", "50 %"]\n'
+        text += (
+            '[train]\nentry_tension = "150 kN"\nexit_tension = "60 kN"\nshare = ["50 %", "50 %"]\n'
+        )
     with pytest.raises(InputError) as error:
         train_from_text(text)
     for part in ALL:

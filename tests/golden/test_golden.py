@@ -21,7 +21,7 @@ from golden.compare import Difference, Kind, differences
 from golden.record import DATA, golden, record
 from present.moving import moved
 from wraparc.arc import ArcResult, Distributed, WrapArc
-from wraparc.train import solve as trains
+from wraparc.train.locate import locate
 
 #: Largest relative differences, some ten times what one changed last bit of belt width or sample
 #: area moved: 1e-11 on a pulley, 1e-8 where speeds of a train are found by iterating. Fits stop at
@@ -34,7 +34,7 @@ _SHOWN = 30
 @pytest.fixture(scope="module", autouse=True)
 def each_arc_is_solved_once() -> Iterator[None]:
     """Many doors ask for the same arcs and trains of the same examples: each has one answer."""
-    solve, located = cache(Distributed.solve), cache(trains.locate)
+    solve, located = cache(Distributed.solve), cache(locate)
 
     def solve_and_move(self: Distributed, arc: WrapArc) -> ArcResult:
         found: ArcResult = moved(solve(self, arc), np.random.default_rng(1))
@@ -42,7 +42,9 @@ def each_arc_is_solved_once() -> Iterator[None]:
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(Distributed, "solve", solve_and_move)
-        patch.setattr(trains, "locate", lambda s, names, soft: located(s, tuple(names), soft))
+        patch.setattr(
+            "wraparc.train.solve.locate", lambda s, names, soft: located(s, tuple(names), soft)
+        )
         yield
 
 

@@ -261,7 +261,8 @@ ROWS = (
         ("sags more",), ("OK", "Lower the"), level="ATTENTION"),
     # wet
     Row("the dry drive creeps too much when wet", tensions("135 kN", "62 kN"),
-        ("OK dry only", "Wet it creeps 7.01", "mm, beyond its limit"), ("All 9",), ALIKE, level="OK"),
+        ("OK dry only", "Wet it creeps 7.01", "mm, beyond its limit"), ("All 9",), ALIKE,
+        level="OK"),
     Row("the dry drive slips through when wet",
         (*tensions("100 kN", "70 kN"), ('"diamond-rubber"', '"bare"'), ("", BARE)),
         ("OK dry only", "Wet it slips through"), ("All",), level="OK"),

@@ -134,7 +134,8 @@ def test_names_in_many_languages(travel: str, force: str) -> None:
      ("Kraftsoll", "Kraft"), ("F_set", "F_act"), ("Load setting", "Load"), ("Zielkraft", "Kraft"),
      ("Force programmée", "Force"), ("Force imposée", "Force"), ("Fuerza teórica", "Fuerza"),
      ("Força comandada", "Força"), ("Siła wymagana", "Siła"), ("Программная нагрузка", "Нагрузка"),
-     ("命令力", "力"), ("Peak force", "Force"), ("Regelabweichung Kraft", "Kraft")],
+     ("命令力", "力"), ("Peak force", "Force"), ("Regelabweichung Kraft", "Kraft"),
+     ("Bezugskraft", "Kraft")],
 )  # fmt: skip
 def test_what_was_demanded_or_is_an_extreme_is_never_taken_for_what_was_measured(
     demanded: str, measured: str
@@ -149,10 +150,11 @@ def test_what_was_demanded_or_is_an_extreme_is_never_taken_for_what_was_measured
         read_machine_bytes(f"{demanded};Travel\nN;mm\n{table}\n".encode(), "x")
 
 
-def test_a_strain_in_japanese_is_no_travel() -> None:
+def test_a_strain_in_japanese_is_no_travel_and_a_normalized_force_presses_nothing() -> None:
     """Its voiced sounds are taken off as accents are, off the words looked for too."""
     assert suitability("ひずみ 変位", Role.TRAVEL) == 0.0
     assert suitability("変位", Role.TRAVEL) > 0.0
+    assert suitability("Normalized force", Role.NORMAL_FORCE) == 0.0
 
 
 def test_machine_is_no_travel_where_the_name_says_force() -> None:

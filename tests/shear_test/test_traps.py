@@ -186,3 +186,8 @@ def test_a_measurement_file_with_settings_above_its_names() -> None:
 def test_a_head_that_does_not_know_the_force_still_tells_of_a_second_test() -> None:
     one = table("Weg [mm];FR [N]", TRAVEL, FORCE)
     assert read(f"{one}\n\nProbe 2\n{one}").unread == 1
+    # behind an empty line and without a head
+    timed = table("Zeit [s];Weg [mm];Kraft [N]", TIME, TRAVEL, FORCE)
+    record = read(f"{timed}\n{timed.partition(chr(10))[2]}")
+    is_right(record)
+    assert record.unread == 1

@@ -24,7 +24,9 @@ from wraparc.web.settings import Settings
 _HOST = {"host": "127.0.0.1:8765"}
 _folder = tempfile.TemporaryDirectory(prefix="wraparc-fuzz-")
 _APP = create_app(Settings(workers=0, database=f"sqlite:///{_folder.name}/designs.sqlite"))
-SCHEMA = schemathesis.openapi.from_asgi(f"{API}/openapi.json", _APP, headers=_HOST)
+SCHEMA = schemathesis.openapi.from_asgi(
+    f"{API}/openapi.json", _APP, headers=_HOST, timeout=PATIENCE
+)
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -218,3 +218,35 @@ PLACES: dict[Dimension, str] = {
     "mass_per_length": "belt.mass",
     "number": "belt.momentary_factor",
 }
+
+
+BROKEN = [
+    "width = 1200 mm\n",
+    'title = "again"\ntitle = "and again"\n',
+    '[belt]\nwidth = "1 m"\n[belt]\n',
+    'path = "C:\\users"\n',
+    "a = [1, 2\n",
+    "x = 2024-13-45\n",
+    "= 3\n",
+    'a = "open\nb = 1\n',
+    "[belt\n",
+    "a = 1 b = 2\n",
+    "a = 01\n",
+    "[[pulley]]\nname = head\n",
+    "a.b = 1\na = 2\n",
+]
+
+
+def test_what_is_no_toml_is_told_in_the_same_sentence() -> None:
+    # expected: the program's sentence, of the line that its own reader of TOML stops at
+    program = Path(__file__).with_name("own_toml.mjs")
+    texts = [f"# a drive\nformat = 1\n{text}" for text in BROKEN]
+    done = subprocess.run(
+        ["node", str(program)], input=json.dumps(texts),
+        capture_output=True, text=True, encoding="utf-8", check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    for text, said in zip(texts, json.loads(done.stdout), strict=True):
+        with pytest.raises(InputError) as refused:
+            parse(text, "drive.toml")
+        assert said == str(refused.value)

@@ -103,7 +103,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     visitor = Visitor(chrome, html.as_uri(), offline=True)
     page = visitor.page
     page.goto(html.as_uri())
-    page.click("nav >> text=Train")
+    page.click("#nav-train")
     page.wait_for_selector("#train .tables details")
     answer = answer_of(TRAINS[name])
     for system in ("si", "us"):
@@ -137,7 +137,8 @@ def test_drive_page_shows_every_pulley(chrome: Browser, tmp_path: Path) -> None:
     visitor = Visitor(chrome, html.as_uri(), offline=True)
     page = visitor.page
     page.goto(html.as_uri())
-    page.wait_for_selector("html:not(.stale) #drive .t-capacity")
+    page.wait_for_selector("html:not(.stale) #drive .screen[data-whole]")
+    visitor.unfold()
     rows = page.locator("#drive .t-summary tbody tr").all_text_contents()
     assert [row[: len(t)] for row, t in zip(rows, titles, strict=True)] == titles
     visitor.close()
@@ -191,9 +192,12 @@ def test_a_page_reads_the_same_on_another_machine(
             visitor.context.add_init_script(OTHER_MACHINE.replace("SEED", str(seed)))
         page = visitor.page
         page.goto(html.as_uri())
-        page.wait_for_selector("html:not(.stale) #drive .t-capacity")
+        page.wait_for_selector("html:not(.stale) #drive .screen[data-whole]")
+        visitor.unfold()
+        if name == "twice":
+            page.wait_for_selector(".ways li")
         if name in TRAINS:
-            page.click("nav >> text=Train")
+            page.click("#nav-train")
             page.wait_for_selector("#train .tables details")
         texts.append(page.evaluate(WORDS))
         assert not seed or page.evaluate("window.asked") > 1000

@@ -10,7 +10,7 @@ from wraparc.batch.row import FOUND_NUMBERS, capacities_of_row, tensions_of_row
 
 
 def solve_precisely(arcs: Arcs, parts: int | Integers) -> Array:
-    """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 21).
+    """Rows of results (see :mod:`wraparc.batch.row`) of every arc, shape (n, 23).
 
     Parameters
     ----------

@@ -13,6 +13,7 @@ from wraparc.arc.capacity import (
     TESTED_SLIP,
     find_capacities,
 )
+from wraparc.arc.collocation import compliance_of
 from wraparc.arc.profile import Range, along_slip, read
 from wraparc.arc.quantities import REFUSED, SOLVED, Buffer, Geometry, Load
 from wraparc.arc.summary import kicked_loose
@@ -20,6 +21,7 @@ from wraparc.friction.compact import CompactLaw
 
 #: what is wanted of an arc, to be added up with the capacities
 TENSIONS = 1
+RATIO = 32  # of the operating point the creep ratio alone, and how it answers to the tensions
 EVERYTHING = TENSIONS + CAPACITIES
 
 #: numbers that a kernel reads for one arc
@@ -48,12 +50,15 @@ INPUTS = (*Geometry._fields[:8], *Load._fields)
     MOST_PULL,  # [N]
     LARGEST_SLIP,  # along the arc [m]
     STEEPEST_SLIP,  # along the arc [-]; of the lanes a bound from below, see `engineering`
-) = range(21)
-FOUND_NUMBERS = 21
+    RATIO_BY_ENTRY,  # dg/dT1 and dg/dT2 [1/N]; nan where not known
+    RATIO_BY_EXIT,
+) = range(23)
+FOUND_NUMBERS = 23
 
 #: places that each part fills
 PLACES = {
     TENSIONS: (*range(OUTCOME, OUTSIDE + 1), LARGEST_SLIP, STEEPEST_SLIP),
+    RATIO: (OUTCOME, CREEP_RATIO, RATIO_BY_ENTRY, RATIO_BY_EXIT),
     CREEP_LIMIT: (CREEP_CAPACITY,),
     TESTED_SLIP: (SLIP_CAPACITY,),
     LEAST: (LEAST_SLACK, MOST_PULL),
@@ -93,7 +98,7 @@ def tensions_of_row(law: CompactLaw, given: Buffer, parts: int, found: Buffer) -
     found[OUTCOME] = SOLVED
     if refused(law, geometry, load):
         found[OUTCOME] = REFUSED
-    elif parts & TENSIONS:
+    elif parts & (TENSIONS | RATIO):
         find_tensions(law, geometry, load, found)
 
 
@@ -122,6 +127,10 @@ def find_tensions(law: CompactLaw, geometry: Geometry, load: Load, found: Buffer
     if solved.outcome != SOLVED:
         return
     met = solved.met
+    if met.rest == 0.0:
+        first = met.slopes.first
+        found[RATIO_BY_ENTRY] = 1.0 / first - compliance_of(geometry)
+        found[RATIO_BY_EXIT] = -met.slopes.first_goal / first
     told = read(geometry, met, Range(load.pressure_min, load.pressure_max, load.slip_max))
     shear = geometry.shear
     found[LOG_RATIO] = log(load.exit_tension / load.entry_tension)

@@ -213,8 +213,9 @@ def _about(block: Block, tight: Array, goal: Array) -> tuple[Array, Array]:
 def _leave(arcs: Arcs, parts: int, found: Array, left: Integers) -> None:
     """Let the scalar solver do what is left."""
     left &= parts
-    done = solve_constant(arcs, left & row.TENSIONS > 0, found)
-    left[done] &= ~row.TENSIONS
+    point = row.TENSIONS | row.RATIO
+    done = solve_constant(arcs, left & point > 0, found)
+    left[done] &= ~point
     which = np.flatnonzero(left)
     if not len(which):
         return
@@ -311,7 +312,9 @@ class RowBatch:
         self.left[live[rigid[live]]] = parts
         live = live[~rigid[live]]
         if parts & row.TENSIONS:
-            self._find_tensions(live)
+            self._find_tensions(live, row.TENSIONS, self._read)
+        elif parts & row.RATIO:
+            self._find_tensions(live, row.RATIO, self._read_ratio)
         if parts & (capacity.CREEP_LIMIT + capacity.LEAST):
             limit = self.of_input("creep_limit")
             self._find_carried(live, limit, row.CREEP_CAPACITY, capacity.CREEP_LIMIT)
@@ -398,19 +401,19 @@ class RowBatch:
         fall = np.abs(np.log(at.tension[0] / at.tension[-1]))
         return np.asarray(misfit <= MISFIT * wanted * fall)
 
-    def _find_tensions(self, live: Integers) -> None:
-        """Operating points."""
+    def _find_tensions(self, live: Integers, part: int, read: Read) -> None:
+        """Operating points; what is not found is that part of what is wanted."""
         entry, leaving = self.of_input("entry_tension"), self.of_input("exit_tension")
         asks = (self.log_ratio > SMALLEST_LOG_RATIO) & (self.found[:, row.OUTCOME] == SOLVED)
         idle = live[(self.found[live, row.OUTCOME] == SOLVED) & ~asks[live]]
-        self.left[idle] |= row.TENSIONS
+        self.left[idle] |= part
         which = live[asks[live]]
         one, none = np.ones(len(which)), np.zeros(len(which))
         ends = Ends(one, none, entry[which], TENSION, leaving[which], none * np.nan)
         block = self.block.rows(which)
         creep = 2.0 * block.side * mean_creep(block, entry[which], leaving[which])
         guess = Guess(entry[which], leaving[which], creep)
-        self.left[self.meet(which, ends, guess, self._read)] |= row.TENSIONS
+        self.left[self.meet(which, ends, guess, read)] |= part
 
     def _read(self, which: Integers, block: Block, met: Solved) -> None:
         """Write operating points into rows of results."""
@@ -420,6 +423,15 @@ class RowBatch:
             self.found[which, place] = column
         # a belt that creeps by more than its length is one that the scalar solver does not hold
         self.left[which[columns[row.CREEP_RATIO] >= 1.0]] |= row.TENSIONS
+
+    def _read_ratio(self, which: Integers, block: Block, met: Solved) -> None:
+        """Write entry creep ratios and their slopes into rows of results."""
+        at = met.courses
+        ratio = at.ratio - block.compliance * at.tension[0]
+        self.found[which, row.CREEP_RATIO] = ratio
+        self.found[which, row.RATIO_BY_ENTRY] = met.by_entry - block.compliance
+        self.found[which, row.RATIO_BY_EXIT] = met.by_exit
+        self.left[which[ratio >= 1.0]] |= row.RATIO
 
     def at_limit(
         self, which: Integers, on: OnLine, limit: Array | None, guess: Tensions | None = None

@@ -44,6 +44,8 @@ FOUND_POWERS = {
     row.GROSS_CREEP: (0, 1),
     row.LARGEST_SLIP: (0, 1),
     row.STEEPEST_SLIP: (1, 1),
+    row.RATIO_BY_ENTRY: (1, 1),
+    row.RATIO_BY_EXIT: (1, 1),
 }
 
 
@@ -76,6 +78,7 @@ def solve_scaled(
     *,
     setting: Setting = Setting.ENGINEERING,
     capacities: bool = True,
+    parts: int | None = None,
     threads: int | None = 1,
     progress: Callable[[int, int], object] | None = None,
 ) -> BatchResult:
@@ -88,14 +91,19 @@ def solve_scaled(
     friction_factor, slip_factor
         f and s of mu'(x, p) = f mu(x/s, p), > 0, shape (n,) [-]. The tested slip of a law stays
         where it is.
-    setting, capacities, threads, progress
+    setting, capacities, parts, threads, progress
         As for `wraparc.batch.solve_arcs`.
     """
     f, s = friction_factor, slip_factor
     columns: dict[str, Any] = dict(arcs.columns())
     unscaled = Unscaled(laws=arcs.laws, law=arcs.law, friction_factor=f, slip_factor=s, **columns)
     found = solve_arcs(
-        unscaled, setting=setting, capacities=capacities, threads=threads, progress=progress
+        unscaled,
+        setting=setting,
+        capacities=capacities,
+        parts=parts,
+        threads=threads,
+        progress=progress,
     ).found
     for place, (of_f, of_s) in FOUND_POWERS.items():
         found[:, place] *= f**of_f * s**of_s

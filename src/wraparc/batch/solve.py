@@ -85,6 +85,7 @@ def solve_arcs(
     *,
     setting: Setting = Setting.ENGINEERING,
     capacities: bool = True,
+    parts: int | None = None,
     threads: int | None = None,
     progress: Progress | None = None,
 ) -> BatchResult:
@@ -98,6 +99,8 @@ def solve_arcs(
         How accurately.
     capacities
         Whether capacities and margins are wanted; without them the columns are nan.
+    parts
+        What is wanted instead, see `wraparc.batch.row`.
     threads
         Threads to use, by default one a processor. Results do not depend on it: an arc has the same
         numbers to the last bit whatever it is solved with.
@@ -110,11 +113,12 @@ def solve_arcs(
     InputError
         If `threads` is less than 1.
     """
-    parts = row.EVERYTHING if capacities else row.TENSIONS
+    wanted = row.EVERYTHING if capacities else row.TENSIONS
+    wanted = wanted if parts is None else parts
     found = np.empty((len(arcs), row.FOUND_NUMBERS))
 
     def run(which: slice) -> None:
-        found[which] = _chunk(arcs.rows(which), setting, parts)
+        found[which] = _chunk(arcs.rows(which), setting, wanted)
 
     share_chunks(run, len(arcs), CHUNK, threads, progress)
     return BatchResult(arcs, found)

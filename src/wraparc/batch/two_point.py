@@ -373,13 +373,15 @@ class Step(NamedTuple):
         The courses after it.
     change
         Largest change of a tension, of the largest there is.
-    grows
+    grows, by_entry, by_exit
         See `Solved`.
     """
 
     courses: Courses
     change: Array
     grows: Array
+    by_entry: Array
+    by_exit: Array
 
 
 def improved(block: Block, ends: Ends, at: Courses) -> Step:
@@ -411,9 +413,9 @@ def _improved(block: Block, ends: Ends, at: Courses) -> Step:
         turn = s2 - s1 * b
         b, r, d = -turn * over, s0 + s1 * r - turn * rt, s3 + s1 * d - turn * kt
     end, end_k = _exit(block, ends, at, b, r, d)
-    first, first_k = end, end_k
+    first, first_k, through = end, end_k, np.ones(len(block))
     for _, _, _, rt, kt, over in reversed(back):
-        first, first_k = over * first - rt, over * first_k - kt
+        first, first_k, through = over * first - rt, over * first_k - kt, over * through
     short = ends.tension - ends.at_entry * at.tension[0] - ends.at_exit * at.tension[-1]
     slope = ends.at_entry * first_k + ends.at_exit * end_k
     dk = (short - ends.at_entry * first - ends.at_exit * end) / slope
@@ -440,7 +442,8 @@ def _improved(block: Block, ends: Ends, at: Courses) -> Step:
     )
     most = np.maximum(np.abs(change).max(axis=(0, 1)), np.abs(dt).max(axis=0))
     grows = slope if ends.kind == TENSION else slope / np.where(block.side > 0.0, first_k, end_k)
-    return Step(moved, most / np.maximum(at.tension[0], at.tension[-1]), grows)
+    change = most / np.maximum(at.tension[0], at.tension[-1])
+    return Step(moved, change, grows, 1.0 / first_k, -through / first_k)
 
 
 def _exit(
@@ -472,6 +475,8 @@ class Solved(NamedTuple):
     grows
         > 0 where the tension at the entry grows with creep (the branch on which friction is not yet
         exhausted); at a creep that is asked, where what is carried does with the tight side.
+    by_entry, by_exit
+        How K changes with the tensions at both ends where these are given [1/N].
     ends
         Traction at the ends of elements, shape (elements + 1, n).
     misfit
@@ -484,6 +489,8 @@ class Solved(NamedTuple):
     curves: Curves
     met: Flags
     grows: Array
+    by_entry: Array
+    by_exit: Array
     ends: Stress
     misfit: Array
 
@@ -496,6 +503,8 @@ class Solved(NamedTuple):
             self.curves.take_rows(which),
             self.met[which],
             self.grows[which],
+            self.by_entry[which],
+            self.by_exit[which],
             Stress(*(column.take(which, axis=-1) for column in self.ends)),
             self.misfit.take(which, axis=-1),
         )
@@ -507,7 +516,8 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
     A row keeps what it had when it was done, whatever it is solved with.
     """
     out, n = start, len(block)
-    met, grows, which = np.zeros(n, dtype=bool), np.full(n, np.nan), np.arange(n)
+    met, which = np.zeros(n, dtype=bool), np.arange(n)
+    slopes = np.full((3, n), np.nan)
     for _ in range(STEPS):
         step = improved(block.rows(which), ends.rows(which), out.rows(which))
         if len(which) == n:
@@ -515,7 +525,7 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
         else:
             for old, new in zip(out[1:], step.courses[1:], strict=True):
                 _put(old, which, new)
-        grows[which], met[which] = step.grows, step.change < near
+        slopes[:, which], met[which] = step[2:], step.change < near
         which = which[(step.change < 1e4) & ~(step.change < near)]
         if not len(which):
             break
@@ -527,7 +537,8 @@ def solved(block: Block, ends: Ends, start: Courses, near: float) -> Solved:
         misfit /= np.maximum(size, 1e-6 * out.tension[0])
     else:
         misfit /= np.minimum(out.tension[:-1], out.tension[1:])
-    return Solved(out, along, met, grows, at_ends, misfit)
+    grows, by_entry, by_exit = slopes
+    return Solved(out, along, met, grows, by_entry, by_exit, at_ends, misfit)
 
 
 def _put(old: Array, which: Integers, new: Array) -> None:

@@ -20,12 +20,19 @@ from wraparc.machine_tables import (
     read_bytes,
     refused,
 )
-from wraparc.shear_test.buffers import further_tests, joined, one_run
 from wraparc.shear_test.choose import Chosen, choose_columns
+from wraparc.shear_test.one_test import (
+    further_tests,
+    joined,
+    last_row,
+    off_trend,
+    one_run,
+    results_at_ends,
+    sentinel_rows,
+    side_by_side,
+)
 from wraparc.shear_test.record import Choices, ColumnInfo, Dropped, MachineRecord
 from wraparc.shear_test.roles import Role, is_known, suitability
-from wraparc.shear_test.sentinels import last_row, off_trend, results_at_ends, sentinel_rows
-from wraparc.shear_test.side_by_side import side_by_side
 
 _EXPORT = "Export the test as a table of travel and force, one row a reading, as CSV or Excel."
 _FACTORS = re.compile(r"(?i)fa[ck]t|gain|scal|skal|multipl|verst|sensit|empf|offset|calib|kalib")

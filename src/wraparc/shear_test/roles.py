@@ -60,7 +60,8 @@ _DEMANDED = (
     r"\bsoll|soll\b|sollwert|set ?point|setpunkt|\bset\b|\bsetting|\bsetforce|\btarget|\bdemand"
     r"|\bcommand|\bcmd\b|\bnominal|\bdesired|\brequested|\bprescribed|\breference\b|\bref\b|\bsp\b"
     r"|\bprogram|theor|\bexpected|\bideal\b|\binput\b"
-    r"|vorgabe|\bvorgegeben|fuhrungsgrosse|stellgrosse|\bnenn|\bziel|\bwunsch|\bsteuer"  # German
+    r"|vorgabe|\bvorgegeben|fuhrungsgrosse|stellgrosse|\bnenn|\bbezug|\bziel"  # German
+    r"|\bwunsch|\bsteuer"
     r"|consigne|\bcible|\bcommande|\bvisee?\b|\bimpose|souhait"  # French
     r"|consigna|\bobjetivo|\bdesead|\bmando\b|\breferencia|\bteoric|prescrit|\bajust"  # Spanish
     r"|\bdesejad|\balvo\b|ponto de ajuste|\bcomandad"  # Portuguese
@@ -86,7 +87,8 @@ _MEASURES_OTHER = (
 )
 # A force that presses sample and belt together, a travel in its direction.
 _NORMAL = (
-    r"normal|normaal|verti[ck]|\bclamp|compres|\bkontakt|\bcontact|dead ?weight|\bdown ?force"
+    r"normal(?!i[sz])|normaal|verti[ck]|\bclamp|compres|\bkontakt|\bcontact|dead ?weight"
+    r"|\bdown ?force"
     r"|pre ?load|\bweight|anpress|andruck|auflage|zuspann|\bspannkraft|druckkraft|klem|gewicht"
     r"|auflast|serrage|presseur|\bappui|apriete|\bpeso\b|\baperto|serraggio|docisk|nacisk|pionow|svisl"
     r"|pritlac|прижа|прижим|давлен|вертик|нормал|法向|法線|正压力?|垂直|竖向|鉛直|压紧|夹紧|押付|締付"

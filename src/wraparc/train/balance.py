@@ -1,20 +1,21 @@
 """The tensions of many trains from what turns their drums: all arcs of all rows side by side.
 
 The unknowns are the tensions between the pulleys. Each arc is solved for its tensions by the batch
-kernel, which gives its entry creep ratio; the speed that each drum then asks of the belt,
+kernel, which gives its entry creep ratio and how that answers to them; the speed that each drum
+then asks of the belt,
 
     L = -ln(1 - g) + ln(1 + T1/EA) - ln(1 - delta/R) - ln(omega(M) R),
 
 must be the same for all drums, and a torque that follows another must do so. Between two drums L of
 the second less that of the first rises with the tension between them, past breakaway to infinity:
-the root is kept in a bracket and none can be missed. Between more, Newton's method with slopes by
-differences; what it does not find is left to the solver of one train.
+the root is kept in a bracket and none can be missed. Between more, Newton's method alone; what it
+does not find is left to the solver of one train.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import nan
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,28 +31,28 @@ Integers = NDArray[np.int64]
 
 #: Miss of a speed equation that counts as none, by setting [-].
 MISSES = {Setting.ENGINEERING: 1e-8, Setting.PRECISE: 1e-11}
-_SCALE = 3e-4  # miss from which on misses are counted by their logarithm: creep is exponential
+_SCALE = 1e-2  # miss from which on misses are counted by their logarithm: creep is exponential
 _LEAST, _MOST = 1e-5, 30.0  # tensions between the drums, over the largest at the ends
 _CLOSE = 1e-12  # width of a bracket that holds one number, over the largest tension
 _FIRST_STEP = 0.03  # of the total pull
-_DIFFERENCE = 1e-4  # of a tension, for slopes
+_DIFFERENCE = 1e-5  # of a tension, for slopes
 _CLOSINGS, _NEWTON_STEPS, _HALVINGS = 80, 25, 10
 
 
-@dataclass(frozen=True)
-class Start:
-    """Where to look for the balance first.
+class Arcs(NamedTuple):
+    """Arcs of trains between tensions, shape (k, turned) each.
 
     Attributes
     ----------
-    shares
-        Of the drums [-].
-    sensitivity
-        Change of the share of the second drum by the logarithm of its speed, nan if unknown [-].
+    ratio
+        Entry creep ratios, inf towards the slack side where an arc breaks away, else nan [-].
+    by_entry, by_exit
+        How they change with the tensions at both ends, nan where that is not known [1/N].
     """
 
-    shares: tuple[float, ...]
-    sensitivity: float = nan
+    ratio: Array
+    by_entry: Array
+    by_exit: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,13 +77,13 @@ class Balanced:
     unsure: Flags
 
 
-def balance(equations: Equations, start: Start) -> Balanced:
-    """Return the tensions of trains."""
+def balance(equations: Equations, shares: tuple[float, ...]) -> Balanced:
+    """Return the tensions of trains, looked for from shares of the drums [-]."""
     rows = equations.rows
     n, count = len(rows), equations.count
     pulls = rows.pulls
     if pulls is None:
-        pulls = np.array(start.shares) * rows.total[:, None]
+        pulls = np.array(shares) * rows.total[:, None]
     before = np.cumsum(pulls, axis=1)[:, :-1] - np.cumsum(rows.drums["run"], axis=1)[:, :-1]
     between = rows.whole["entry_tension"][:, None] - before
     none, nobody = np.zeros(n, dtype=bool), np.zeros((n, count), dtype=bool)
@@ -91,10 +92,10 @@ def balance(equations: Equations, start: Start) -> Balanced:
     if equations.rests:
         return Balanced(between, none, nobody, ~none)
     if equations.setting is Setting.PRECISE:  # the last steps are enough
-        near = balance(Equations(rows, Setting.ENGINEERING), start)
+        near = balance(Equations(rows, Setting.ENGINEERING), shares)
         between = np.where(near.found[:, None], near.between, between)
     if count == 2 and not equations.followers:
-        return _between_two(equations, between[:, 0], start.sensitivity)
+        return _between_two(equations, between[:, 0])
     return _newton(equations, between)
 
 
@@ -136,12 +137,22 @@ class Equations:
         arm = self.radius[which] - self.squeeze[which] * entries
         return np.asarray((entries - exits) * arm)
 
-    def levels(self, which: Integers, between: Array) -> Array:
-        """L of the drums that do not follow, inf of those that break away, shape (k, turned)."""
+    def levels(
+        self, which: Integers, between: Array, arcs: Arcs, moved: Array | None = None
+    ) -> Array:
+        """L of the drums that do not follow, inf of those that break away, shape (k, turned).
+
+        With tensions that are `moved`, by the slopes of arcs between others.
+        """
         entries, exits = self.tensions(which, between)
+        if moved is None:
+            return self.asked(which, entries, exits, arcs.ratio)
+        new, left = self.tensions(which, moved)
         drums = np.array(self.turned)
-        ratios = self._ratios(which, drums, entries[:, drums], exits[:, drums])
-        return self.asked(which, entries, exits, ratios)
+        with np.errstate(invalid="ignore"):
+            ratios = arcs.ratio + arcs.by_entry * (new - entries)[:, drums]
+            ratios += arcs.by_exit * (left - exits)[:, drums]
+        return self.asked(which, new, left, ratios)
 
     def asked(self, which: Integers, entries: Array, exits: Array, ratios: Array) -> Array:
         """L of the drums that do not follow, from their entry creep ratios, shape (k, turned)."""
@@ -165,24 +176,29 @@ class Equations:
             speeds[:, i] = motor.rows(which).drum_speed(torques[:, i])
         return speeds
 
-    def _ratios(self, which: Integers, drums: Integers, a: Array, b: Array) -> Array:
-        """Entry creep ratios, inf towards the slack side where an arc breaks away, else nan."""
+    def solved(self, which: Integers, between: Array) -> Arcs:
+        """Arcs of the drums that do not follow."""
+        drums = np.array(self.turned)
+        a, b = (tensions[:, drums] for tensions in self.tensions(which, between))
         places = (which[:, None] * self.count + drums).ravel()
         arcs = self.arcs.rows(places)
         arcs = replace(arcs, entry_tension=a.ravel(), exit_tension=b.ravel())
         factors = (self.rows.drums[k].ravel()[places] for k in ("friction_factor", "slip_factor"))
-        found = solve_scaled(arcs, *factors, setting=self.setting, capacities=False).found
+        found = solve_scaled(arcs, *factors, setting=self.setting, parts=row.RATIO).found
         gone = found[:, row.OUTCOME] == BREAKAWAY
         away = np.where(arcs.entry_tension >= arcs.exit_tension, np.inf, -np.inf)
         solved = np.where(found[:, row.OUTCOME] == SOLVED, found[:, row.CREEP_RATIO], np.nan)
-        return np.where(gone, away, solved).reshape(a.shape)
+        slopes = (found[:, place] for place in (row.RATIO_BY_ENTRY, row.RATIO_BY_EXIT))
+        return Arcs(*(c.reshape(a.shape) for c in (np.where(gone, away, solved), *slopes)))
 
-    def misses(self, which: Integers, between: Array) -> Array:
-        """Misses of all equations, shape (k, drums - 1) [-]."""
-        levels = self.levels(which, between)
+    def misses(
+        self, which: Integers, between: Array, arcs: Arcs, moved: Array | None = None
+    ) -> Array:
+        """Misses of all equations, shape (k, drums - 1) [-]; see `levels`."""
+        levels = self.levels(which, between, arcs, moved)
         with np.errstate(invalid="ignore"):
             speeds = np.diff(levels, axis=1)
-        entries, exits = self.tensions(which, between)
+        entries, exits = self.tensions(which, between if moved is None else moved)
         return np.concatenate([speeds, self.unfollowed(which, entries, exits)], axis=1)
 
     def unfollowed(self, which: Integers, entries: Array, exits: Array) -> Array:
@@ -197,8 +213,8 @@ class Equations:
         return np.asarray(misses / scale[:, None])
 
 
-def _between_two(equations: Equations, start: Array, sensitivity: float) -> Balanced:
-    """Close in on the tension between two drums, in every row."""
+def _between_two(equations: Equations, start: Array) -> Balanced:
+    """Close in on the tension between two drums, in every row: Newton's method in a bracket."""
     n, tolerance = len(start), MISSES[equations.setting]
     largest = equations.largest
     low = np.maximum(_LEAST * largest, _LEAST * largest - equations.rows.runs[:, 0])
@@ -209,14 +225,13 @@ def _between_two(equations: Equations, start: Array, sensitivity: float) -> Bala
     done, lost, nowhere = (np.zeros(n, dtype=bool) for _ in range(3))
     size = np.full(n, np.inf)
     total = np.maximum(np.abs(equations.rows.total), 1e-3 * largest)
-    # without the slope at the start a step that leads across the root more often than not
-    step = total * sensitivity if sensitivity > 0.0 else np.full(n, nan)
     for i in range(_CLOSINGS):
         live = np.flatnonzero(~(done | lost | nowhere))
         if not len(live):
             break
         at = x[live]
-        levels = equations.levels(live, at[:, None])
+        arcs = equations.solved(live, at[:, None])
+        levels = equations.levels(live, at[:, None], arcs)
         gone = np.isinf(levels)
         with np.errstate(invalid="ignore"):
             f = levels[:, 1] - levels[:, 0]
@@ -233,11 +248,15 @@ def _between_two(equations: Equations, start: Array, sensitivity: float) -> Bala
         # a jump between two ways of solving an arc is no edge of friction
         done[live] |= closed & (np.abs(f) <= 1e3 * tolerance)
         nowhere[live] |= closed & ~done[live]
-        f = np.arcsinh(f / _SCALE)
-        new = _next(at, f, before[live], f_before[live])
-        if i == 0:
-            blind = np.sign(f) * _FIRST_STEP * total
-            new = at - np.where(np.isnan(step), blind, step * _SCALE * f)
+        there = at + _DIFFERENCE * largest[live]
+        with np.errstate(invalid="ignore"):
+            f_there = np.diff(equations.levels(live, at[:, None], arcs, there[:, None]), axis=1)
+        f, f_there = np.arcsinh(f / _SCALE), np.arcsinh(f_there[:, 0] / _SCALE)
+        new = _next(at, f, there, f_there)
+        # without slopes by the one before, at first by a step that leads across more often than not
+        blind = at - np.sign(f) * _FIRST_STEP * total[live]
+        other = _next(at, f, before[live], f_before[live]) if i > 0 else blind
+        new = np.where(f_there > f, new, other)
         inside = (low[live] < new) & (new < high[live])
         slow = np.zeros(len(live), dtype=bool)
         if i % 3 == 2:
@@ -257,24 +276,21 @@ def _next(x: Array, f: Array, before: Array, f_before: Array) -> Array:
 
 
 def _newton(equations: Equations, start: Array) -> Balanced:
-    """Newton's method in every row, its slopes kept and corrected (Broyden) while they serve."""
+    """Newton's method in every row, its steps shortened until they serve."""
     n, k = start.shape
     tolerance = MISSES[equations.setting]
     low = _LEAST * equations.largest[:, None]
     x = np.maximum(start, np.maximum(low, low - equations.rows.runs))
     everywhere = np.arange(n)
-    f = equations.misses(everywhere, x)
-    slopes = np.full((n, k, k), np.nan)
-    fresh, lost = np.zeros(n, dtype=bool), np.asarray(~np.isfinite(f).all(axis=1))
+    arcs = equations.solved(everywhere, x)
+    f = equations.misses(everywhere, x, arcs)
+    lost = np.asarray(~np.isfinite(f).all(axis=1))
     size = _size(f)
     for _ in range(_NEWTON_STEPS):
         live = np.flatnonzero(~lost & (size > tolerance))
         if not len(live):
             break
-        old = live[np.isnan(slopes[live]).any(axis=(1, 2))]
-        if len(old):
-            slopes[old], fresh[old] = _slopes(equations, old, x[old], f[old]), True
-        step, solvable = _step(slopes[live], f[live])
+        step, solvable = _step(_slopes(equations, live, x[live], f[live], arcs), f[live])
         lost[live[~solvable]] = True
         left = np.flatnonzero(solvable)
         factor = 1.0
@@ -285,19 +301,16 @@ def _newton(equations: Equations, start: Array) -> Balanced:
             new = x[rows] + factor * step[left]
             held = (new > low[rows]) & (new + equations.rows.runs[rows] > low[rows])
             new = np.where(held, new, x[rows])
-            f_new = equations.misses(rows, new)
+            there = equations.solved(rows, new)
+            f_new = equations.misses(rows, new, there)
             size_new = _size(f_new)
             better = size_new < size[rows]
-            good, moved = rows[better], new[better] - x[rows[better]]
-            slopes[good] = _learned(slopes[good], moved, f_new[better] - f[good])
-            slow = size_new[better] > 0.5 * size[good]
-            slopes[good[slow & ~fresh[good]]] = np.nan
-            fresh[good] = False
+            good = rows[better]
             x[good], f[good], size[good] = new[better], f_new[better], size_new[better]
+            for column, told in zip(arcs, there, strict=True):
+                column[good] = told[better]
             left, factor = left[~better], 0.5 * factor
-        stuck = live[left]
-        lost[stuck[fresh[stuck]]] = True
-        slopes[stuck] = np.nan
+        lost[live[left]] = True
     found = size <= tolerance
     found |= lost & (size <= 1e3 * tolerance)  # as near as the arcs are solved
     return Balanced(x, found, np.zeros((n, k + 1), dtype=bool), ~found)
@@ -309,14 +322,22 @@ def _size(misses: Array) -> Array:
     return np.where(np.isfinite(size), size, np.inf)
 
 
-def _slopes(equations: Equations, which: Integers, x: Array, f: Array) -> Array:
-    """Slopes of the misses by the tensions, by differences, shape (k, drums - 1, drums - 1)."""
-    made = np.empty((len(which), x.shape[1], x.shape[1]))
+def _slopes(equations: Equations, which: Integers, x: Array, f: Array, arcs: Arcs) -> Array:
+    """Slopes of the misses by the tensions, shape (k, drums - 1, drums - 1).
+
+    By those of the arcs, else by differences.
+    """
+    made, here = np.empty((len(which), x.shape[1], x.shape[1])), Arcs(*(c[which] for c in arcs))
     for j in range(x.shape[1]):
         moved = x.copy()
         moved[:, j] *= 1.0 + _DIFFERENCE
+        there = equations.misses(which, x, here, moved)
+        rest = np.flatnonzero(np.isnan(there).any(axis=1))
+        if len(rest):
+            rows, at = which[rest], moved[rest]
+            there[rest] = equations.misses(rows, at, equations.solved(rows, at))
         with np.errstate(invalid="ignore"):
-            made[:, :, j] = (equations.misses(which, moved) - f) / (moved - x)[:, j, None]
+            made[:, :, j] = (there - f) / (moved - x)[:, j, None]
     return made
 
 
@@ -328,11 +349,3 @@ def _step(slopes: Array, f: Array) -> tuple[Array, Flags]:
     if good.any():
         step[good] = np.linalg.solve(slopes[good], -f[good][..., None])[..., 0]
     return step, good
-
-
-def _learned(slopes: Array, moved: Array, change: Array) -> Array:
-    """Slopes that are true between the last two points, little changed otherwise."""
-    square = (moved * moved).sum(axis=1)
-    miss = change - (slopes @ moved[..., None])[..., 0]
-    part = miss / np.where(square > 0.0, square, np.inf)[:, None]
-    return np.asarray(slopes + part[:, :, None] * moved[:, None, :])

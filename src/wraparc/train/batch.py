@@ -15,7 +15,7 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.batch.solve import share_chunks
 from wraparc.drive.pitch import centrifugal_of
 from wraparc.errors import InputError
-from wraparc.train.balance import Balanced, Equations, Start, balance
+from wraparc.train.balance import Balanced, Equations, balance
 from wraparc.train.batch_result import (
     BEYOND_MOTOR,
     BREAKAWAY,
@@ -112,7 +112,7 @@ def solve_train_batch(
 
 def solve_rows(
     rows: TrainRows,
-    start: Start,
+    start: tuple[float, ...],
     *,
     setting: Setting = Setting.ENGINEERING,
     capacities: bool = True,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import nan
 from typing import Any
 
 import numpy as np
@@ -22,7 +21,6 @@ from wraparc.batch.columns import (
 from wraparc.batch.laws import LawBank
 from wraparc.drive import Limit
 from wraparc.errors import InputError, Problem
-from wraparc.train.balance import Start
 from wraparc.train.columns import (
     MAY_BE_MISSING,
     OF_DRUM,
@@ -67,7 +65,7 @@ class Read:
     rows: TrainRows
     good: Flags
     problems: tuple[Problem, ...]
-    start: Start
+    start: tuple[float, ...]
 
 
 def read_rows(train: Train, columns: Mapping[str, ArrayLike], case: str = "") -> Read:
@@ -95,7 +93,9 @@ def read_rows(train: Train, columns: Mapping[str, ArrayLike], case: str = "") ->
         return _Reader(base, given, kinds).read(start)
 
 
-def _division(train: Train, asked: set[str], solved: CaseResult | None) -> tuple[Train, Start]:
+def _division(
+    train: Train, asked: set[str], solved: CaseResult | None
+) -> tuple[Train, tuple[float, ...]]:
     """Return the train with what divides the load of its rows, and shares to start from.
 
     Given shares stay or become given; where one drum wears or is trimmed, the drums keep the speeds
@@ -103,17 +103,17 @@ def _division(train: Train, asked: set[str], solved: CaseResult | None) -> tuple
     """
     case, count = train.cases[0], len(train.pulleys)
     total = case.effective_tension
-    start = Start((1.0 / count,) * count)
+    start = (1.0 / count,) * count
     if isinstance(case.division, Shares):
-        start = Start(case.division.fractions)
+        start = case.division.fractions
     elif isinstance(case.division, Pulls) and total != 0.0:
-        start = Start(tuple(pull / total for pull in case.division.effective_tensions))
+        start = tuple(pull / total for pull in case.division.effective_tensions)
     if solved is None and "share" not in asked:
         return train, start
     if solved is not None and solved.status.solved and total != 0.0:
-        start = Start(solved.shares, solved.sensitivity[1][1] if count == 2 else nan)
+        start = solved.shares
     if "share" in asked:
-        return replace(train, cases=(replace(case, division=Shares(start.shares)),)), start
+        return replace(train, cases=(replace(case, division=Shares(start)),)), start
     if solved is not None and isinstance(case.division, Shares | Pulls):
         if not solved.status.solved:
             message = f"has no solution that the drums could keep their speeds of: {solved.reason}"
@@ -162,7 +162,7 @@ class _Reader:
         self.good &= np.broadcast_to(good, (self.n,))
         return np.broadcast_to(value, (self.n,)).copy()
 
-    def read(self, start: Start) -> Read:
+    def read(self, start: tuple[float, ...]) -> Read:
         drums = {key: self._of_drums(key) for key in OF_DRUM if key not in ("share", "speed_trim")}
         wear, thickness = drums.pop("wear"), drums["lagging_thickness"]
         self._say("wear", wear > thickness, "must be at most what the lagging is thick", wear)
@@ -183,7 +183,7 @@ class _Reader:
 
     def _mended(self, rows: TrainRows, bad: NDArray[np.int64]) -> TrainRows:
         """Return the rows, the bad ones those of the train itself."""
-        base = _Reader(self.train, {}, {}).read(Start(())).rows
+        base = _Reader(self.train, {}, {}).read(()).rows
 
         def put(value: Array | None, of_base: Array | None) -> Array | None:
             if value is not None and of_base is not None:

@@ -1,7 +1,7 @@
 """What the drive page needs to answer a moved slider itself."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from pydantic import ConfigDict, GetJsonSchemaHandler
@@ -11,8 +11,10 @@ from wraparc.drive import Belt, Drive, LoadCase, Pulley, Tensions
 from wraparc.drive.load_case import DESIGN
 from wraparc.drive.tension_rules import EFFECTIVE
 from wraparc.files.tensions import KEYS
+from wraparc.files.tensions import Given as GivenLoad
 from wraparc.schema.limits import Limit
 from wraparc.schema.source import Document
+from wraparc.schema.tables import Record
 from wraparc.units import Dimension, parse_quantity
 from wraparc.web.answers.shown import Answer
 from wraparc.web.in_page import Given
@@ -22,9 +24,7 @@ _BELT = ("width", "modulus", "speed")
 #: With what a pull is given.
 _WITH = {"torque": "diameter", "power": "speed"}
 #: Keys of the independent quantities that give the tensions.
-_KINDS = {"entry_tension": "entry_tension", "exit_tension": "exit_tension"} | {
-    "pull": "effective_tension"
-}
+_PLAIN = KEYS[:3]
 #: What makes the tensions of a drive depend on more than the numbers of its pulley and belt.
 _ELSEWHERE = ("conveyor", "train")
 
@@ -124,53 +124,48 @@ def _tensions(document: Document, drive: Drive, arc: WrapArc, case: LoadCase) ->
             "exit_tension": arc.exit_tension,
             "effective_tension": arc.effective_tension,
         }
-        given = {_KINDS[kind] for kind in _own_kinds(document, case)}
-        taken = _taken(document, drive, case)
+        given, taken = _kinds(_own(document, case)), _taken(document, drive, case)
         return {key: found[key] for key in ((*given, taken) if taken else KEYS[:2])}
-    dimensions: dict[str, Dimension] = {"torque": "torque", "power": "power"}
-    return {
-        key: _read(table[key], dimensions.get(key, "force"))
-        for key in KEYS
-        if table.get(key) is not None
-    }
+    return dict(_record(table))
 
 
 def elsewhere(document: Document, drive: Drive, case: LoadCase) -> list[list[str | int]]:
     """Return the tensions of the pulley that a load case has nothing from."""
     if _of_pulley(case):
         return []
-    own = _own_kinds(document, case)
     taken = _taken(document, drive, case)
-    left = _KINDS.values() if taken or len(own) > 1 else ()
+    left = _PLAIN if taken or len(_kinds(_own(document, case))) > 1 else ()
     return [["pulley", 0, key] for key in left if key != taken]
 
 
-def _kinds(table: Mapping[str, Any]) -> set[str]:
-    """Return the independent quantities that a table gives."""
-    keys = [key for key in KEYS if table.get(key) is not None]
-    return {"pull" if key in EFFECTIVE else key for key in keys}
+def _kinds(keys: Iterable[str]) -> set[str]:
+    """Return the independent quantities that keys give."""
+    return {_PLAIN[-1] if key in EFFECTIVE else key for key in keys if key in KEYS}
 
 
-def _own_kinds(document: Document, case: LoadCase) -> set[str]:
+def _own(document: Document, case: LoadCase) -> dict[str, Any]:
     """Return what a load case gives of the tensions itself."""
     for table in document.get("load_case") or []:
         if case.name in (table.get("name"), f"{table.get('name')}, {case.condition}"):
-            return _kinds(next(iter((table.get("pulley") or {}).values()), {}))
-    return set()
+            given = next(iter((table.get("pulley") or {}).values()), {})
+            return {key: value for key, value in given.items() if value is not None}
+    return {}
 
 
 def _taken(document: Document, drive: Drive, case: LoadCase) -> str:
-    """Return the one tension or pull that a load case takes over from the pulley, if it is plain.
+    """Return the one tension or pull that a load case takes over from its pulley, if plain."""
+    own, pulley = _own(document, case), drive.pulleys[0]
+    base = GivenLoad.of(pulley.name, _record(document["pulley"][0]), pulley.diameter)
+    fixed, speed = drive.criteria.take_up.fixed, drive.belt.speed
+    kept = _kinds(base.overridden(_record(own), fixed=fixed, speed=speed).inherited)
+    return kept.pop() if len(_kinds(own)) == 1 == len(kept) else ""
 
-    As `drive.tension_rules.overridden` has it.
-    """
-    own, base = _own_kinds(document, case), _kinds(document["pulley"][0])
-    if len(own) != 1 or (own == {"pull"} and drive.criteria.take_up.fixed):
-        return ""
-    rest = base - own
-    if own == {"pull"} and len(rest) == 2:
-        rest = {KEYS[1]}  # a pull alone takes the exit tension with it
-    return _KINDS[rest.pop()] if len(rest) == 1 else ""
+
+def _record(table: Mapping[str, Any]) -> Record:
+    """Return the tensions of a table as they are read."""
+    dimensions: dict[str, Dimension] = {"torque": "torque", "power": "power"}
+    given = [key for key in KEYS if table.get(key) is not None]
+    return Record({k: _read(table[k], dimensions.get(k, "force")) for k in given}, (), table)
 
 
 def _read(value: Any, dimension: Dimension) -> float:

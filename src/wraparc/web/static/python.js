@@ -201,7 +201,8 @@ export function $at(of, key) {
     if (!of.has(key)) throw new $KeyError(key);
     return of.get(key);
   }
-  const found = typeof of === "string" ? letters(of) : (of.$found ?? (Array.isArray(of) ? of : [...of]));
+  const found =
+    typeof of === "string" ? letters(of) : (of.$found ?? (Array.isArray(of) ? of : [...of]));
   return typeof key === "number" ? (found.at(key) ?? null) : (found.groups?.[key] ?? null);
 }
 export const $put = (of, key, value) => {

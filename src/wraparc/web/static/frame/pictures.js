@@ -105,7 +105,7 @@ function plain(e) {
   if (e.tagName !== "svg" && !["defs", "pattern", "marker"].includes(e.tagName))
     for (const name of LOOKS) {
       const value = look.getPropertyValue(name);
-      const font = /^(font|text|dominant)/.test(name) && e.tagName !== "text";
+      const font = /^(font|text|dominant)/.test(name) && !["text", "tspan"].includes(e.tagName);
       if (value && !font && !USUAL[name]?.includes(value)) copy.setAttribute(name, value);
     }
   for (const child of e.childNodes) {
