@@ -17,7 +17,7 @@ from web.calculators import PATIENCE, TOKEN, Process, wait_for
 Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
-_LONG = 25e3
+_LONG = 120e3
 STUDY = 1e3 * PATIENCE
 #: Most time between two questions of a page, whether its server is there [ms].
 LATER = 30_000

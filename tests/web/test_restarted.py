@@ -4,7 +4,7 @@ from pathlib import Path
 
 from playwright.sync_api import Page, expect
 
-from web.browser import LATER, READY, Calculator, Visitor
+from web.browser import LATER, READY, Calculator, Visitor, turn
 from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
 
@@ -21,7 +21,7 @@ def test_a_killed_server_is_waited_for_and_comes_back(
         page = window.open("tests")
         page.set_input_files("#test-files", FILES)
         page.wait_for_selector(f"text={len(FILES)} tests")
-        page.click("#nav-drive")
+        turn(page, "drive")
         window.solved()
         failed: list[str] = []
         other.open("drive").on("requestfailed", lambda request: failed.append(request.url))
@@ -34,7 +34,7 @@ def test_a_killed_server_is_waited_for_and_comes_back(
             visitor.page.clock.fast_forward(LATER)
         finds_it_again(window)
         other.page.wait_for_selector(READY["study"])
-        other.page.click("#nav-drive")
+        turn(other.page, "drive")
         expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
         for visitor in (window, other):
             visitor.close()
@@ -53,12 +53,12 @@ def asks_for_a_page_once(page: Page, failed: list[str]) -> None:
     # expected: a page not yet seen is asked for once, the others work on, and it comes with the
     # server; it was asked for again the moment it did not come, and nothing could be pressed any
     # more
-    page.click("#nav-study")
+    turn(page, "study")
     expect(page.locator(".gone")).to_contain_text("does not answer")
     expect(page.locator("#study")).to_contain_text("Loading")
-    page.click("#nav-drive")
+    turn(page, "drive")
     page.fill("#f-pulley-0-exit_tension", "77")
-    page.click("#nav-study")
+    turn(page, "study")
 
     def asked_thrice() -> bool:
         page.clock.fast_forward(LATER)
@@ -77,7 +77,7 @@ def finds_it_again(visitor: Visitor) -> None:
     visitor.solved()
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
     expect(page.locator("#results [role=alert]")).to_have_text("")
-    page.click("#nav-tests")
+    turn(page, "tests")
     page.get_by_role("button", name="Fit the lagging").click()
     expect(page.locator("#toast")).to_contain_text("drop the files again")
     expect(page.get_by_text("Fitting …")).to_have_count(0)

@@ -8,6 +8,7 @@ from wraparc.drive import DESIGN, Belt, Pulley, TakeUp
 from wraparc.drive.tension_rules import (
     EFFECTIVE,
     BehindTakeUp,
+    LoadGiven,
     NipTensions,
     RunsGain,
     behind_take_up,
@@ -159,7 +160,7 @@ class Reader:
         )
         if ends is None:
             return given
-        return replace(given, values=type(given.values)(*ends), inherited=())
+        return replace(given, values=LoadGiven(ends.entry, ends.exit), inherited=())
 
     def _ends(self, given: Given) -> NipTensions:
         return ends_of(given.values, given.at(self.belt.speed))

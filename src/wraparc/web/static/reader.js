@@ -2954,7 +2954,7 @@ return given;
 if ((ends == null)) {
 return given;
 }
-return $replaced(given, new Map([["values", $b.type($bound(given, "values"))(...$iter(ends))], ["inherited", []]]));
+return $replaced(given, new Map([["values", new LoadGiven($bound(ends, "entry"), $bound(ends, "exit"))], ["inherited", []]]));
 }
 _ends(given) {
 const self = this; return tension_rules__ends_of($bound(given, "values"), given.at($bound(self.belt, "speed")));
