@@ -462,3 +462,26 @@ def test_keys_of_other_files_are_refused_or_stand_here_with_their_reason(table: 
             value = scaled({"key": usual_value}, ("key",), factor)["key"]
             refused = kind.read(value, (key,), Report()) is NOTHING
             assert refused or key in TAKEN, (key, value)
+
+
+#: What is asked about at ten times as much already: ratios, and what hardly differs between drives.
+TENFOLD = (
+    "belt.width", "belt.speed", "belt.momentary_factor", "belt.pulley_cover", "belt.carry_cover",
+    "belt.carcass", "belt.cover_shear_modulus", "belt.mass", "belt.strength", "pulley.diameter",
+    "take_up.sheave_ratio", "design_standard.friction", "design_standard.start_factor",
+    "safety_factor.running", "safety_factor.starting", "safety_factor.braking",
+    "sag.idler_spacing", "sag.share", "lagging.plain.law.friction",
+    "lagging.plain.condition_factor.factor", "pulley.across.before.length",
+    "train.motor.one.rated_speed", "train.motor.one.gear_ratio", "train.motor.one.setting",
+    "train.motor.one.gear_efficiency", "train.motor.one.motor_efficiency",
+    "train.motor.one.torque_limit", "train.motor.one.breakdown_ratio",
+    "conveyor.friction_factor", "conveyor.length_coefficient", "conveyor.start_factor",
+    "motion.drum.two.control.coupling_slip", "motion.drum.two.control.starting_ratio",
+    "motion.event.happens.friction", "motion.event.happens.factor",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("key", TENFOLD)
+def test_ten_times_as_much_is_refused_or_asked_about(key: str) -> None:
+    name, path = CASES[key, 1e3]
+    assert asked(scaled(DOCUMENTS[name], path, 10.0))

@@ -13,6 +13,7 @@ from wraparc import load_drive, solve
 from wraparc.drive.load_case import resultant
 from wraparc.present.drive_sheet import loads_table
 from wraparc.present.sheet import shown
+from wraparc.units import in_units
 
 
 @pytest.mark.parametrize("wrap", [10.0, 90.0, 180.0, 210.0, 240.0])
@@ -37,3 +38,22 @@ def test_every_pulley_and_load_case_has_its_loads() -> None:
     # 2000 kN/m x 1.2 m over 150 kN; 2000/300 and 2000/450 are what the rating asks
     assert table.rows[0].values[2] == "16"
     assert "at least 6.67 running and 4.44 starting and stopping" in table.note
+
+
+@pytest.mark.parametrize("lies", [0.0, 37.0, 90.0, 180.0])
+def test_weight_and_resultant_add_as_vectors_between_their_ends(lies: float) -> None:
+    """Expected: the vector sum, whichever way the belt lies to the vertical; R = 210 kN."""
+    found = resultant(150e3, 60e3, math.pi, 1e6, 1000.0)
+    weight = 9806.65
+    both = abs(cmath.rect(210e3, math.radians(lies)) + weight)
+    assert found.least_shaft_load - 1e-6 <= both <= found.most_shaft_load + 1e-6
+    assert found.most_shaft_load == pytest.approx(210e3 + weight)
+    assert found.least_shaft_load == pytest.approx(210e3 - weight)
+    assert math.isnan(resultant(150e3, 60e3, math.pi, 1e6).most_shaft_load)
+
+
+def test_the_weight_of_a_pulley_stands_in_its_loads() -> None:
+    drive = load_drive("examples/head-drive-fabric.toml", overrides={"pulley.head.mass": "1 t"})
+    table = loads_table(solve(drive))
+    assert [in_units(cell) for cell in table.rows[0].values[3:]] == ["220 kN", "200 kN"]
+    assert "With the weight (head 1000 kg)" in in_units(table.note)

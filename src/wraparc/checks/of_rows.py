@@ -55,6 +55,8 @@ NOT_CHECKED = (
     "the interval of the creep by a fitted law (draw the law instead)",
     "the torque of motors, where the load of a train is not divided anew in every row",
 )
+#: Fields of `Held` on motors, known where the load of a train is divided anew.
+MOTORS = ("motor", "motor_load", "momentary_load")
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -196,7 +198,7 @@ def held_by(
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
         odd=odd,
-        **dict.fromkeys(("motor", "motor_load", "momentary_load"), np.full(len(arcs), math.nan)),
+        **dict.fromkeys(MOTORS, np.full(len(arcs), math.nan)),
     )
 
 

@@ -14,6 +14,7 @@ from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
 from wraparc.checks.of_data import wet_factor
+from wraparc.checks.of_rows import MOTORS
 from wraparc.drive import Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -363,7 +364,7 @@ def _same(one: Rows, other: Rows, within: float) -> bool:
     """Whether two single arcs are the same, with their laws and what they are held against."""
     numbers = [
         [getattr(rows.arcs, name)[0] for name in COLUMNS]
-        + [getattr(rows.held, f.name)[0] for f in fields(rows.held)]
+        + [getattr(rows.held, f.name)[0] for f in fields(rows.held) if f.name not in MOTORS]
         for rows in (one, other)
     ]
     a, b = np.array(numbers, dtype=float)
