@@ -1,5 +1,6 @@
 """A run that was broken off goes on bit for bit, and a long one needs no more memory."""
 
+import gc
 import tracemalloc
 from collections.abc import Sequence
 from pathlib import Path
@@ -107,11 +108,14 @@ def test_memory_does_not_grow_with_the_event() -> None:
     simulate(station, Event(duration=1.0), points=10)  # loads what is loaded once
     for duration in (3.0, 30.0):  # with as many rows and pictures each
         event = Event(duration=duration)
+        gc.collect()
         tracemalloc.start()
         simulate(station, event, points=10, step=0.05, every=duration / 30, sink=lambda row: None)
         most.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
-    assert most[1] < 1.05 * most[0]
+    # when what is not used any more is collected moves it by some per cent; one array of ten
+    # numbers kept by each of the 540 more steps would be a third
+    assert most[1] < 1.2 * most[0]
 
 
 def test_the_command_goes_on_where_it_was(tmp_path: Path) -> None:
