@@ -32,6 +32,7 @@ from wraparc.calibrate.calibration import (
     calibrated_drive,
 )
 from wraparc.calibrate.file import load_measured
+from wraparc.calibrate.fit import Fit
 from wraparc.calibrate.profile_likelihood import profile_end
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -121,6 +122,17 @@ def test_what_cannot_be_told_apart_gets_no_number() -> None:
     assert [e.value for e in found.estimates] == [None, None]
     assert found.mixed == (("friction", "peak_slip"),)
     assert found.drive.pulley("head").lagging.law == DRIVE.pulley("head").lagging.law
+
+
+def test_a_trial_of_a_size_that_no_lagging_has_ends_no_search() -> None:
+    """A search far off tries exp(-50) of the shear modulus of the file: it is held at 1/100."""
+    number = Number(quantity="exit_creep", value=8e-3, sd=1e-4, load_case="design")
+    fit = Fit(
+        Problemset(drive=DRIVE, pulley="head", parameters=("shear_modulus",), numbers=(number,))
+    )
+    far = fit.start - 50.0
+    assert fit.values(far)["shear_modulus"] == pytest.approx(0.01 * math.exp(fit.start[0]))
+    assert np.isfinite(fit.data_residuals(far, ())).all()
 
 
 def test_a_prior_is_told_as_a_prior() -> None:

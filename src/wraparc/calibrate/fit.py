@@ -32,6 +32,8 @@ _FULLY: dict[str, Any] = {"xtol": 1e-7, "ftol": 1e-9, "gtol": 1e-9, "max_nfev": 
 _ENOUGH: dict[str, Any] = {"xtol": 1e-4, "ftol": 2e-4, "gtol": 1e-9, "max_nfev": 20}
 #: loose rein on directions that the data leave free [-]
 _REIN = 3.0
+#: how many times off a trial may be [-]: far beyond what is told, and short of what no drive may be
+_FARTHEST = 100.0
 _STEP = 2e-4
 #: misfit of a trial at gross slip over the size of what was measured [-]: more than a drive that
 #: just carries its load creeps
@@ -59,8 +61,10 @@ class Fit:
         ]
 
     def values(self, x: Array) -> dict[str, float]:
-        """Parameters by name [SI]."""
-        return {n: value_of(n, v) for n, v in zip(self.names, x.tolist(), strict=True)}
+        """Parameters by name [SI], those that are not an overrun at most `_FARTHEST` times off."""
+        near = self.start + np.clip(x - self.start, -math.log(_FARTHEST), math.log(_FARTHEST))
+        held = np.where([name == "overrun" for name in self.names], x, near)
+        return {n: value_of(n, v) for n, v in zip(self.names, held.tolist(), strict=True)}
 
     def model(self, x: Array) -> tuple[list[float], list[Array]]:
         """What would be measured with parameters."""
