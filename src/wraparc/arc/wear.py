@@ -19,6 +19,9 @@ Array = NDArray[np.float64]
 #: Part of the thickness that may be worn off where nothing else is said [-].
 WORN_SHARE = 0.5
 
+#: Least sum over what is summed that parts are made to keep [-].
+_SUM = 1e-6
+
 
 def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     """Mean frictional power per area in equal parts of the wrap [W/m2].
@@ -49,9 +52,11 @@ def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:
     tau = profile.shear_stress
     work = np.r_[0.0, np.cumsum(0.5 * (tau[1:] + tau[:-1]) * np.diff(profile.slip))]
     at = np.interp(edges, profile.position, work)
-    # the profile has points, and the solver the exact work: its parts keep its sum
+    # the profile has points, and the solver the exact work: its parts keep its sum, unless that is
+    # what rounding leaves of work in either sense, as on a pulley that idles
     whole = at[-1] - at[0]
-    scale = result.energy.frictional_energy / whole if whole else 1.0
+    known = abs(whole) > _SUM * np.abs(np.diff(work)).sum()
+    scale = result.energy.frictional_energy / whole if known else 1.0
     length = arc.length / parts
     share = arc.radius / (arc.radius + arc.offset)
     return edges, scale * np.diff(at) * arc.belt_speed / (1.0 - g) / length * share
