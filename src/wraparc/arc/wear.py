@@ -21,6 +21,8 @@ WORN_SHARE = 0.5
 
 #: Least sum over what is summed that parts are made to keep [-].
 _SUM = 1e-6
+#: Frictional energy of a pass of which only rounding is left [J/m2].
+IDLE_ENERGY = 1e-9
 
 
 def frictional_power(result: ArcResult, parts: int = 6) -> tuple[Array, Array]:

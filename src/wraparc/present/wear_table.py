@@ -8,6 +8,7 @@ from typing import Any
 
 from wraparc.arc import ArcResult
 from wraparc.arc.wear import (
+    IDLE_ENERGY,
     WORN_SHARE,
     coefficient_of_life,
     frictional_power,
@@ -86,7 +87,7 @@ def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
     """Return passes, energy, life and what vendors' lives stand for, as plain data [SI]."""
     speed, depth = result.arc.belt_speed, WORN_SHARE * lagging.thickness
     energy = abs(result.energy.frictional_energy)
-    if speed is None or not result.status.solved or depth <= 0.0 or not energy > 0.0:
+    if speed is None or not result.status.solved or depth <= 0.0 or not energy > IDLE_ENERGY:
         return None
     passes = turns_an_hour(speed, result.arc.radius + result.arc.offset)
     edges, power = frictional_power(result)
