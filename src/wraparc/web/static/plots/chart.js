@@ -80,7 +80,7 @@ export class Chart {
     this.numbered = numbered;
     this.svg = s(
       "svg",
-      { class: "chart", role: "img" },
+      { class: "chart", role: "img", "aria-label": title },
       hatches(this.id),
       this.back,
       this.zones,
