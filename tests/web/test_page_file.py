@@ -198,7 +198,9 @@ def test_page_from_the_disk_shows_what_solve_says(page_of: Any, tmp_path: Path, 
 
 #: What a page shows of its answer, for a browser that only runs scripts.
 SHOWN = """
-for (const id of ["more", "details"]) document.getElementById(id).open = true;
+const folded = ["more", "details"].map((id) => document.getElementById(id));
+if (folded.includes(null)) return null;
+for (const part of folded) part.open = true;
 const texts = (of) => [...document.querySelectorAll(of)].map((e) => e.innerText.trim());
 if (!document.querySelector("html:not(.stale) #drive .t-capacity")) return null;
 return {

@@ -36,13 +36,16 @@ export async function find() {
   Object.assign(last, { of, all: [] });
   leastWrap.wrap = null;
   if (app.doc.pulley.length > 1 || !(quick.numbers.effective_tension > 0)) return;
+  const found = [];
   for (const [title, does, doc] of changes(quick.numbers)) {
     const told = await solved(doc, String(quick.load_case));
     if (!same(of)) return;
-    if (told) last.all.push({ title, does, doc, ...told });
+    if (told) found.push({ title, does, doc, ...told });
   }
   await seekWrap(of, String(quick.load_case), quick.creep_limit);
-  if (same(of)) redraw();
+  if (!same(of)) return;
+  last.all = found; // at once: a list that grows moves what is below it
+  redraw();
 }
 /** @param {Record<string, number>} n @returns {[string, string, Design][]} */
 function changes(n) {
