@@ -37,7 +37,7 @@ def look(page: Page, case: str) -> Locator:
     page.locator("#cases").get_by_role("button", name=case).click()
     found = page.get_by_role("group", name=f"Load: {case}", exact=True)
     expect(found).to_be_visible()
-    return found
+    return page.get_by_role("form", name="Drive")
 
 
 def creep(page: Page) -> str:

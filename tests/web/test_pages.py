@@ -458,11 +458,16 @@ def test_moved_slider_is_answered_without_the_server(visitor: Visitor) -> None:
 SLIDE = """(slider, part) => {
   slider.value = +slider.min + part * (slider.max - slider.min);
   slider.dispatchEvent(new Event("input", { bubbles: true }));
+  slider.dispatchEvent(new Event("change", { bubbles: true }));
 }"""
 
 
 #: Moves of sliders, to a part of their way: a drive that slips, one that creeps, one that holds.
-SLIDES = (("Exit tension", 0.0), ("Exit tension", 0.6), ("Wrap angle", 0.99), ("Belt width", 0.8))
+#: That of the width reaches two standard sizes far: 1600 mm, then 2000 mm.
+SLIDES = (
+    ("Exit tension", 0.0), ("Exit tension", 0.6), ("Wrap angle", 0.99), ("Belt width", 1.0),
+    ("Belt width", 1.0),
+)  # fmt: skip
 
 
 #: Whether the page has judged what it shows.

@@ -60,8 +60,10 @@ export const keepAddress = later(250, async () => {
   // the address may have turned meanwhile: its entry of the history belongs to another page
   if (pageOfAddress() === page) write(`#/${page}/${text}`);
 });
-/** @param {string} page */
+/** The page that is shown is not turned to once more: Back would stay on it.
+ * @param {string} page */
 export function turnTo(page) {
+  if (page === app.page) return;
   history.pushState({ mine: true }, "", `#/${page}`);
   app.page = page;
 }

@@ -212,6 +212,7 @@ export class Field extends Component {
     this.seen = this.look(this.props);
     const name = label || s.title;
     const problem = this.problem;
+    const long = problem && problem !== NEEDED;
     const tall = /description/.test(s.key);
     const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
     const standing = problem ? (problem === NEEDED ? " needed" : " wrong") : "";
@@ -243,7 +244,8 @@ export class Field extends Component {
         " ",
         this.state.help && this.seek(),
       ),
-      h("p", { class: "error", id: `${this.id}-e` }, problem),
+      // a long one scrolls: the keys must get there
+      h("p", { class: "error", id: `${this.id}-e`, tabIndex: long ? 0 : undefined }, problem),
     );
   }
   /** @param {string} name */

@@ -293,7 +293,7 @@ const said = (level, text, more, action, all = "", alert = null) =>
       h("p", {}, level && h("span", { class: "away" }, `${level}: `), text),
       h("small", {}, more),
     ),
-    h("div", { role: "alert" }, alert),
+    h("div", { role: "alert", tabIndex: alert ? 0 : undefined }, alert),
     h("div", { class: "act" }, action),
   );
 /** @param {QuickAnswer | null} arc @param {boolean} refused */
