@@ -208,6 +208,41 @@ def test_a_page_reads_the_same_on_another_machine(
         assert [pair for pair in zip_longest(texts[0], moved) if pair[0] != pair[1]] == []
 
 
+#: Draws the screen anew at each question to the worker, and keeps how long its list of changes is.
+DRAWN_OFTEN = """
+  window.lengths = [];
+  const ask = Worker.prototype.postMessage;
+  let turn = 0;
+  Worker.prototype.postMessage = function (...asked) {
+    const checks = document.querySelectorAll("#drive .checks .list button");
+    checks[turn++ % checks.length]?.click();
+    requestAnimationFrame(() => {
+      window.lengths.push(document.querySelectorAll(".ways li").length);
+      ask.apply(this, asked);
+    });
+  };
+"""
+
+
+def test_what_would_change_the_creep_is_shown_whole_at_once(
+    chrome: Browser, tmp_path: Path
+) -> None:
+    # expected: no part of the list at any time, however often the screen is drawn meanwhile
+    html = tmp_path / "page.html"
+    file = EXAMPLES / "head-drive-fabric.toml"
+    assert wraparc("page", str(file), "-o", str(html))[0] == 0
+    visitor = Visitor(chrome, html.as_uri(), offline=True)
+    visitor.context.add_init_script(DRAWN_OFTEN)
+    visitor.page.goto(html.as_uri())
+    visitor.page.wait_for_selector(".ways li")
+    whole = visitor.page.locator(".ways li").count()
+    lengths = visitor.page.evaluate("window.lengths")
+    assert len(lengths) > whole > 3
+    assert set(lengths) <= {0, whole}
+    visitor.close()
+    assert (visitor.wrong, visitor.elsewhere) == ([], [])
+
+
 SHOWN = """
   const told = document.querySelector("#train .verdict .headline");
   const tables = document.querySelectorAll("#train .tables details");
