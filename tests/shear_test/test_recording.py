@@ -275,3 +275,12 @@ def test_the_report_says_what_slip_includes_and_the_order() -> None:
     rows = {r.title: r.values for t in shown(plan_sheet(lab.fit()), "si").tables for r in t.rows}
     assert rows["Slip includes"] == ("sliding and cover shear and the rig's own travel",)
     assert rows["Order of the tests"] == ("p0r0, p1r0, p2r0, ... p0r1",)
+
+
+def test_a_pressure_typed_far_beyond_all_others_is_asked_about() -> None:
+    """5500 for 550 kPa: a tenth of the friction there, as a law that falls so steeply may have."""
+    module = verdicts()
+    lab = module.laboratory(module.two_pieces(), "9 x 1", 16)
+    module.FAULTS["one pressure typed 10 times off"](lab, 16)
+    (text, *_) = verdict(lab.fit()).sentences
+    assert "was its pressure 550 kPa, not 5500 kPa?" in text
