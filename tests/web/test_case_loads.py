@@ -33,7 +33,7 @@ def opened(visitor: Visitor, folder: Path, text: str) -> Page:
 
 
 def look(page: Page, case: str) -> Locator:
-    """Press the chip of a load case; return the section Load of it."""
+    """Press the chip of a load case; return the form, which then shows its load."""
     page.locator("#cases").get_by_role("button", name=case).click()
     found = page.get_by_role("group", name=f"Load: {case}", exact=True)
     expect(found).to_be_visible()
@@ -167,7 +167,10 @@ def test_tensions_that_load_cases_share_are_called_so(visitor: Visitor, tmp_path
     # the pulley gives T2 alone: no load case "design", as the file format has it
     page = opened(visitor, tmp_path, SHARED)
     shared = page.get_by_role("group", name="Load: shared by all load cases", exact=True)
-    expect(shared.get_by_label("Exit tension T2", exact=True)).to_have_value("60")
+    expect(shared).to_be_visible()
+    expect(
+        page.get_by_role("form", name="Drive").get_by_label("Exit tension T2", exact=True)
+    ).to_have_value("60")
     load = look(page, "empty")
     expect(load.get_by_label("Entry tension T1", exact=True)).to_have_value("82")
     load.get_by_label("Entry tension T1", exact=True).fill("84")
@@ -182,7 +185,8 @@ def test_new_load_case_is_shown_and_takes_everything_over(visitor: Visitor, tmp_
     page = opened(visitor, tmp_path, HEAD.partition("[[load_case]]")[0])
     expect(page.get_by_role("group", name="Load", exact=True)).to_be_visible()
     page.click("#add-case")
-    load = page.get_by_role("group", name="Load: case 2", exact=True)
+    expect(page.get_by_role("group", name="Load: case 2", exact=True)).to_be_visible()
+    load = page.get_by_role("form", name="Drive")
     expect(load.get_by_label("Entry tension T1", exact=True)).to_have_attribute(
         "placeholder", "150"
     )
@@ -198,7 +202,8 @@ def test_new_load_case_is_shown_and_takes_everything_over(visitor: Visitor, tmp_
 def test_units_and_conditions_are_views_of_the_load_case(visitor: Visitor, tmp_path: Path) -> None:
     page = opened(visitor, tmp_path, 'condition = ["dry", "wet"]\n' + HEAD)
     page.locator("#cases").get_by_role("button", name="empty, wet").click()
-    load = page.get_by_role("group", name="Load: empty", exact=True)
+    expect(page.get_by_role("group", name="Load: empty", exact=True)).to_be_visible()
+    load = page.get_by_role("form", name="Drive")
     before = kept(page)
     page.get_by_label("US", exact=True).check(force=True)
     expect(load.get_by_label("Exit tension T2", exact=True)).to_have_attribute(
