@@ -212,7 +212,6 @@ export class Field extends Component {
     this.seen = this.look(this.props);
     const name = label || s.title;
     const problem = this.problem;
-    const long = problem && problem !== NEEDED;
     const tall = /description/.test(s.key);
     const shape = choices && !s.dimension ? " wide" : tall ? " tall" : "";
     const standing = problem ? (problem === NEEDED ? " needed" : " wrong") : "";
@@ -245,7 +244,7 @@ export class Field extends Component {
         this.state.help && this.seek(),
       ),
       // a long one scrolls: the keys must get there
-      h("p", { class: "error", id: `${this.id}-e`, tabIndex: long ? 0 : undefined }, problem),
+      h("p", { class: "error", id: `${this.id}-e`, tabIndex: problem ? 0 : undefined }, problem),
     );
   }
   /** @param {string} name */
