@@ -41,7 +41,8 @@ def downloaded(page: Page, folder: Path) -> Path:
 
 def figure(page: Page, title: str) -> str:
     row = page.locator("#across .t-answer tr", has=page.locator(f"th:text-is('{title}')"))
-    return row.locator("td.num").inner_text()
+    # what is far from the screen is not laid out, and has no inner text yet
+    return row.locator("td.num").text_content() or ""
 
 
 def load(page: Page, file: Path) -> None:
