@@ -22,7 +22,10 @@ def test_t1_below_t2_brakes_in_the_headline() -> None:
     said = judge(solve(cases((60e3, 100e3)))).headline()
     assert said.endswith("Pulley head brakes (T1 < T2).")
     some = judge(solve(cases((60e3, 100e3), (100e3, 60e3), (60e3, 60e3)))).headline()
-    assert some.endswith("Pulley head brakes (T1 < T2) in 1 of 3 load cases.")
+    assert some.endswith(
+        "Pulley head brakes (T1 < T2) in 1 of 3 load cases. "
+        "Pulley head pulls nothing (T1 = T2) in 1 of 3 load cases."
+    )
     assert "brakes" not in judge(solve(cases((100e3, 60e3)))).headline()
 
 
