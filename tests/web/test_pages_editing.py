@@ -390,7 +390,7 @@ def test_skip_link_leads_into_the_page_that_is_open(visitor: Visitor) -> None:
     page.keyboard.press("Enter")
     expect(page.locator("#compare-title")).to_be_focused()
     expect(page.locator("#compare")).to_be_visible()
-    # on the first page the load is the first thing after its views: its cases, one more, its numbers
+    # on the first page the load is the first thing after its views: its cases, one more, numbers
     page = visitor.open("drive")
     page.locator("#skip").focus()
     views = page.locator("#drive .views a").count()
