@@ -336,7 +336,7 @@ def limited(run: RunResult, what: str, part: float) -> RunResult:
     belt, first = train.belt, train.pulleys[0]
     lagging = first.lagging
     pressure = 2.0 / (belt.width * first.diameter)
-    tested = TestedRange(pressure_min=1.0, pressure_max=1e9, slip_max=1.0, slip_speed=1.0)
+    tested = TestedRange(pressure_min=500.0, pressure_max=1e7, slip_max=0.3, slip_speed=0.3)
     if what == "bond_stress":
         lagging = replace(lagging, bond_strength=part * most.shear.value)
     elif what == "tested_slip":
