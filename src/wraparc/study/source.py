@@ -363,12 +363,17 @@ class DriveSource:
         at = {f.place: values[f.name] for f in self.fields if f.name in values}
         speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
         given = []
+        bases, which = self._bases(values, size)
         for record in self._pulleys:
             name = record["name"]
             diameter: Any = at.get(("pulley", name, "diameter"), record["diameter"])
-            diameter = diameter + 2.0 * (
-                pitch_offset(self.drive.belt, self.drive.pulley(name).side) or 0.0
-            )
+            offsets = [
+                0.0
+                if of is None
+                else pitch_offset(of.drive.belt, of.drive.pulley(name).side) or 0.0
+                for of in bases
+            ]
+            diameter = diameter + 2.0 * np.array(offsets)[which]
             numbers = _numbers(record, ("pulley", name), at)
             given.append(Given(name, (), LoadGiven(**numbers), {}, diameter))
         if load_case in self._cases:
