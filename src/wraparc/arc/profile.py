@@ -25,11 +25,11 @@ from wraparc.arc.collocation import (
 from wraparc.arc.meet import Met, ratio_of
 from wraparc.arc.quantities import Buffer, Geometry, jumps, zeros
 from wraparc.arc.traction import Traction
+from wraparc.drive.load_case import ROUNDING
 
 RECORD = 5
 #: Places between the ends of an element, and weights, of Lobatto's rule of four points.
 LOBATTO, AT_ENDS, INSIDE = 0.27639320225002106, 1.0 / 12.0, 5.0 / 12.0
-LEVEL = 1e-12  # of the entry tension: what rounding leaves of a change that is none
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, NEAR = 45, 1e-9  # of a place between two points; how near to an end a slope is looked at
 ALIKE = 1e-12  # of the arc: places that are one
@@ -237,7 +237,7 @@ def active_length(arc: Geometry, met: Met, along: list[Point]) -> float:
     """Length of the exit part of the arc that takes 99 % of the tension change [m]."""
     end = along[-1]
     change = met.entry - end.tension
-    if abs(change) <= LEVEL * met.entry:
+    if abs(change) <= ROUNDING * met.entry:
         return 0.0
     i = len(along) - 1
     while i > 0 and (met.entry - along[i].tension) / change > ACTIVE_SHARE:

@@ -62,7 +62,8 @@ class Fit:
 
     def values(self, x: Array) -> dict[str, float]:
         """Parameters by name [SI], those that are not an overrun at most `_FARTHEST` times off."""
-        near = self.start + np.clip(x - self.start, -math.log(_FARTHEST), math.log(_FARTHEST))
+        most = math.log(_FARTHEST)
+        near = np.clip(x, self.start - most, self.start + most)
         held = np.where([name == "overrun" for name in self.names], x, near)
         return {n: value_of(n, v) for n, v in zip(self.names, held.tolist(), strict=True)}
 

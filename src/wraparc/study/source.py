@@ -236,7 +236,7 @@ class DriveSource:
             entries, exits = divided.entries, divided.exits
             valid &= divided.valid
         elif self._at_pulleys:
-            entries, exits = self._tensions(values, size, load_case)
+            entries, exits = self._tensions(values, drives, which, load_case)
         else:
             entries, exits = (e[:, which] for e in self._tensions_of(drives, load_case))
         index, most = self._names.index(self.pulley), Tensions.LIMITS["entry"].most
@@ -358,21 +358,17 @@ class DriveSource:
         }
         return _Base(columns, lagging.law, drive)
 
-    def _tensions(self, values: Values, size: int, load_case: str) -> tuple[Array, Array]:
+    def _tensions(
+        self, values: Values, drives: Sequence[Drive], which: NDArray[np.int64], load_case: str
+    ) -> tuple[Array, Array]:
         """Entry and exit tensions of all pulleys, by the rules of drive files, (pulleys, size)."""
-        at = {f.place: values[f.name] for f in self.fields if f.name in values}
+        at, size = {f.place: values[f.name] for f in self.fields if f.name in values}, len(which)
         speed: Any = at.get(("belt", "speed"), self.drive.belt.speed)
         given = []
-        bases, which = self._bases(values, size)
         for record in self._pulleys:
             name = record["name"]
             diameter: Any = at.get(("pulley", name, "diameter"), record["diameter"])
-            offsets = [
-                0.0
-                if of is None
-                else pitch_offset(of.drive.belt, of.drive.pulley(name).side) or 0.0
-                for of in bases
-            ]
+            offsets = [pitch_offset(d.belt, d.pulley(name).side) or 0.0 for d in drives]
             diameter = diameter + 2.0 * np.array(offsets)[which]
             numbers = _numbers(record, ("pulley", name), at)
             given.append(Given(name, (), LoadGiven(**numbers), {}, diameter))

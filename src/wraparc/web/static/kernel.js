@@ -1065,7 +1065,6 @@ const HALVINGS = 45;
 const LOBATTO = 0.27639320225002106;
 const AT_ENDS = 0.08333333333333333;
 const INSIDE = 0.4166666666666667;
-const LEVEL = 1e-12;
 const ACTIVE_SHARE = 0.01;
 const IDLE = 1e-9;
 const CREEP_LIMIT = 0.00635;
@@ -3817,7 +3816,7 @@ export function profile__stuck_length(arc, met, along) {
 export function profile__active_length(arc, met, along) {
   let end = along.at(-1);
   let change = met.entry - end.tension;
-  if (Math.abs(change) <= LEVEL * met.entry) {
+  if (Math.abs(change) <= ROUNDING * met.entry) {
     return 0.0;
   }
   let i = along.length - 1;
