@@ -64,6 +64,8 @@ format: dev
 	@echo "== format: ruff format --check, biome format"
 	@$(BIN)/ruff format --check $(CHECKED)
 	@$(NODE)/biome format
+	@left=$$(git ls-files --others --exclude-standard src 2>/dev/null); test -z "$$left" || \
+	  { printf 'no commit would have these; git add or remove them:\n%s\n' "$$left"; exit 1; }
 
 lint: dev
 	@echo "== lint: ruff check, biome lint"

@@ -572,3 +572,29 @@ def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculato
     expect(page.locator("#drive .figures")).to_contain_text("5.55 mm")
     assert visitor.wrong == ["The page and the server differ in exit_creep."]
     visitor.close()
+
+
+def test_a_page_that_cannot_be_drawn_says_so_once(visitor: Visitor) -> None:
+    # expected: one fault, told; it was told by drawing, which failed, and so on without end
+    page = visitor.open("drive")
+    page.evaluate(
+        "import('/static/main.js').then(({ app, redraw }) => {"
+        "app.doc = { ...app.doc, title: Symbol('no text') }; redraw(); })"
+    )
+    expect(page.locator("#toast")).to_contain_text("TypeError")
+    visitor.painted()
+    assert 0 < len(visitor.wrong) < 9  # once a drawing: of the change, and of its answers
+    visitor.wrong.clear()
+
+
+def test_what_is_being_typed_outlives_a_drawing(visitor: Visitor) -> None:
+    # expected: the title as typed; a list of studies that came meanwhile took it away
+    page = visitor.open("study")
+    title = page.locator("#study").get_by_label("Title")
+    title.fill("Typed")
+    page.evaluate("import('/static/main.js').then((m) => m.redraw())")
+    visitor.painted()
+    expect(title).to_have_value("Typed")
+    title.blur()
+    visitor.painted()
+    expect(title).to_have_value("Typed")

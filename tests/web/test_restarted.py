@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
-from web.browser import LATER, READY, Calculator, Visitor, turn
+from web.browser import LATER, READY, TOKEN, Calculator, Visitor, turn
 from web.calculators import Process, serving, wait_for
 from web.test_pages_tests import FILES
 
@@ -97,6 +97,13 @@ def test_a_link_is_shown_where_the_clipboard_is_closed(calculator: Calculator) -
     link = page.get_by_label("Link", exact=True)
     expect(link).to_be_focused()
     other = Visitor(calculator[0], link.input_value())
+    # what reads the link comes last, after all that is drawn later
+    held: list[Route] = []
+    other.page.route("**/frame/link.js", lambda route: held.append(route))  # noqa: PLW0108
+    with other.page.expect_response("**/drive/more.js"):
+        other.page.goto(other.address.replace("/#", f"/?token={TOKEN}#"))
+    other.painted()
+    held[0].continue_()
     other.open("drive")
     expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("71")
     assert visitor.wrong == []

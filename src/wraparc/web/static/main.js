@@ -2,17 +2,7 @@
 import { again, brought, keepAddress, keepMine, pageOfAddress } from "./base/address.js";
 import { app, look, redraw, watch } from "./base/design.js";
 import { beginWith, keepDraft, offerDraft, openShown } from "./base/drafts.js";
-import {
-  ask,
-  cancel,
-  complain,
-  onReturn,
-  part,
-  Refused,
-  told,
-  unanswered,
-  waited,
-} from "./base/server.js";
+import { ask, cancel, onReturn, part, Refused, told, unanswered, waited } from "./base/server.js";
 import { keepFocus } from "./frame/focus.js";
 import { Header, listen } from "./frame/header.js";
 import { Main, present } from "./frame/pages.js";
@@ -50,6 +40,7 @@ const PrintHead = () => {
 };
 let drawing = false;
 function changed() {
+  if (!app.doc) return; // the design of a link is still on its way
   solve(); // the request leaves first, the page follows while it is on its way
   keepDraft();
   keepAddress();
@@ -60,7 +51,8 @@ function changed() {
     try {
       draw();
     } catch (x) {
-      complain(x);
+      console.error(x); // not by a note: to show that is to draw, and to fail, without end
+      render(String(x), box("toast"));
     }
   });
 }

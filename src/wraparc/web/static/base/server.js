@@ -207,10 +207,11 @@ export function note(text, bad = false) {
 }
 /**
  * Do something on a press; what goes wrong is told in words.
- * @template {Event} E @param {(e: E) => any} f @returns {(e: E) => Promise<void>}
+ * @template E @param {(e: E) => any} f @returns {(e: E) => Promise<void>}
  */
 export const act = (f) => async (e) => {
-  const button = e?.currentTarget instanceof Element ? e.currentTarget : null;
+  const { currentTarget } = /** @type {any} */ (e ?? {});
+  const button = currentTarget instanceof Element ? currentTarget : null;
   button?.setAttribute("aria-busy", "true");
   try {
     await f(e);

@@ -4,6 +4,7 @@ import { act, ask, later, note, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import { badge, list, refused, scroll, standing, stands } from "../parts/answers.js";
+import { Box } from "../parts/box.js";
 import { oneOf } from "../parts/choose.js";
 import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
@@ -134,11 +135,10 @@ const amount = (key, label, size) =>
     "label",
     { key },
     label,
-    h("input", {
-      type: "text",
+    h(Box, {
       size,
       value: asked[key],
-      onChange: (e) => ask_({ [key]: e.currentTarget.value.trim() }),
+      put: (/** @type {string} */ v) => ask_({ [key]: v }),
     }),
   );
 

@@ -3,6 +3,7 @@ import { app, redraw } from "../base/design.js";
 import { act, ask, complain, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
+import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
@@ -115,7 +116,7 @@ const intro = () =>
       "p",
       {},
       "Choose an event and follow it: the belt and the shear of the lagging are played on the ",
-      "pulleys, and the answers stand above them. It takes some seconds, the first time longer.",
+      "pulleys, and the answers stand above them. It takes some seconds.",
     ),
   );
 function asking() {
@@ -129,7 +130,6 @@ function asking() {
     ["60", "usual"],
     ["120", "fine"],
   ];
-  const typed = (/** @type {any} */ e) => put("step")(e.currentTarget.value.trim());
   return h(
     "section",
     { class: "card", "aria-label": "Event", key: "asking" },
@@ -142,14 +142,13 @@ function asking() {
         "label",
         {},
         "Time step",
-        h("input", {
-          type: "text",
+        h(Box, {
           id: "e-step",
           size: 8,
           value: plan.step,
           placeholder: "chosen",
           autocomplete: "off",
-          onChange: typed,
+          put: put("step"),
         }),
       ),
       h(

@@ -2,6 +2,7 @@
 import { app, redraw } from "../../base/design.js";
 import { act, ask, note, save } from "../../base/server.js";
 import { scroll } from "../../parts/answers.js";
+import { Box } from "../../parts/box.js";
 import { choose } from "../../parts/choose.js";
 import { spec } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
@@ -14,12 +15,11 @@ import { asFile, axis, DISTRIBUTIONS, fields, KINDS, plan, scaled } from "./plan
 const label = (text, e) => h("label", { key: text }, text, e);
 /** @param {string | undefined} text @param {(v: string) => void} put @param {number} size */
 const input = (text, put, size) =>
-  h("input", {
-    type: "text",
+  h(Box, {
     value: text ?? "",
     size,
-    onChange: (e) => {
-      put(e.currentTarget.value.trim());
+    put: (/** @type {string} */ v) => {
+      put(v);
       redraw();
     },
   });

@@ -2,6 +2,7 @@
 import { app, redraw } from "../../base/design.js";
 import { Advice, act, ask, Refused, refusal, sentence } from "../../base/server.js";
 import { list, scroll, table } from "../../parts/answers.js";
+import { Box } from "../../parts/box.js";
 import { valueIn } from "../../parts/choose.js";
 import { h } from "../../vendor/preact.js";
 import { figureFile, openPicture, refusePicture, unfinished } from "./figure.js";
@@ -375,16 +376,12 @@ const curveRow = (f, c) =>
       f.digitised.length > 1 &&
       f.digitised.some((x) => !x.pressure) &&
       figured() === "friction" &&
-      h("input", {
-        type: "text",
+      h(Box, {
         size: 9,
         placeholder: c.pressure || "pressure",
         value: f.typed_pressures?.[c.name] || "",
         "aria-label": `Pressure of ${c.name} of ${f.name}`,
-        onChange: act((e) => {
-          const own = { ...f.typed_pressures, [c.name]: valueIn(e).trim() };
-          return say(f, { typed_pressures: own });
-        }),
+        put: act((v) => say(f, { typed_pressures: { ...f.typed_pressures, [c.name]: v } })),
       }),
   );
 /** @param {Column} c */
@@ -392,17 +389,13 @@ const columnText = (c) => `${c.role.replace("_", " ")}: ${c.name}${c.unit ? ` [$
 /** @param {TestFile} f @param {string} key @param {string} label @param {number} size
  * @param {string} [hint] */
 const box = (f, key, label, size, hint) =>
-  h("input", {
-    type: "text",
+  h(Box, {
     size,
     placeholder: hint,
     value: f[key] || "",
     "aria-label": `${label} of ${f.name}`,
     "aria-invalid": Boolean(f.refused?.some((p) => p.path.includes(key))),
-    onChange: act((e) => {
-      const text = /** @type {HTMLInputElement} */ (e.currentTarget).value.trim();
-      return say(f, { [key]: text || (key === "condition" ? "dry" : null) });
-    }),
+    put: act((v) => say(f, { [key]: v || (key === "condition" ? "dry" : null) })),
   });
 /** The file that is unfolded, or the first that is not understood. */
 export function details() {
@@ -446,11 +439,10 @@ function choices(f) {
       "label",
       { key: x.name },
       `Unit of ${x.name}`,
-      h("input", {
-        type: "text",
+      h(Box, {
         size: 6,
         value: c.units?.[x.name] || "",
-        onChange: act((e) => put({ units: { ...c.units, [x.name]: valueIn(e).trim() } })),
+        put: act((v) => put({ units: { ...c.units, [x.name]: v } })),
       }),
     );
   const unitless = (f.columns || []).filter((x) => !x.unit || c.units?.[x.name]);
@@ -461,11 +453,10 @@ function choices(f) {
       "label",
       { key },
       label,
-      h("input", {
-        type: "text",
+      h(Box, {
         size: 8,
         value: c[key] || "",
-        onChange: act((e) => put({ [key]: as(valueIn(e).trim()) || null })),
+        put: act((v) => put({ [key]: as(v) || null })),
       }),
     );
   const stroke = h(

@@ -1,0 +1,1 @@
+import{Component as i,h as o}from"/static/main.js";import{valueIn as t}from"/static/main.js";var n=class extends i{typed=void 0;render({value:p,put:d,...r}){return o("input",{type:"text",...r,value:this.typed??p,onInput:e=>{this.typed=t(e)},onChange:e=>{this.typed=void 0,d(t(e).trim())}})}};export{n as a};
