@@ -574,8 +574,9 @@ def test_server_that_finds_other_numbers_is_shown_and_told(calculator: Calculato
     visitor.close()
 
 
-def test_a_page_that_cannot_be_drawn_says_so_once(visitor: Visitor) -> None:
+def test_a_page_that_cannot_be_drawn_says_so_once(calculator: Calculator) -> None:
     # expected: one fault, told; it was told by drawing, which failed, and so on without end
+    visitor = Visitor(calculator[0], calculator[1].address)
     page = visitor.open("drive")
     page.evaluate(
         "import('/static/main.js').then(({ app, redraw }) => {"
@@ -584,7 +585,7 @@ def test_a_page_that_cannot_be_drawn_says_so_once(visitor: Visitor) -> None:
     expect(page.locator("#toast")).to_contain_text("TypeError")
     visitor.painted()
     assert 0 < len(visitor.wrong) < 9  # once a drawing: of the change, and of its answers
-    visitor.wrong.clear()
+    visitor.close()
 
 
 def test_what_is_being_typed_outlives_a_drawing(visitor: Visitor) -> None:
