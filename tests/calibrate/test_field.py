@@ -21,6 +21,8 @@ from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.field_sheet import field_sheet
 from wraparc.present.sheet import shown as told_in
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
+
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory: pytest.TempPathFactory) -> dict[str, ArcResult]:
@@ -202,3 +204,14 @@ def test_levels_of_a_braking_pulley_are_below() -> None:
     assert found.seen(found.alarm, 0.0) == pytest.approx(1 - 1.02 * 1.0125)
     headline = told_in(field_sheet(found, Verdict(()), "Drive", "head"), "si").verdict.headline  # type: ignore[union-attr]
     assert "at least -3.02 % between shaft and belt; alarm at -3.275 %" in headline
+
+
+def test_a_drum_is_not_measured_again_for_wear_that_no_tape_tells() -> None:
+    # expected: read to 1 mm of circumference, a tape tells 0.16 mm of depth; the alarm of the
+    # fabric drive leaves none, that of the tandem 1.02 mm, in four steps
+    head = wraparc("field", str(EXAMPLES / "head-drive-fabric.toml"), "--full")[1]
+    said = " ".join(head.split())
+    assert "any wear since it was measured raises the alarm by itself" in said
+    assert "Measure the drum's surface instead of its shaft." in said
+    tandem = " ".join(wraparc("field", str(EXAMPLES / "tandem-fabric.toml"), "--full")[1].split())
+    assert "again for every 0.255 mm worn off" in tandem

@@ -13,6 +13,9 @@ from wraparc.present.words import as_it_is, in_short, in_words
 from wraparc.train.turning import surface_sentence
 from wraparc.units import display, either
 
+#: Wear that a tape around the drum, read to 1 mm of circumference, tells [m].
+TAPE = 1e-3 / (2.0 * math.pi)
+
 
 def field_sheet(
     found: FieldNumbers | None,
@@ -92,12 +95,18 @@ def _circumference(found: FieldNumbers) -> str:
     steps = 1e-3, 0.0254 / 16.0
     each = either(*(quantity(step, "length") for step in steps))
     moved_each = either(*(percent(step * found.drift) for step in steps))
+    told = 0.25 * found.wear_to_alarm >= TAPE
+    alarms = f"{worn} of wear" if told else "any wear"
+    todo = (
+        f"circumference again for every {again} worn off, or measure the drum's"
+        if told
+        else "drum's"
+    )
     return (
-        f"These levels need the drum speed from a measured circumference: {worn} of wear since it "
+        f"These levels need the drum speed from a measured circumference: {alarms} since it "
         f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
         f"and {depth} by {moved}. "
-        f"Measure the circumference again for every {again} worn off, or measure the drum's "
-        "surface instead of its shaft."
+        f"Measure the {todo} surface instead of its shaft."
     )
 
 

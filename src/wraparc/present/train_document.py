@@ -96,6 +96,7 @@ def _member_data(case: CaseResult, index: int, m: MemberResult) -> Data:
     return {
         "pulley": m.name,
         "status": m.arc.status.name.lower(),
+        "side": m.arc.arc.side_of_belt,
         "wrap_angle": m.arc.arc.wrap_angle,
         **m.scalars(),
         "share_sensitivity": case.share_per_trim(index),
