@@ -59,7 +59,8 @@ export function mark(problems) {
       if (given.length) key = [...keys, given[given.length - 1]].join();
     }
     if (!shownFields.has(key)) return true;
-    wrong.at.set(key, sentence(p));
+    const ownWords = sentence(p).replace(p.path, ""); // the label says of what
+    wrong.at.set(key, ownWords.replace(/^ = |^: /, ""));
     return false;
   });
 }
