@@ -154,16 +154,16 @@ class Visitor:
         self.context.unroute_all(behavior="ignoreErrors")
         self.context.close()
 
-    def open(self, name: str = "drive", *, unfold: bool = True) -> Page:
+    def open(self, name: str = "drive", *, unfold: bool | None = None) -> Page:
         """Go to a page as a user does, and wait until it shows what it has to.
 
-        All of the drive that is folded away is unfolded, if not told otherwise.
+        What is folded away of the drive is unfolded if that is where to go, or if told so.
         """
         if self.page.url == "about:blank":
             page, mark, design = self.address.partition("#")
             self.page.goto(f"{page}?token={TOKEN}{mark}{design}")
             self.page.wait_for_selector(READY["drive"])
-            if unfold:
+            if name == "drive" if unfold is None else unfold:
                 self.unfold()
         if not self.page.locator(f"#{name}").is_visible():
             turn(self.page, name)

@@ -74,7 +74,7 @@ def test_will_this_measured_wear_heal(visitor: Visitor, tmp_path: Path) -> None:
     expect(page.locator("#question-wear")).to_contain_text("Re-lag after")
 
 
-def test_is_build_up_on_one_side_serious(visitor: Visitor) -> None:
+def test_is_build_up_on_one_side_serious_and_may_this_pulley_be_crowned(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.example("Crowned and dirty head drive, overland conveyor")
     before = presses(page)
@@ -84,13 +84,9 @@ def test_is_build_up_on_one_side_serious(visitor: Visitor) -> None:
     settled(page)
     expect(page.locator("#across-result .verdict .headline")).to_contain_text("of the rating")
     assert presses(page) - before < 10
-
-
-def test_may_this_pulley_be_crowned(visitor: Visitor) -> None:
-    page = visitor.open("drive")
-    visitor.example("Crowned and dirty head drive, overland conveyor")
+    # may it be crowned?
     before = presses(page)
-    turn(page, "across")
+    page.click("#across .tabs button >> nth=0")
     box = page.locator("#x-pulley-0-across-shell_profile-crown")
     box.click()
     box.fill("1")
@@ -221,7 +217,7 @@ def test_errors_stand_at_the_field(visitor: Visitor) -> None:
     expect(page.locator("#across .grip")).to_have_count(0)
 
 
-def test_a_map_of_each_quantity(visitor: Visitor) -> None:
+def test_a_map_of_each_quantity_and_a_slack_belt(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.example("Worn head drive, ROM conveyor")
     visitor.open("across")
@@ -236,12 +232,7 @@ def test_a_map_of_each_quantity(visitor: Visitor) -> None:
             "aria-label", re.compile(f"^{words}")
         )
     expect(page.locator("#across .beside")).to_have_count(2)
-
-
-def test_a_slack_belt_is_told_in_the_verdict(visitor: Visitor) -> None:
-    page = visitor.open("drive")
-    visitor.example("Worn head drive, ROM conveyor")
-    visitor.open("across")
+    # a slack belt is told in the verdict
     page.click("#across .tabs button:has-text('Build-up')")
     page.fill("#shape-height", "40 mm")
     page.click("#shape-side")

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Iterator
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -9,7 +10,7 @@ import pytest
 from starlette.testclient import TestClient
 
 from cli.running import wraparc
-from web.calculators import API, client, document, wait_for
+from web.calculators import API, PATIENCE, client, document, wait_for
 from wraparc import load_motion, simulate
 from wraparc.web.answers.events import played
 
@@ -145,12 +146,20 @@ def test_a_belt_that_goes_slack_on_the_way_is_an_answer_kept_up_to_there(api: Te
     assert "The belt goes slack before first at 1.3" in verdict["headline"]["si"]
 
 
-def test_a_run_is_cancelled_and_forgotten(api: TestClient) -> None:
-    long = {"document": short(), "points": 10, "step": "0.2 ms"}
-    begun = api.post(f"{API}/events", json=long).json()
+def test_a_run_is_cancelled_and_forgotten(api: TestClient, monkeypatch: pytest.MonkeyPatch) -> None:
+    let_go = Event()
+
+    def held(*_: Any, **__: Any) -> None:  # a run that lasts until it is let go
+        let_go.wait(PATIENCE)
+
+    monkeypatch.setattr("wraparc.web.answers.events.simulate", held)
+    begun = api.post(f"{API}/events", json={"document": short(), "points": 10}).json()
     where = f"{API}/events/{begun['id']}"
-    assert api.delete(where).status_code == 204
-    assert api.get(where).json()["state"] == "cancelled"
-    assert api.get(f"{where}/pictures/map.svg").status_code == 409
-    assert api.delete(where).status_code == 204
-    assert "there is no such run" in api.get(where).text
+    try:
+        assert api.delete(where).status_code == 204
+        assert api.get(where).json()["state"] == "cancelled"
+        assert api.get(f"{where}/pictures/map.svg").status_code == 409
+        assert api.delete(where).status_code == 204
+        assert "there is no such run" in api.get(where).text
+    finally:
+        let_go.set()

@@ -18,7 +18,7 @@ def test_a_killed_server_is_waited_for_and_comes_back(
         window, other = (Visitor(calculator[0], server.address) for _ in range(2))
         for visitor in (window, other):
             visitor.page.clock.install()  # it is turned to when the server is asked for again
-        page = window.open("tests")
+        page = window.open("tests", unfold=True)
         page.set_input_files("#test-files", FILES)
         page.wait_for_selector(f"text={len(FILES)} tests")
         turn(page, "drive")
