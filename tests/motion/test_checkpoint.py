@@ -106,7 +106,7 @@ def test_memory_does_not_grow_with_the_event() -> None:
     """Ten times as long: the same memory, once as many rows are kept as ever are."""
     station, most = moving("fabric", Droop(), Droop()), []
     simulate(station, Event(duration=1.0), points=10)  # loads what is loaded once
-    for duration in (2.0, 20.0):  # with as many rows and pictures each
+    for duration in (3.0, 30.0):  # with as many rows and pictures each
         event = Event(duration=duration)
         gc.collect()
         tracemalloc.start()
@@ -114,8 +114,8 @@ def test_memory_does_not_grow_with_the_event() -> None:
         most.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     # when what is not used any more is collected moves it by some per cent; one array of ten
-    # numbers kept by each of the 360 more steps would be a fifth
-    assert most[1] < 1.15 * most[0]
+    # numbers kept by each of the 540 more steps would be a third
+    assert most[1] < 1.2 * most[0]
 
 
 def test_the_command_goes_on_where_it_was(tmp_path: Path) -> None:

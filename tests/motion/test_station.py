@@ -225,7 +225,7 @@ def test_a_wet_patch_a_splice_and_joints_pass() -> None:
     joints = OnDrum(pulley="first", joint_rise=0.2e-3, joints=4, joint_width=0.2)
     s = moving("fabric", Droop(), Droop())
     runs = [
-        simulate(s, Event(duration=4.5, happenings=(happening,)), step=8e-3, points=20)
+        simulate(s, Event(duration=4.5, happenings=(happening,)), step=4e-3, points=24)
         for happening in (wet, splice, joints)
     ]
     for run in runs:
