@@ -8,6 +8,7 @@ import sys
 import time
 from collections.abc import Generator, Iterator
 from contextlib import ExitStack, suppress
+from functools import lru_cache
 from hashlib import md5
 
 import pytest
@@ -143,3 +144,18 @@ def load(request: pytest.FixtureRequest) -> Iterator[None]:
     for process in busy:
         process.kill()
         process.wait()
+
+
+@pytest.fixture(scope="module")
+def solved_once() -> Iterator[None]:
+    """Arcs and trains that several tests of a file ask for are solved once: for files on doors."""
+    from wraparc.arc import Distributed
+    from wraparc.train.locate import locate
+
+    solve, located = lru_cache(500)(Distributed.solve), lru_cache(100)(locate)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Distributed, "solve", solve)
+        patch.setattr(
+            "wraparc.train.solve.locate", lambda s, names, soft: located(s, tuple(names), soft)
+        )
+        yield

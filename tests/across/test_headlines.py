@@ -27,6 +27,8 @@ from wraparc.web.answers.across import read_profile, solve_width, thickness_widt
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 from wraparc.web.examples import examples
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CORD, FABRIC = "worn-head-drive-steel-cord", "worn-head-drive-fabric"
 EDGE = "% of the rating and more than the 345 kN/m that an edge may"

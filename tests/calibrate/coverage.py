@@ -85,9 +85,9 @@ def table(rows: list[list[bool | None]]) -> dict[str, dict[str, float | None]]:
     }
 
 
-def first_repetition(record: Any) -> list[list[float | None]]:
-    """Interval and value of each parameter in the first repetition, which the gate does again."""
-    return [[e.low, e.value, e.high] for e in calibrated(0, record).estimates]
+def intervals(found: Calibration) -> list[list[float | None]]:
+    """Interval and value of each parameter; of the first repetition the gate finds them again."""
+    return [[e.low, e.value, e.high] for e in found.estimates]
 
 
 def kinds(courses: Any) -> dict[str, Any]:
@@ -105,7 +105,7 @@ def main(repetitions: list[int]) -> None:
     found = {
         title: {
             "repetitions": count,
-            "first": first_repetition(record),
+            "first": intervals(calibrated(0, record)),
             "parameters": table([hits(calibrated(seed, record)) for seed in range(count)]),
         }
         for (title, record), count in zip(records.items(), repetitions, strict=True)

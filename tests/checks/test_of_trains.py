@@ -31,6 +31,8 @@ from wraparc.report import markdown, workbook
 from wraparc.train import Shares, TrainCase
 from wraparc.web.answers.trains import train_part
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 TANDEM = example("tandem-steel-cord")
 
 

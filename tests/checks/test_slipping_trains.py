@@ -14,6 +14,8 @@ from wraparc import Train, load_train, solve_train
 from wraparc.checks import Level, judge, least_tension
 from wraparc.train import TrainResult, TrainStatus
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 TANDEM = Path(__file__).parents[2] / "examples" / "tandem-fabric.toml"
 SHARES = 'share = ["50 %", "50 %"]'
 

@@ -13,6 +13,8 @@ from wraparc.choose.what_if import Change, what_if
 from wraparc.drive import changes as study
 from wraparc.provenance import Kind, Provenance
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 def test_before_and_after_are_what_solve_gives(tmp_path: Path) -> None:
     drive = load_drive(drive_file(tmp_path))

@@ -15,6 +15,8 @@ from cli.running import wraparc
 from wraparc.glossary import GLOSSARY
 from wraparc.units import DIMENSION_TEXT
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 REPOSITORY = Path(__file__).parents[2]
 EXAMPLES = REPOSITORY / "examples"
 SCHEMA = json.loads((REPOSITORY / "docs" / "reference" / "answer.schema.json").read_text("utf-8"))

@@ -15,6 +15,8 @@ from wraparc.cli.solve import TABLES
 from wraparc.present.sheet import Row, Sheet, Table, Verdict
 from wraparc.present.short import short_sheet
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path("examples")
 START = """
 [[load_case]]
@@ -103,7 +105,7 @@ def test_a_table_that_this_answer_lacks_is_told_with_those_it_has() -> None:
 @pytest.mark.parametrize(
     "arguments",
     [
-        ("trim", "tandem-fabric.toml", "--points", "9"),
+        ("trim", "tandem-fabric.toml", "--points", "3"),
         ("field", "head-drive-fabric.toml"),
         ("what-if", "head-drive-fabric.toml", "--worn", "6 mm", "--lagging", "full-ceramic"),
         ("choose", "wet-season/choose.toml"),

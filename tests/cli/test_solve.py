@@ -18,6 +18,8 @@ from wraparc.cli.solve import METHODS
 from wraparc.glossary import GLOSSARY
 from wraparc.units import System, display_unit, unit_factor
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 BREAKING = ("--set", "pulley.head.exit_tension=2 kN", "--load-case", "design")
 
 

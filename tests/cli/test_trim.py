@@ -16,6 +16,8 @@ from cli.running import Ran, wraparc
 from wraparc import Distributed, load_train, solve_train
 from wraparc.train import MarkKind, Matching, match_drives
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 FABRIC = EXAMPLES / "tandem-fabric.toml"
 STEEL = EXAMPLES / "tandem-steel-cord.toml"

@@ -131,7 +131,7 @@ def test_monotone_slip_at_any_pressure_is_the_law(law: IntegralLog, side: float)
         assert point.to(side * x, p) == pytest.approx(expected, rel=1e-12, abs=1e-9 * p)
 
 
-def loop(law: FrictionLaw, top: float, p: float, steps: int = 4000) -> tuple[float, float]:
+def loop(law: FrictionLaw, top: float, p: float, steps: int = 500) -> tuple[float, float]:
     """Work of the first loading to `top`, and of a closed loop of that amplitude [J/m2]."""
     point = Material(law)
     phase = np.linspace(0.0, 0.5 * math.pi, steps)

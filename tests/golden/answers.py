@@ -19,6 +19,7 @@ DRIVES = (
 )  # fmt: skip
 TEXTS = ("downhill-braking", "tandem-fabric")  # in both systems of units, and as CSV
 TRAINS = ("tandem-fabric", "tandem-steel-cord", "triple-steel-cord")
+WHAT_IF = ("downhill-braking", "head-drive-fabric", "steel-cord-drive")  # a kind of drive each
 STUDIES = {  # and how many samples, where the file asks for more
     "load-cases": 0, "sensitivity": 256, "take-up-grid": 0, "tolerances": 500, "wet-dry": 200,
 }  # fmt: skip
@@ -108,8 +109,8 @@ def cli_trim() -> Answers:
     """``wraparc trim``: JSON and CSV, one with the map over trim and load."""
     found: Answers = {}
     for name in TRAINS:
-        more = ["--map"] if name == "tandem-fabric" else ["--points", "9"]
-        found[name] = _json("trim", _file(name), "--csv", "out.csv", *more)
+        more = ["--map"] if name == "tandem-fabric" else []
+        found[name] = _json("trim", _file(name), "--csv", "out.csv", "--points", "9", *more)
         found[f"{name} csv"] = _csv(Path("out.csv").read_text("utf-8"))
     return found
 
@@ -175,7 +176,7 @@ def cli_calibrate() -> Answers:
 def cli_what_if() -> Answers:
     """``wraparc what-if``: JSON and text."""
     found: Answers = {}
-    for name in DRIVES:
+    for name in WHAT_IF:
         ceramic = name in ("downhill-braking", "steel-cord-drive")
         changes = [
             "--belt", "Flexsteel ST1000", "--other-carcass", "--lagging",

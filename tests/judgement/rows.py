@@ -160,7 +160,7 @@ class Row:
 DOORS = {
     "solve": ("solve", "FILE"),
     "what-if": ("what-if", "FILE", "--thickness", "18 mm"),
-    "trim": ("trim", "FILE"),
+    "trim": ("trim", "FILE", "--points", "5"),
     "field": ("field", "FILE"),
     "run": ("run", "FILE", "--quiet", "--points", "20"),
     "choose": ("choose", "SEARCH"),

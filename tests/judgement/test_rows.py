@@ -20,6 +20,8 @@ from wraparc.present.sheet import shown
 from wraparc.web.answers.book import book
 from wraparc.web.answers.form import form
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 def solved(path: Path) -> DriveResult:
     """Return a drive file solved."""

@@ -265,8 +265,7 @@ def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
     assert "In time: events and vibrations" in text
     assert "The drums: start" in text
     assert "does not pulsate by itself" in text
-    run = simulate_short()
-    worst = judge_run(run)
+    worst = judge_run(short_run())
     # its checks count: they stand among the others, and in the headline where they are the worst
     assert worst.headline() in " ".join(text.split())
     assert done.code in (0, 1)
@@ -281,7 +280,7 @@ def test_the_note_follows_the_events_that_ask_for_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("creep", "level"), [(63e-3, "ATTENTION"), (64e-3, "FAILS")])
 def test_a_belt_that_slides_through_an_event_fails_it(creep: float, level: str) -> None:
     """Ten customary limits of 6.35 mm: gross slip that a run can follow to its end."""
-    run = simulate_short()
+    run = short_run()
     first, *others = run.drums
     most = replace(first.extremes, creep=Peak(creep, 1.0))
     slid = replace(run, drums=(replace(first, extremes=most), *others))
@@ -297,8 +296,8 @@ def test_peaks_and_verdict_do_not_hang_on_the_rows_that_are_kept() -> None:
     event = motion.event("start")
     for step in (None, 8e-3):  # in parts where much happens, or all alike
         rows.clear()
-        fine = simulate(motion.station, event, points=60, step=step, sink=rows.append)
-        coarse = simulate(motion.station, event, points=60, step=step, every=1.0)
+        fine = simulate(motion.station, event, points=30, step=step, sink=rows.append)
+        coarse = simulate(motion.station, event, points=30, step=step, every=1.0)
         assert len(coarse.time) < 5
         assert [d.extremes for d in coarse] == [d.extremes for d in fine]
         assert [d.over_limit for d in coarse] == [d.over_limit for d in fine]
@@ -462,9 +461,5 @@ def test_only_what_starts_or_stops_may_use_the_momentary_rating() -> None:
 
 @cache
 def short_run() -> RunResult:
-    return simulate_short()
-
-
-def simulate_short() -> RunResult:
     motion = load_motion(TANDEMS[0], overrides=QUICK)
     return simulate(motion.station, motion.event("start"), points=60)

@@ -16,6 +16,8 @@ from wraparc.present.sheet import Sheet
 from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.train import match_drives
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CELL = re.compile("\x02[^\x03]*\x03|\x04[^\x06]*\x06")
 METRIC = re.compile(r"\d ?(?:u?m|mm|k?N|kN/m|k?Pa|MPa|kW|W|m/s|mm/s|kg|kN m|mm3/J|W/m2|J/m2)\b")

@@ -15,6 +15,8 @@ from wraparc.present.sheet import shown
 from wraparc.present.train_sheet import matching_sheet, train_sheet
 from wraparc.train import Motors, VariableSpeed, match_drives
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
 

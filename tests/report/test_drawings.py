@@ -15,6 +15,8 @@ from wraparc.report.drawings import Drawing, budget_drawing, profile_drawing, pu
 from wraparc.report.note import make_note
 from wraparc.units import System
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 

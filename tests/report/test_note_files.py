@@ -19,6 +19,8 @@ from wraparc.report import NoteHead, markdown, pdf, workbook
 from wraparc.report.note_workbook import SHEETS
 from wraparc.units import System, unit_factor
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 BOTH = [solved(), marched()]
 
 

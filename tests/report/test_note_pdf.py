@@ -28,6 +28,8 @@ from wraparc.report.equations import equations
 from wraparc.report.note import make_note
 from wraparc.report.note_pdf import note_pages
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 HEAD = NoteHead(
     project="Overland", number="CN-1", revision="B", author="A. Smith", date="2026-11-21",
     file="drive.toml",

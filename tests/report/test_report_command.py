@@ -8,6 +8,8 @@ import pytest
 from cli.running import wraparc
 from report.reading import RARE, media_box, metadata, without_system_fonts
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
 DRIVE = str(EXAMPLES / "head-drive-fabric.toml")
 

@@ -89,7 +89,7 @@ def test_a_worker_or_a_cluster_that_dies_loses_nothing(cluster: Cluster, tmp_pat
 
     path, here = tmp_path / "cluster.parquet", tmp_path / "here.parquet"
     solver = DaskCluster(cluster.address, timeout=60.0)
-    run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
+    run_study(study, path, Run(executor=solver, part_designs=4, progress=tell))
     assert alive, "the worker was to die in the middle of the work"
     assert alive[0] > 0
     run_study(study, here)
@@ -107,7 +107,7 @@ def loses_its_scheduler(cluster: Cluster, path: Path, here: Path) -> None:
 
     solver = DaskCluster(cluster.address, timeout=60.0)
     with pytest.raises(InputError, match=r"the cluster was lost: .*parts that are done stay"):
-        run_study(study, path, Run(executor=solver, part_designs=10, progress=tell))
+        run_study(study, path, Run(executor=solver, part_designs=4, progress=tell))
     assert len(list(parts_folder(path).glob("*.parquet"))) >= 10
     run_study(study, path, Run(resume=True))
     assert columns(path) == columns(here)

@@ -28,12 +28,12 @@ QUICK = ["exit_creep", "exit_slip", "peak_shear_stress"]  # without the capaciti
 
 
 def small(**keys: Any) -> Study:
-    """400 designs in 2 load cases and 2 conditions."""
+    """160 designs in 2 load cases and 2 conditions."""
     axes = [{**TAKE_UP, "count": 4}, FRICTION]
     whole: dict[str, Any] = {
         "condition": CONDITIONS,
         "load_cases": "all",
-        "sampling": SAMPLING,
+        "sampling": SAMPLING | {"samples": 40},
         "outputs": QUICK,
     }
     whole |= keys
@@ -76,7 +76,7 @@ def test_the_file_says_what_it_holds(whole: Path) -> None:
     assert schema.field("exit_creep").metadata[b"unit"] == b"m"
     assert METADATA in schema.metadata
     frame = pq.read_table(whole).to_pandas()
-    assert len(frame) == 1600
+    assert len(frame) == 640
     assert frame["load_case"].cat.categories.tolist() == ["design", "start"]
     assert set(frame["status"]) == {"solved"}
     assert frame["design"].is_monotonic_increasing
@@ -100,7 +100,7 @@ def _stopping(after: int) -> Any:
 def test_a_stopped_run_is_resumed_where_it_was(whole: Path, tmp_path: Path) -> None:
     path = tmp_path / "a.parquet"
     with pytest.raises(_Stop):
-        run_study(small(), path, Run(part_designs=40, progress=_stopping(120)))
+        run_study(small(), path, Run(part_designs=16, progress=_stopping(48)))
     assert not path.exists()
     kept = sorted(parts_folder(path).glob("*.parquet"))
     assert 3 <= len(kept) < 10
@@ -114,7 +114,7 @@ def test_a_stopped_run_is_resumed_where_it_was(whole: Path, tmp_path: Path) -> N
         seen.update({f: f.stat().st_mtime_ns for f in kept if f.exists()})
 
     run_study(small(), path, Run(resume=True, progress=tell))
-    assert told[0] == 40 * (len(kept) - 1)
+    assert told[0] == 16 * (len(kept) - 1)
     assert all(seen[file] == times[file] for file in kept[1:])
     assert seen[kept[0]] != times[kept[0]]
     assert columns(path) == columns(whole)
@@ -124,7 +124,7 @@ def test_a_stopped_run_is_resumed_where_it_was(whole: Path, tmp_path: Path) -> N
 def test_parts_of_another_study_are_not_taken(tmp_path: Path) -> None:
     path = tmp_path / "a.parquet"
     with pytest.raises(_Stop):
-        run_study(small(), path, Run(part_designs=40, progress=_stopping(40)))
+        run_study(small(), path, Run(part_designs=16, progress=_stopping(16)))
     with pytest.raises(InputError, match="an interrupted run has left its parts beside it"):
         run_study(small(), path)
     with pytest.raises(InputError, match="the parts there are of another study"):
@@ -144,7 +144,7 @@ def test_a_full_disk_keeps_what_is_done(
 
     monkeypatch.setattr(os, "replace", full)
     with pytest.raises(InputError, match="the disk is full; 3 of 10 parts are done and stay"):
-        run_study(small(), path, Run(part_designs=40))
+        run_study(small(), path, Run(part_designs=16))
     assert len(list(parts_folder(path).glob("*.parquet"))) == 3
     monkeypatch.undo()
     run_study(small(), path, Run(resume=True))

@@ -6,6 +6,7 @@ Expected values: the same train solved afresh at the place in question (the slow
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -32,6 +33,7 @@ from wraparc.train import (
 EQUAL = Shares((0.5, 0.5))
 
 
+@cache
 def tandem(law: str = "rubber", belt: Belt = FABRIC, overrun: float | None = None) -> TrainResult:
     of = pulleys(2, law, diameter=0.8 if belt is FABRIC else 1.0, overrun=overrun)
     return solve_train(train(of, case(EQUAL), belt=belt), method=QUICK)
@@ -71,7 +73,7 @@ def test_a_curve_is_the_train_solved_afresh(axis: Axis, law: str) -> None:
 
 
 def test_marks_are_where_they_say() -> None:
-    curve = share_curve(tandem(), points=21)
+    curve = share_curve(tandem(), points=11)
     (equal,) = curve.at(MarkKind.EQUAL)
     assert equal == pytest.approx(curve.case["p2"].speed_trim, abs=1e-6)
     for mark in curve.marks:
@@ -95,7 +97,7 @@ def test_a_breakaway_ends_a_curve() -> None:
 
     of = pulleys(2, SOFT)
     result = solve_train(train(of, case(EQUAL, 150e3, 40e3)), method=QUICK)
-    curve = share_curve(result, span=(0.98, 1.02), points=41)
+    curve = share_curve(result, span=(0.98, 1.02), points=21)
     ends = [m for m in curve.marks if m.kind is MarkKind.BREAKAWAY]
     assert [m.drive for m in ends] == [0, 1]
     assert np.isnan(curve.shares[0]).all()
@@ -125,9 +127,7 @@ def test_a_curve_with_motors_keeps_their_droop() -> None:
 
 
 @pytest.mark.parametrize("down", [Axis.LOAD, Axis.DIAMETER])
-@pytest.mark.parametrize(
-    ("law", "belt"), [("rubber", FABRIC), ("rubber", STEEL), ("softening", FABRIC)]
-)
+@pytest.mark.parametrize(("law", "belt"), [("rubber", STEEL), ("softening", FABRIC)])
 def test_a_map_is_the_slow_answer(down: Axis, law: str, belt: Belt) -> None:
     """Interpolated in tables, within 0.2 % of the full load of each share."""
     result = tandem(law, belt)

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 from train.trains import (
-    HOLDING,
     QUICK,
     RPM,
     STEEL,
@@ -60,7 +59,7 @@ def test_random_trains_there_and_back(law: str) -> None:
     """Shares to speeds to shares, with drives that brake among them."""
     rng = np.random.default_rng([11, RANDOM_LAWS.index(law)])
     done = 0
-    while done < 8:
+    while done < 4:
         of = random_train(rng, law, int(rng.integers(2, 5)))
         asked = tried(of)
         if not asked.status.solved:
@@ -216,21 +215,21 @@ def test_a_run_between_drives_changes_the_tension(run: float) -> None:
     assert back.shares == pytest.approx((0.5, 0.5), abs=1e-9)
 
 
-@pytest.mark.parametrize("law", ["rubber", "softening", "constant"])
-@pytest.mark.parametrize("overrun", [None, 0.0])
+@pytest.mark.parametrize(
+    ("law", "overrun"),
+    [("rubber", None), ("rubber", 0.0), ("softening", None), ("constant", 0.0)],
+)
 def test_driving_turns_to_braking_smoothly(law: str, overrun: float | None) -> None:
     """As the trim falls the share of drive 2 passes through 0 without a step."""
-    if law in HOLDING and overrun is None:
-        overrun = 0.0
     of = pulleys(2, law, overrun=overrun)
     first = solved(train(of, case(Shares((1.0, 0.0)))))
     start = first["p2"].speed_trim
     shares = []
-    for step in np.linspace(-2e-4, 2e-4, 9):
+    for step in np.linspace(-2e-4, 2e-4, 5):
         result = solved(train(of, case(Speeds((1.0, start + float(step))))))
         shares.append(result["p2"].share)
         assert result.tension_error < 1e-10
-    assert shares[4] == pytest.approx(0.0, abs=1e-8)
+    assert shares[2] == pytest.approx(0.0, abs=1e-8)
     steps = np.diff(shares)
     assert np.all(steps > 0.0)
     assert steps.max() < 4.0 * steps.min()
