@@ -66,15 +66,13 @@ def turn(page: Page, name: str) -> None:
     says(page, name)
 
 
-def test_load_stands_first_then_pulley_lagging_and_belt(visitor: Visitor) -> None:
+def test_load_stands_first_and_a_slider_shows_with_the_pointer_and_moves_nothing(
+    visitor: Visitor,
+) -> None:
+    # those of the first screen are always there; no slider is a tab stop, the box goes its steps
     page = visitor.open("drive")
     legends = page.locator("#more > fieldset > legend").all_inner_texts()
     assert legends[:4] == ["Load: design", "Pulley head", "Lagging", "Belt"]
-
-
-def test_slider_shows_with_the_pointer_and_moves_nothing(visitor: Visitor) -> None:
-    # those of the first screen are always there; no slider is a tab stop, the box goes its steps
-    page = visitor.open("drive")
     page.mouse.move(900, 500)
     assert seen(page) == []
     assert page.locator(".rail > .field input[type=range]").count() == 5
@@ -89,10 +87,7 @@ def test_slider_shows_with_the_pointer_and_moves_nothing(visitor: Visitor) -> No
     for _ in range(2):
         page.keyboard.press("Tab")
         assert page.evaluate("document.activeElement.type") != "range"
-
-
-def test_slider_stays_while_it_is_dragged_away_from(visitor: Visitor) -> None:
-    page = visitor.open("drive")
+    # and it stays while it is dragged away from
     row(page, "Exit tension").hover()
     box = slider(page, "Exit tension").bounding_box()
     assert box is not None

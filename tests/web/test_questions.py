@@ -163,7 +163,7 @@ def test_choice_is_that_of_the_command(api: TestClient, tmp_path: Path) -> None:
     assert [text for text in texts if text not in out] == []
 
 
-def test_a_choice_is_made_on_the_page(visitor: Visitor) -> None:
+def test_a_choice_is_made_and_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
     # expected: of designs that differ in nothing else the least wrap comes first, as what a snub
     # pulley costs is in no price
     page = visitor.open("drive")
@@ -179,6 +179,26 @@ def test_a_choice_is_made_on_the_page(visitor: Visitor) -> None:
     card.get_by_label("Wrap angles").fill("flat")
     card.get_by_role("button", name="Show").click()
     expect(card).to_contain_text('candidates.wrap_angles[1] = "flat"')
+    # expected: the headline and the levels that `wraparc field` prints
+    page.get_by_role("button", name="On site").click()
+    card = page.locator(".site")
+    expect(card.locator("table").first).to_be_visible()
+    out = printed("field", HEAD)
+    assert words(card.locator(".headline").inner_text()).partition(" ")[2] in out
+    assert [cell for cell in cells(card) if words(cell) not in out] == []
+    card.get_by_label("Hours a year, design").fill("4000")
+    card.get_by_label("Measured wear").fill("1 mm")
+    card.get_by_label("Hours that it took, design").fill("12000")
+    card.get_by_role("button", name="Show").click()
+    expect(card).to_contain_text("calibrated to the wear measured")
+    # nonsense is told in its sentence, with what was typed
+    card.get_by_label("Hours a year, design").fill("often")
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator(".verdict.bad")).to_contain_text('"often"')
+    card.get_by_label("Hours a year, design").fill("4000")
+    card.get_by_label("Depth to wear off").fill("deep")
+    card.get_by_role("button", name="Show").click()
+    expect(card.locator(".verdict.bad")).to_contain_text("depth")
 
 
 def cells(card: Locator) -> list[str]:
@@ -208,31 +228,6 @@ def test_wet_worn_and_bare_stand_side_by_side_on_the_page(visitor: Visitor) -> N
     card.get_by_role("button", name="Show").click()
     expect(card.locator("[data-stands=stale]")).to_have_count(0)
     expect(card).to_contain_text("as it is 4.21 mm")
-
-
-def test_alarm_levels_stand_on_the_page(visitor: Visitor) -> None:
-    # expected: the headline and the levels that `wraparc field` prints
-    page = visitor.open("drive")
-    visitor.solved()
-    page.get_by_role("button", name="On site").click()
-    card = page.locator(".site")
-    expect(card.locator("table").first).to_be_visible()
-    out = printed("field", HEAD)
-    assert words(card.locator(".headline").inner_text()).partition(" ")[2] in out
-    assert [cell for cell in cells(card) if words(cell) not in out] == []
-    card.get_by_label("Hours a year, design").fill("4000")
-    card.get_by_label("Measured wear").fill("1 mm")
-    card.get_by_label("Hours that it took, design").fill("12000")
-    card.get_by_role("button", name="Show").click()
-    expect(card).to_contain_text("calibrated to the wear measured")
-    # nonsense is told in its sentence, with what was typed
-    card.get_by_label("Hours a year, design").fill("often")
-    card.get_by_role("button", name="Show").click()
-    expect(card.locator(".verdict.bad")).to_contain_text('"often"')
-    card.get_by_label("Hours a year, design").fill("4000")
-    card.get_by_label("Depth to wear off").fill("deep")
-    card.get_by_role("button", name="Show").click()
-    expect(card.locator(".verdict.bad")).to_contain_text("depth")
 
 
 WET = EXAMPLES / "wet-season"

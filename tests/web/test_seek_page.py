@@ -44,6 +44,15 @@ def test_which_wrap_gives_6_mm(visitor: Visitor) -> None:
     page.click("#undo")
     expect(page.locator("#f-pulley-0-wrap_angle")).to_have_value("180")
     expect(card.locator("[data-stands=stale]")).to_have_count(0)
+    # what is refused, and what no value gives
+    page.fill("#seek-value", "6 kN")
+    card.get_by_role("button", name="Find").click()
+    expect(card.locator(".verdict.bad")).to_contain_text("kN")
+    page.fill("#seek-value", "1")
+    card.get_by_role("button", name="Find").click()
+    expect(card).to_contain_text("No wrap angle of pulley head from 60 deg to 540 deg gives")
+    card.get_by_role("button", name="Close").click()
+    expect(card).to_have_count(0)
 
 
 def test_a_number_of_the_catalogue_is_sought_in_us_units_too(visitor: Visitor) -> None:
@@ -65,21 +74,6 @@ def test_a_number_of_the_catalogue_is_sought_in_us_units_too(visitor: Visitor) -
     expect(page.locator("#drive .figures b").first).to_have_text("0.295 in")
     typed = page.input_value("#f-pulley-0-lagging-thickness")
     assert float(typed) == pytest.approx(value / 0.0254, rel=1e-5)
-
-
-def test_what_is_refused_and_what_no_value_gives_is_told(visitor: Visitor) -> None:
-    page = visitor.open("drive")
-    visitor.solved()
-    page.get_by_role("button", name="Which input gives").click()
-    card = page.locator(".seek")
-    page.fill("#seek-value", "6 kN")
-    card.get_by_role("button", name="Find").click()
-    expect(card.locator(".verdict.bad")).to_contain_text("kN")
-    page.fill("#seek-value", "1")
-    card.get_by_role("button", name="Find").click()
-    expect(card).to_contain_text("No wrap angle of pulley head from 60 deg to 540 deg gives")
-    card.get_by_role("button", name="Close").click()
-    expect(card).to_have_count(0)
 
 
 def test_answer_is_that_of_the_command_in_every_load_case_and_of_a_train() -> None:
