@@ -87,6 +87,8 @@ def test_the_first_screen_needs_no_scroll(opened: Visitor) -> None:
     # the seven inputs, and one number in the hub
     assert page.locator(".rail > .field, .pick-row").count() == 7
     assert page.locator(".hub-number").text_content() == "7.38mm"
+    # a drive that carries its load is not drawn anew all the time
+    assert page.evaluate("document.getAnimations().length") == 0
 
 
 def test_the_first_screen_is_no_wall_of_text(opened: Visitor) -> None:
