@@ -4,8 +4,8 @@ from pathlib import Path
 
 from playwright.sync_api import Page, Route, expect
 
-from web.browser import LATER, READY, TOKEN, Calculator, Visitor, turn
-from web.calculators import Process, serving, wait_for
+from web.browser import LATER, READY, Calculator, Visitor, turn
+from web.calculators import TOKEN, Process, serving, wait_for
 from web.test_pages_tests import FILES
 
 
