@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from cli.running import DRIVE, drive_file, wraparc
+from files.samples import example
 from wraparc import ArcResult, Distributed, WrapArc, load_drive
 from wraparc.calibrate.field_numbers import (
     TRIP_RULES,
@@ -20,8 +21,6 @@ from wraparc.checks.check import Verdict
 from wraparc.drive.pitch import turns_an_hour
 from wraparc.present.field_sheet import field_sheet
 from wraparc.present.sheet import shown as told_in
-
-EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 @pytest.fixture(scope="module")
@@ -209,9 +208,9 @@ def test_levels_of_a_braking_pulley_are_below() -> None:
 def test_a_drum_is_not_measured_again_for_wear_that_no_tape_tells() -> None:
     # expected: read to 1 mm of circumference, a tape tells 0.16 mm of depth; the alarm of the
     # fabric drive leaves none, that of the tandem 1.02 mm, in four steps
-    head = wraparc("field", str(EXAMPLES / "head-drive-fabric.toml"), "--full")[1]
+    head = wraparc("field", str(example("head-drive-fabric")), "--full")[1]
     said = " ".join(head.split())
     assert "any wear since it was measured raises the alarm by itself" in said
     assert "Measure the drum's surface instead of its shaft." in said
-    tandem = " ".join(wraparc("field", str(EXAMPLES / "tandem-fabric.toml"), "--full")[1].split())
+    tandem = " ".join(wraparc("field", str(example("tandem-fabric")), "--full")[1].split())
     assert "again for every 0.255 mm worn off" in tandem

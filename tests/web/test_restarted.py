@@ -103,6 +103,7 @@ def test_a_link_is_shown_where_the_clipboard_is_closed(calculator: Calculator) -
     with other.page.expect_response("**/drive/more.js"):
         other.page.goto(other.address.replace("/#", f"/?token={TOKEN}#"))
     other.painted()
+    wait_for(lambda: other.page.evaluate("true") and held)
     held[0].continue_()
     other.open("drive")
     expect(other.page.locator("#f-pulley-0-exit_tension")).to_have_value("71")

@@ -89,24 +89,21 @@ def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
 
 def _circumference(found: FieldNumbers) -> str:
     """Say that wear of the lagging shows as a difference, and when to measure the drum again."""
-    worn, again = (quantity(share * found.wear_to_alarm, "length") for share in (1.0, 0.25))
     moved = percent(2.0 * found.depth / found.diameter)
     depth = quantity(found.depth, "length")
     steps = 1e-3, 0.0254 / 16.0
     each = either(*(quantity(step, "length") for step in steps))
     moved_each = either(*(percent(step * found.drift) for step in steps))
-    told = 0.25 * found.wear_to_alarm >= TAPE
-    alarms = f"{worn} of wear" if told else "any wear"
-    todo = (
-        f"circumference again for every {again} worn off, or measure the drum's"
-        if told
-        else "drum's"
-    )
+    worn, again = found.wear_to_alarm, 0.25 * found.wear_to_alarm
+    alarms, measure = "any wear", "the drum's surface instead of its shaft"
+    if again >= TAPE:
+        alarms = f"{quantity(worn, 'length')} of wear"
+        every = quantity(again, "length")
+        measure = f"the circumference again for every {every} worn off, or measure {measure}"
     return (
         f"These levels need the drum speed from a measured circumference: {alarms} since it "
         f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
-        f"and {depth} by {moved}. "
-        f"Measure the {todo} surface instead of its shaft."
+        f"and {depth} by {moved}. Measure {measure}."
     )
 
 
