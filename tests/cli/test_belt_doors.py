@@ -6,6 +6,7 @@ tells of speeds comes with one line where the layers are not known, and with non
 
 from __future__ import annotations
 
+import json
 import shutil
 from pathlib import Path
 
@@ -80,3 +81,13 @@ def test_a_command_with_a_belt_of_unknown_layers(
     ran = wraparc(*COMMANDS[name])
     assert ran.code in (0, 1), ran.err
     assert ran.words.count(SURFACE) == 1, ran.out
+
+
+def test_the_answer_of_a_train_says_which_side_lies_on_each_drum(
+    covered: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # expected: as the file of the fixture has it
+    monkeypatch.chdir(covered)
+    answer = json.loads(wraparc("solve", "tandem-fabric.toml", "--json", "-")[1])
+    for case in answer["train"]["load_cases"]:
+        assert [drive["side"] for drive in case["drives"]] == ["pulley", "carry"]
