@@ -83,6 +83,21 @@ def test_creep_limit_capacity_is_at_the_creep_limit(name: str, braking: bool) ->
         assert meets(arc, c.creep_limit_capacity, "exit_creep", arc.creep_limit)
 
 
+def test_an_overrun_beyond_the_creep_limit_leaves_nothing_to_a_brake() -> None:
+    """The belt may creep less than the overrun moves it the other way: the entry has to be tight.
+
+    Expected: the definition, by a drive of these tensions, which creeps backwards by the limit.
+    """
+    arc = replace(
+        ARC, law=RUBBER, overrun=2e-4, entry_tension=40e3, exit_tension=60e3, creep_limit=1e-5
+    )
+    carried = capacities(arc)
+    driven = solve(replace(arc, entry_tension=60e3 / carried.creep_limit_capacity))
+    assert carried.creep_limit_capacity < 1.0
+    assert driven.exit_creep == pytest.approx(-1e-5, rel=1e-4)
+    assert carried.equivalent_friction == carried.largest_effective_tension == 0.0
+
+
 @pytest.mark.parametrize(
     ("name", "braking"), [side for side in SIDES if LAWS[side[0]].tested is not None]
 )

@@ -11,6 +11,7 @@ from wraparc.arc.collocation import (
     MESH,
     NO_SLOPES,
     ROUGH,
+    Course,
     Interface,
     between_tensions,
     first_course,
@@ -68,7 +69,7 @@ def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float
         )
         return Answer(BREAKAWAY, unmet(face, first))
     met = meet(law, arc, between_tensions(entry, leaving), guess, None, MESH)
-    if not (met.done and _rises(arc, met)):
+    if not (met.done and _rises(met)):
         if goal >= largest_ratio(law, arc, max(entry, leaving), True)[0]:
             return Answer(BREAKAWAY, met)
         met = _by_creep(law, arc, guess)
@@ -76,17 +77,25 @@ def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float
         return Answer(UNSOLVED, met)
     if met.rest == 0.0 and ratio_of(met.course, arc) >= RATIO_END:
         return Answer(BREAKAWAY, met)
-    return Answer(SOLVED if _rises(arc, met) else UNSOLVED, met)
+    return Answer(SOLVED if _rises(met) else UNSOLVED, met)
 
 
-def _rises(arc: Geometry, met: Met) -> bool:
+def _rises(met: Met) -> bool:
     """Whether more is carried as creep grows: friction is not exhausted.
 
-    With more tension at the entry; or, where an overrun grows so fast with it that it takes more
-    than that, with less at the exit.
+    With more tension at the entry, that of the exit held; or, where an overrun grows so fast with
+    it that it takes more than that, with less at the exit, that of the entry held.
     """
     first, through = met.slopes.first, met.slopes.first_goal
-    return met.rest > 0.0 or first > 0.0 or (arc.side > 0.0 and first * through > 0.0)
+    return met.rest > 0.0 or first > 0.0 or first * through > 0.0
+
+
+class _Tried(NamedTuple):
+    """A creep at the exit [m], ln(tight/slack) there, and the course, None with a rest arc."""
+
+    creep: float
+    carried: float
+    course: Course | None
 
 
 def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
@@ -96,32 +105,42 @@ def _by_creep(law: CompactLaw, arc: Geometry, goal: Guess) -> Met:
     more friction, tensions alone say little of it.
     """
     tight, slack = max(goal.entry, goal.leaving), min(goal.entry, goal.leaving)
-    asked, low, high, close = log(tight / slack), 0.0, inf, CLOSE
-    first, near, at = max(abs(goal.creep), LEAST_GUESS), None, 0.0
-    creep = first
+    asked, close, first = log(tight / slack), CLOSE, max(abs(goal.creep), LEAST_GUESS)
+    low, high, creep = _Tried(0.0, 0.0, None), _Tried(inf, inf, None), first
+    at = low
     met = unmet(interface(law, arc), first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep))
     for i in range(STEPS):
         ends = ends_at(arc, 1.0, 0.0, tight, Limit(CREEP, creep))
         guess = goal._replace(creep=arc.side * creep)
-        met = meet(law, arc, ends, guess, near, ROUGH)
+        met = meet(law, arc, ends, guess, at.course, ROUGH)
         if met.done:
-            near, at = met.course if met.rest == 0.0 else None, creep
-            carried = log_ratio(met)
-            if abs(carried - asked) < close * asked:
-                there = meet(law, arc, between_tensions(goal.entry, goal.leaving), goal, near, MESH)
-                if there.done:
+            at = _Tried(creep, log_ratio(arc, met), met.course if met.rest == 0.0 else None)
+            if abs(at.carried - asked) < close * asked:
+                between = between_tensions(goal.entry, goal.leaving)
+                there = meet(law, arc, between, goal, at.course, MESH)
+                if there.done and _rises(there):
                     return there
                 close *= NEARER
-            below = carried < asked and (met.rest > 0.0 or growth(arc, met.slopes) > 0.0)
-            low, high = (creep, high) if below else (low, creep)
-            between = sqrt(low * high) if low > 0.0 else 0.3 * high
-            creep = between if high < inf else WIDER * low
-        elif at == 0.0:  # more, less, more: what is known of the creep may be far off
+            if at.carried < asked and (met.rest > 0.0 or growth(arc, met.slopes) > 0.0):
+                low = at
+            else:
+                high = at
+            if high.creep == inf:
+                creep = WIDER * low.creep
+            elif low.creep == 0.0:
+                creep = 0.3 * high.creep
+            else:
+                rise = high.carried - low.carried
+                share = (asked - low.carried) / rise if high.carried > asked else 0.5
+                share = min(max(share, 0.1), 0.9)
+                creep = low.creep * (high.creep / low.creep) ** share
+                at = low if share < 0.5 else high
+        elif at.creep == 0.0:  # more, less, more: what is known of the creep may be far off
             creep = first * AWAY ** ((i + 2) // 2 if i % 2 == 0 else -((i + 1) // 2))
-        elif LEAST_GROWTH * min(creep, at) > max(creep, at):
+        elif LEAST_GROWTH * min(creep, at.creep) > max(creep, at.creep):
             break
-        else:  # nearer to the last one that was met
-            creep = sqrt(creep * at)
+        else:  # nearer to one that was met
+            creep = sqrt(creep * at.creep)
     return unmet(interface(law, arc), met.course)
 
 

@@ -13,12 +13,15 @@ from typing import NamedTuple
 from wraparc.arc.collocation import (
     CREEP,
     MOST_USED,
+    ROUGH,
     SLIP,
     Course,
     Ends,
     Interface,
     Slopes,
+    compliance_of,
     mean_creep,
+    overrun_at,
     traction_at,
 )
 from wraparc.arc.gross_slip import Line, outweighs, plateau_capacity, residual_capacity
@@ -35,7 +38,7 @@ DEEPEST = 3.0  # of ln tension below the largest one that the largest pull is lo
 ROUNDS, NEAR, NEAR_TOP = 60, 1e-9, 1e-4  # of searches along the tension, in its logarithm
 #: Creeps among which the largest ratio of falling friction is looked for: from a part of the one at
 #: which a share of the peak is reached, in steps of a factor, so many; and how near it is found.
-FIRST_PART, ON_THE_RISE, WIDER, LOOKS, NEAR_PEAK = 0.4, 0.6, 1.5, 14, 1e-6
+FIRST_PART, ON_THE_RISE, WIDER, LOOKS, MOST_LOOKS, NEAR_PEAK = 0.4, 0.6, 1.5, 14, 40, 1e-6
 
 FAR, HALVINGS = 200.0, 12  # of the tension, where a first guess is looked for along a line
 
@@ -84,13 +87,14 @@ def stress_about(face: Interface, pressure: float, creep: float) -> float:
 
 
 def carry(
-    law: CompactLaw, arc: Geometry, tight: float, limit: Limit, near: Course | None = None
-) -> Met:
+    law: CompactLaw, arc: Geometry, tight: float, limit: Limit, near: Course | None = None,
+    tol: float = MISFIT,
+) -> Met:  # fmt: skip
     """Meet a limit of creep or slip at the exit with the tension of the tight side held [N]."""
     arc, ends = counted(arc, CAPACITY_STEPS), ends_at(arc, 1.0, 0.0, tight, limit)
     guess = _guess_at(law, arc, tight, limit)
-    met = meet(law, arc, ends, guess, near, MISFIT)
-    return met if met.done else by_growth(law, arc, ends, guess, MISFIT)
+    met = meet(law, arc, ends, guess, near, tol)
+    return met if met.done else by_growth(law, arc, ends, guess, tol)
 
 
 class Along(NamedTuple):
@@ -112,8 +116,7 @@ def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tig
     if not at_tight.done:
         return Along(nan, at_tight)
     if tight_rise == 0.0 and slack_rise < 0.0:  # the tight side is held: it is met
-        left = min(at_tight.entry, at_tight.course.tension[-1])
-        return Along(1.0 + (left - slack) / slack_rise, at_tight)
+        return Along(1.0 + (sides(arc, at_tight)[1] - slack) / slack_rise, at_tight)
     top, low = _first_along(law, arc, line, limit, at_tight)
     if not (top > 0.0 and low > 0.0):
         return Along(nan, at_tight)
@@ -124,7 +127,7 @@ def carry_along(law: CompactLaw, arc: Geometry, line: Line, limit: Limit, at_tig
     met = meet(law, arc, ends_at(arc, at_top, at_low, goal, limit), guess, _near(at_tight), MISFIT)
     if not met.done:
         return Along(nan, met)
-    found, other = max(met.entry, met.course.tension[-1]), min(met.entry, met.course.tension[-1])
+    found, other = sides(arc, met)
     if not tight_rise * other > slack_rise * found:
         return Along(nan, met)
     by_tight = abs(tight_rise) >= abs(slack_rise)
@@ -137,7 +140,7 @@ def _first_along(
 ) -> tuple[float, float]:
     """Tensions of a line at which a limit is met, about: of the tight and of the slack side [N]."""
     tight, slack, tight_rise, slack_rise = line
-    ratio = exp(log_ratio(at_tight))
+    ratio = exp(log_ratio(arc, at_tight))
     if tight_rise > ratio * slack_rise:
         k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise)
         return tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise
@@ -151,16 +154,23 @@ def _first_along(
         middle = sqrt(low * high)
         used = stress_about(face, middle / area, 0.6 * limit.most) / middle
         asked = log(middle / (slack + (middle - tight) / tight_rise * slack_rise))
-        if asked < used / first * log_ratio(at_tight):
+        if asked < used / first * log_ratio(arc, at_tight):
             low = middle
         else:
             high = middle
     return middle, slack + (middle - tight) / tight_rise * slack_rise
 
 
-def log_ratio(met: Met) -> float:
-    """ln(tight/slack) of an arc [-]."""
-    return abs(log(met.entry / met.course.tension[-1]))
+def sides(arc: Geometry, met: Met) -> tuple[float, float]:
+    """Tensions of the tight and of the slack side of an arc [N]."""
+    entry, leaving = met.entry, met.course.tension[-1]
+    return (entry, leaving) if arc.side > 0.0 else (leaving, entry)
+
+
+def log_ratio(arc: Geometry, met: Met) -> float:
+    """ln(tight/slack) of an arc [-]; negative where a large overrun pulls the other way."""
+    tight, slack = sides(arc, met)
+    return log(tight / slack)
 
 
 def highest_tight(pressure_max: float, area: float, tight: float) -> float:
@@ -196,13 +206,13 @@ def least_slack(
     """
     arc = counted(arc, CAPACITY_STEPS)
     if at_tight.done:
-        carried = -expm1(-log_ratio(at_tight))
-        first = max(min(pull / carried, top), 1.02 * pull)
+        carried = -expm1(-log_ratio(arc, at_tight))
+        first = max(min(pull / carried, top) if carried > 0.0 else 0.0, 1.02 * pull)
         guess = _guess(arc, first, first - pull, at_tight.course.creep[-1])
         ends = ends_at(arc, 1.0, -1.0, pull, limit)
         met = meet(law, arc, ends, guess, _near(at_tight), MISFIT)
         if met.done and _pull_slope(arc, met.slopes) > 0.0:
-            found = max(met.entry, met.course.tension[-1])
+            found = sides(arc, met)[0]
             if found <= top:
                 return Least(found - pull, nan)
     return _least_sought(law, arc, pull, limit, at_tight, top)
@@ -227,14 +237,14 @@ def _least_sought(
     low = min(log(pull) + LEAST_OVER, high - DEEPEST)
     met, t, over = at_tight, high, False
     if met.done:
-        t = log(max(met.entry, met.course.tension[-1]))
+        t = log(sides(arc, met)[0])
     if not (met.done and t < high and _pull_slope(arc, met.slopes) > 0.0):
         t, met = high, carry(law, arc, top, limit)
     for _ in range(ROUNDS):
         if not met.done:
             break
-        carried, slope = _pull(met, exp(t)), _pull_slope(arc, met.slopes)
-        miss = log(carried / pull)
+        carried, slope = _pull(arc, met, exp(t)), _pull_slope(arc, met.slopes)
+        miss = log(carried / pull) if carried > 0.0 else -inf  # an overrun takes all of the limit
         if abs(miss) < NEAR and slope > 0.0:
             return Least(exp(t) - pull, nan)
         if miss < 0.0 and slope > 0.0 and t >= high:
@@ -257,9 +267,9 @@ def _least_sought(
     return Least(nan, nan)
 
 
-def _pull(met: Met, tight: float) -> float:
+def _pull(arc: Geometry, met: Met, tight: float) -> float:
     """Pull of an arc with a tension of the tight side [N]."""
-    return tight * -expm1(-log_ratio(met))
+    return tight * -expm1(-log_ratio(arc, met))
 
 
 def _largest_pull(
@@ -277,7 +287,7 @@ def _largest_pull(
         met = carry(law, arc, exp(t), limit, at)
         if not met.done:
             break
-        pull = _pull(met, exp(t))
+        pull = _pull(arc, met, exp(t))
         if pull > most:
             best, most, at = t, pull, _near(met)
         if most >= enough or high - low < NEAR_TOP or abs(t - last) < NEAR_TOP:
@@ -315,26 +325,36 @@ def largest_ratio(
         return plateau, inf
     if not outweighs(law, arc, tight, residual):
         return residual, inf
-    most, creep = _largest_at_creep(law, arc, tight)
-    return (most, creep) if most > residual else (residual, inf)
+    most, creep = _largest_at_creep(law, arc, tight, residual)
+    return (residual, inf) if most <= residual else (most, creep)
 
 
-def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[float, float]:
+def _largest_at_creep(
+    law: CompactLaw, arc: Geometry, tight: float, residual: float
+) -> tuple[float, float]:
     """Largest ln(tight/slack) of a held tight side over creeps, and its creep [m].
 
-    Where what is carried no longer grows with creep; -inf where no creep is followed by less.
+    Where what is carried no longer grows with creep; -inf where no creep is followed by less, nan
+    where the search does not end. Not before the belt slides all along, which takes the peak of the
+    law and its own shrinkage.
     """
+    arc = arc._replace(left=[CAPACITY_STEPS])  # a search of its own
     best, low, high, up, down = -inf, 0.0, 0.0, 0.0, 0.0
-    slack = tight * exp(-10.0)
-    peak = mean_creep(interface(law, arc), arc, tight, slack, ON_THE_RISE)
-    creep = FIRST_PART * abs(peak)
+    peak = mean_creep(interface(law, arc), arc, tight, tight * exp(-10.0), ON_THE_RISE)
+    slack = tight * exp(-residual)
+    entry = tight if arc.side > 0.0 else slack
+    shrinks = compliance_of(arc) * arc.radius * arc.wrap_angle
+    shrinks *= arc.side * (entry - (tight - slack) / residual)
+    creep = FIRST_PART * max(abs(peak), shrinks + arc.side * overrun_at(arc, entry)[0])
     at, near, before, risen, found = None, None, 0.0, 0.0, False
-    for _ in range(LOOKS):
-        met = carry(law, arc, tight, Limit(CREEP, creep), near)
+    for look in range(MOST_LOOKS):  # a soft belt shrinks far past the peak of its law
+        if look >= LOOKS and risen <= 0.0:
+            break
+        met = carry(law, arc, tight, Limit(CREEP, creep), near, ROUGH)
         if met.done:
             near, grows = _near(met), growth(arc, met.slopes)
-            if log_ratio(met) > best and (grows > 0.0 or before > 0.0):
-                best = log_ratio(met)
+            if log_ratio(arc, met) > best and (grows > 0.0 or before > 0.0):
+                best = log_ratio(arc, met)
                 at, found = _near(met), True
                 low, up, high = (creep, grows, 0.0) if grows > 0.0 else (before, risen, creep)
                 down = grows
@@ -350,8 +370,8 @@ def _largest_at_creep(law: CompactLaw, arc: Geometry, tight: float) -> tuple[flo
         creep = _between(low, up, high, down)
         met = carry(law, arc, tight, Limit(CREEP, creep), at)
         if not met.done:
-            break
-        at, best, grows = _near(met), log_ratio(met), growth(arc, met.slopes)
+            return nan, nan
+        at, best, grows = _near(met), log_ratio(arc, met), growth(arc, met.slopes)
         if grows > 0.0:
             low, up, down = creep, grows, 0.5 * down
         else:
@@ -392,14 +412,14 @@ def find_capacities(law: CompactLaw, arc: Geometry, load: Load, parts: int) -> C
     if parts & (CREEP_LIMIT + LEAST):
         met = carry(law, arc, tight, limit)
         if met.done:
-            by_creep, near = log_ratio(met), _near(met)
+            by_creep, near = log_ratio(arc, met), _near(met)
         if parts & LEAST and pull > 1e-6 * tight:
             top = highest_tight(load.pressure_max, arc.width * arc.radius, tight)
             least, most = least_slack(law, arc, pull, limit, met, top)
     if parts & TESTED_SLIP and load.slip_max == load.slip_max:
         met = carry(law, arc, tight, Limit(SLIP, load.slip_max), near)
         if met.done:
-            by_slip = log_ratio(met)
+            by_slip = log_ratio(arc, met)
     if parts & GROSS_SLIP:
         gross, gross_creep = largest_ratio(law, arc, tight, load.steepest_fall < 0.0)
         # past the largest ratio of a softening law creep grows and the ratio falls

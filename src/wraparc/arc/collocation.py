@@ -63,7 +63,7 @@ LEAST_PART, MOST_PART = 1.0, 8.0  # elements for one, as its misfit asks
 NEWTON, COARSELY, ROUNDING, LEAST_PULL = 1e-9, 1e-4, 1e-5, 1e-5
 FARTHEST = 1e6  # change of a tension, of the pull, after which nothing is found
 LEAST_LEFT, MOST_STRETCH = 0.2, 0.5  # of a tension, of a length, after one step
-FIRST_STEPS, LATER_STEPS, MOST_ROUNDS = 15, 20, 14
+FIRST_STEPS, LATER_STEPS, MOST_ROUNDS, KINK_ROUNDS = 15, 20, 14, 2
 MOST_USED = 0.95  # of the plateau of friction, of the mean friction of a first guess
 SMALL, MOST_KINKS = 1e-5, 60  # creep without a sign, of the largest; kinks of one course
 TURN = 1e-3  # of the arc: an element so short needs no grading towards a turn of the creep
@@ -710,10 +710,11 @@ def _change(
 
 def meshed(
     face: Interface, arc: Geometry, at: Course, kind: int, tol: float
-) -> tuple[bool, Course]:
+) -> tuple[bool, bool, Course]:
     """The course on a mesh that spreads the misfit evenly and ends elements at kinks.
 
-    True where a finer mesh is needed; else the course is returned as it was.
+    With whether a finer mesh is needed, else the course is as it was; and whether the misfit asks
+    for it, not a kink alone.
     """
     places, misses = at.place, misfits(face, arc, at, kind)
     spent(arc, at)
@@ -723,12 +724,13 @@ def meshed(
     far = False
     for where, _ in ends:
         far = far or _misses(places, where)
-    if not far and max(needed) <= 1.0:
-        return False, at
+    over = max(needed) > 1.0
+    if not far and not over:
+        return False, False, at
     new = _spread(places, [min(max(part, LEAST_PART), MOST_PART) for part in needed])
     for where, turns in ends:
         _end_at(new, where, turns)
-    return True, _carried_over(arc, at, new)
+    return True, over, _carried_over(arc, at, new)
 
 
 def _misses(places: list[float], where: float) -> bool:
@@ -817,7 +819,7 @@ def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float)
     if not found.done:
         return found
     least, step = max(face.shear, LEAST_SHEAR * soft.shear), FIRST_SOFTER
-    at = meshed(soft, arc, found.course, ends.kind, ROUGH)[1]
+    at = meshed(soft, arc, found.course, ends.kind, ROUGH)[2]
     for _ in range(MOST_SOFTENED):
         if step > LEAST_SOFTER:
             break
@@ -828,7 +830,7 @@ def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float)
             step = sqrt(step)
             continue
         soft, step = now, step * sqrt(step)
-        at = meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[1]
+        at = meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[2]
         if shear == least:
             return converged(face, arc, ends, at, LATER_STEPS, COARSELY)
     return Solved(False, at, NO_SLOPES)
@@ -837,13 +839,15 @@ def softened(face: Interface, arc: Geometry, ends: Ends, at: Course, tol: float)
 def solved(face: Interface, arc: Geometry, ends: Ends, start: Course, tol: float = MESH) -> Solved:
     """Meet the end conditions from a first guess, on meshes that adapt until nothing misses."""
     found = converged(face, arc, ends, start, FIRST_STEPS, COARSELY)
+    kept = 0
     for _ in range(MOST_ROUNDS):
         if face.rests and found.course.place[-1] > LONGEST * arc.radius * arc.wrap_angle:
             return Solved(False, found.course, found.slopes)
         if not found.done:
             return found
-        finer, new = meshed(face, arc, found.course, ends.kind, tol)
-        if not finer:
+        finer, over, new = meshed(face, arc, found.course, ends.kind, tol)
+        kept = 0 if over else kept + 1
+        if not finer or kept > KINK_ROUNDS:  # kinks may come and go with the mesh
             break
         found = converged(face, arc, ends, new, LATER_STEPS, COARSELY)
     return converged(face, arc, ends, found.course, LATER_STEPS, NEWTON)

@@ -145,7 +145,7 @@ def _again(law: CompactLaw, arc: Geometry, ends: Ends, near: Met, tol: float) ->
             return None
         if max(misfits(face, arc, found.course, CREEP)) <= tol:
             break
-        finer, new = meshed(face, arc, found.course, CREEP, tol)
+        finer, _, new = meshed(face, arc, found.course, CREEP, tol)
         if not finer:
             break
         found = converged(face, arc, ends, new, LATER_STEPS, enough)

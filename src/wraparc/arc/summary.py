@@ -277,9 +277,9 @@ def capacity_numbers(arc: Description, carried: Carried) -> CapacityNumbers:
     return CapacityNumbers(
         creep_limit_capacity=creep,
         creep_limit_margin=creep / actual,
-        equivalent_friction=log(creep) / wrap_angle,
+        equivalent_friction=max(log(creep), 0.0) / wrap_angle,
         least_exit_tension=carried.least_slack + arc.centrifugal,
-        largest_effective_tension=carried.most_pull,
+        largest_effective_tension=max(carried.most_pull, 0.0),
         tested_slip_capacity=slip,
         tested_slip_margin=slip / actual,
         gross_slip_capacity=gross,

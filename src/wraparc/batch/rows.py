@@ -537,7 +537,7 @@ class RowBatch:
         creep = np.full(len(which), np.inf)
         rows = np.flatnonzero(outweighs)
         if len(rows):
-            found, where = self._peak(which[rows])
+            found, where = self._peak(which[rows], most[rows])
             higher = ~(found <= most[rows])  # also where it is not found
             most[rows[higher]], creep[rows[higher]] = found[higher], where[higher]
         return most, creep
@@ -554,25 +554,29 @@ class RowBatch:
             found |= block.laws.excess(p) + start * block.laws.residual(p) > 0.0
         return found, most
 
-    def _peak(self, which: Integers) -> tuple[Array, Array]:
-        """Largest ratio among creeps around that of the peak, and its creep.
+    def _peak(self, which: Integers, residual: Array) -> tuple[Array, Array]:
+        """Largest ratio among creeps around that of the peak and of the shrinkage, and its creep.
 
-        -inf at an end of the creeps looked at, nan where one of them fails.
+        -inf at the least of the creeps looked at; nan at the largest, or where one of them fails.
         """
         block, tight = self.block.rows(which), self.tight[which]
         first = mean_creep(block, tight, tight * np.exp(-10.0), ON_THE_RISE)
+        slack = tight * np.exp(-residual)
+        entry = np.where(block.side > 0.0, tight, slack)
+        shrinks = block.compliance * block.length * (entry - (tight - slack) / residual)
+        first = np.maximum(first, block.side * (shrinks + block.overrun(entry)[0]))
         creeps = np.array(CREEPS)[:, None] * first
         ratios = np.stack([self._carried(which, tight, creep) for creep in creeps])
         best = np.nan_to_num(ratios, nan=-np.inf).argmax(axis=0)
-        inside = (best > 0) & (best < len(CREEPS) - 1)
         three = np.clip(best, 1, len(CREEPS) - 2) + np.array([[-1], [0], [1]])
         x = np.take_along_axis(np.log(creeps), three, 0)
         y = np.take_along_axis(ratios, three, 0)
         for _ in range(NEARER):
             at = crown(x, y)
             x, y = narrowed(x, y, at, self._carried(which, tight, np.exp(at)))
-        known = np.isfinite(ratios).all(axis=0)
-        return np.where(inside, np.where(known, y[1], np.nan), -np.inf), np.exp(x[1])
+        known = np.isfinite(ratios).all(axis=0) & (best < len(CREEPS) - 1)
+        found = np.where(best > 0, y[1], -np.inf)
+        return np.where(known, found, np.nan), np.exp(x[1])
 
     def _cap_by_gross(self, parts: int) -> None:
         """Where creep or slip reach the limit past the largest ratio, that ratio is what counts."""

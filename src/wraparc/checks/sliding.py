@@ -14,7 +14,15 @@ from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
-from wraparc.arc.capacity import Limit, carry, carry_along, find_capacities, least_slack, log_ratio
+from wraparc.arc.capacity import (
+    Limit,
+    carry,
+    carry_along,
+    find_capacities,
+    least_slack,
+    log_ratio,
+    sides,
+)
 from wraparc.arc.collocation import CREEP as CREEP_KIND
 from wraparc.arc.collocation import SLIP as SLIP_KIND
 from wraparc.arc.gross_slip import Line, plateau_capacity
@@ -196,8 +204,8 @@ def pull_at_sliding(of: Loaded, line: Line, begin: Sequence[AtLimit]) -> Sliding
         place, met = carry_along(of.law, of.geometry, line, limit, first_met)
         if not place > 0.0:  # not found so
             return slide_place(of, line, 1.0, 0.0, 1.0)
-        tight = max(met.entry, met.course.tension[-1])
-        exhausted = log_ratio(met) >= _most_at(of, tight) * (1.0 - ALIKE)
+        tight = sides(of.geometry, met)[0]
+        exhausted = log_ratio(of.geometry, met) >= _most_at(of, tight) * (1.0 - ALIKE)
         if place < first.place * (1.0 - ALIKE):
             first = Sliding(place, MOST if exhausted else cause)
     return slide_place(of, line, 1.0, 0.0, 1.0) if first.place == inf else first

@@ -2856,7 +2856,7 @@ export function passage___again(law, arc, ends, near, tol) {
     }
     const found2 = collocation__meshed(face, arc, found.course, CREEP, tol);
     finer = found2[0];
-    new_ = found2[1];
+    new_ = found2[2];
     if (!finer) {
       break;
     }

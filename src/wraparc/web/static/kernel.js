@@ -298,6 +298,19 @@ export class Limit {
   }
 }
 
+export class _Tried {
+  constructor(creep, carried, course) {
+    this.creep = creep;
+    this.carried = carried;
+    this.course = course;
+  }
+  *[Symbol.iterator]() {
+    yield this.creep;
+    yield this.carried;
+    yield this.course;
+  }
+}
+
 export class Point {
   constructor(place, tension, creep, slip, stress) {
     this.place = place;
@@ -1031,6 +1044,7 @@ const LEAST_PART = 1.0;
 const MOST_PART = 8.0;
 const MOST_ELEMENTS = 400;
 const TURN = 0.001;
+const KINK_ROUNDS = 2;
 const LATER_STEPS = 20;
 const ROUGH = 0.001;
 const SOFTER = 10.0;
@@ -1040,14 +1054,14 @@ const FIRST_SOFTER = 0.0625;
 const MOST_SOFTENED = 60;
 const LEAST_SOFTER = 0.97;
 const PRESSURES = 5;
+const CAPACITY_STEPS = 25000.0;
 const ON_THE_RISE = 0.6;
 const FIRST_PART = 0.4;
+const MOST_LOOKS = 40;
 const LOOKS = 14;
-const CAPACITY_STEPS = 25000.0;
 const MOST_USED = 0.95;
 const LARGEST_FALL = 6.0;
 const SLIP = 2;
-const MISFIT = 1e-5;
 const FIRST_GOAL = 0.01;
 const STEPS = 40;
 const LEAST_GROWTH = 1.01;
@@ -1097,6 +1111,7 @@ const USUAL_SIZES = [
 const CAPACITIES = 30;
 const LEAST = 8;
 const HIGHEST = 1000.0;
+const MISFIT = 1e-5;
 const LEAST_OVER = 0.0001;
 const DEEPEST = 3.0;
 const ROUNDS = 60;
@@ -2815,8 +2830,9 @@ export function collocation__meshed(face, arc, at, kind, tol) {
     [where] = each1;
     far = far || collocation___misses(places, where);
   }
-  if (!far && $maxOf(needed) <= 1.0) {
-    return [false, at];
+  let over = $maxOf(needed) > 1.0;
+  if (!far && !over) {
+    return [false, false, at];
   }
   let new_ = collocation___spread(
     places,
@@ -2826,13 +2842,14 @@ export function collocation__meshed(face, arc, at, kind, tol) {
     [where, turns] = each2;
     collocation___end_at(new_, where, turns);
   }
-  return [true, collocation___carried_over(arc, at, new_)];
+  return [true, over, collocation___carried_over(arc, at, new_)];
 }
 
 /** Meet the end conditions from a first guess, on meshes that adapt until nothing misses. */
 export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
-  let finer, new_;
+  let finer, new_, over;
   let found = collocation__converged(face, arc, ends, start, FIRST_STEPS, COARSELY);
+  let kept = 0;
   for (let each1 = 0, end1 = MOST_ROUNDS; each1 < end1; each1++) {
     if (face.rests && found.course.place.at(-1) > LONGEST * arc.radius * arc.wrap_angle) {
       return new Solved(false, found.course, found.slopes);
@@ -2842,8 +2859,10 @@ export function collocation__solved(face, arc, ends, start, tol = 1e-6) {
     }
     const found2 = collocation__meshed(face, arc, found.course, ends.kind, tol);
     finer = found2[0];
-    new_ = found2[1];
-    if (!finer) {
+    over = found2[1];
+    new_ = found2[2];
+    kept = over ? 0 : kept + 1;
+    if (!finer || kept > KINK_ROUNDS) {
       break;
     }
     found = collocation__converged(face, arc, ends, new_, LATER_STEPS, COARSELY);
@@ -2909,7 +2928,7 @@ export function collocation__softened(face, arc, ends, at, tol) {
   }
   least = max(face.shear, LEAST_SHEAR * soft.shear);
   step = FIRST_SOFTER;
-  at = collocation__meshed(soft, arc, found.course, ends.kind, ROUGH)[1];
+  at = collocation__meshed(soft, arc, found.course, ends.kind, ROUGH)[2];
   for (let each1 = 0, end1 = MOST_SOFTENED; each1 < end1; each1++) {
     if (step > LEAST_SOFTER) {
       break;
@@ -2925,7 +2944,7 @@ export function collocation__softened(face, arc, ends, at, tol) {
       continue;
     }
     [soft, step] = [now, step * Math.sqrt(step)];
-    at = collocation__meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[1];
+    at = collocation__meshed(soft, arc, found.course, ends.kind, max(ROUGH, tol))[2];
     if (shear === least) {
       return collocation__converged(face, arc, ends, at, LATER_STEPS, COARSELY);
     }
@@ -2973,10 +2992,10 @@ export function meet__meet(law, arc, ends, guess, near, tol) {
 }
 
 /** Whether more is carried as creep grows: friction is not exhausted. */
-export function answer___rises(arc, met) {
+export function answer___rises(met) {
   let first = met.slopes.first;
   let through = met.slopes.first_goal;
-  return met.rest > 0.0 || first > 0.0 || (arc.side > 0.0 && first * through > 0.0);
+  return met.rest > 0.0 || first > 0.0 || first * through > 0.0;
 }
 
 /** ln(tight/slack) at gross slip with what friction is left with at slips without bound. */
@@ -3107,15 +3126,15 @@ export function meet__by_growth(law, arc, ends, guess, tol) {
 }
 
 /** Meet a limit of creep or slip at the exit with the tension of the tight side held [N]. */
-export function capacity__carry(law, arc, tight, limit, near = null) {
+export function capacity__carry(law, arc, tight, limit, near = null, tol = 1e-5) {
   let ends;
   [arc, ends] = [
     quantities__counted(arc, CAPACITY_STEPS),
     capacity__ends_at(arc, 1.0, 0.0, tight, limit),
   ];
   let guess = capacity___guess_at(law, arc, tight, limit);
-  let met = meet__meet(law, arc, ends, guess, near, MISFIT);
-  return met.done ? met : meet__by_growth(law, arc, ends, guess, MISFIT);
+  let met = meet__meet(law, arc, ends, guess, near, tol);
+  return met.done ? met : meet__by_growth(law, arc, ends, guess, tol);
 }
 
 /** A course to begin another question with. */
@@ -3131,9 +3150,19 @@ export function capacity__growth(arc, slopes) {
   return slopes.first_goal - (slopes.first * slopes.last_goal) / slopes.last;
 }
 
-/** ln(tight/slack) of an arc [-]. */
-export function capacity__log_ratio(met) {
-  return Math.abs(Math.log(met.entry / met.course.tension.at(-1)));
+/** Tensions of the tight and of the slack side of an arc [N]. */
+export function capacity__sides(arc, met) {
+  let entry = met.entry;
+  let leaving = met.course.tension.at(-1);
+  return arc.side > 0.0 ? [entry, leaving] : [leaving, entry];
+}
+
+/** ln(tight/slack) of an arc [-]; negative where a large overrun pulls the other way. */
+export function capacity__log_ratio(arc, met) {
+  const found1 = capacity__sides(arc, met);
+  let tight = found1[0];
+  let slack = found1[1];
+  return Math.log(tight / slack);
 }
 
 /** Where a slope ends that is `up` > 0 at one end and `down` < 0 at the other. */
@@ -3143,28 +3172,43 @@ export function capacity___between(low, up, high, down) {
 }
 
 /** Largest ln(tight/slack) of a held tight side over creeps, and its creep [m]. */
-export function capacity___largest_at_creep(law, arc, tight) {
-  let grows, last, met;
+export function capacity___largest_at_creep(law, arc, tight, residual) {
+  let grows, last, look, met;
+  arc = Object.assign(Object.create(Object.getPrototypeOf(arc)), arc, { left: [CAPACITY_STEPS] });
   let best = -Infinity;
   let low = 0.0;
   let high = 0.0;
   let up = 0.0;
   let down = 0.0;
-  let slack = tight * Math.exp(-10.0);
-  let peak = collocation__mean_creep(meet__interface(law, arc), arc, tight, slack, ON_THE_RISE);
-  let creep = FIRST_PART * Math.abs(peak);
+  let peak = collocation__mean_creep(
+    meet__interface(law, arc),
+    arc,
+    tight,
+    tight * Math.exp(-10.0),
+    ON_THE_RISE,
+  );
+  let slack = tight * Math.exp(-residual);
+  let entry = arc.side > 0.0 ? tight : slack;
+  let shrinks = collocation__compliance_of(arc) * arc.radius * arc.wrap_angle;
+  shrinks *= arc.side * (entry - (tight - slack) / residual);
+  let creep =
+    FIRST_PART * max(Math.abs(peak), shrinks + arc.side * collocation__overrun_at(arc, entry)[0]);
   let at = null;
   let near = null;
   let before = 0.0;
   let risen = 0.0;
   let found = false;
-  for (let each1 = 0, end1 = LOOKS; each1 < end1; each1++) {
-    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), near);
+  for (let each1 = 0, end1 = MOST_LOOKS; each1 < end1; each1++) {
+    look = each1;
+    if (look >= LOOKS && risen <= 0.0) {
+      break;
+    }
+    met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), near, ROUGH);
     if (met.done) {
       near = capacity___near(met);
       grows = capacity__growth(arc, met.slopes);
-      if (capacity__log_ratio(met) > best && (grows > 0.0 || before > 0.0)) {
-        best = capacity__log_ratio(met);
+      if (capacity__log_ratio(arc, met) > best && (grows > 0.0 || before > 0.0)) {
+        best = capacity__log_ratio(arc, met);
         at = capacity___near(met);
         found = true;
         [low, up, high] = grows > 0.0 ? [creep, grows, 0.0] : [before, risen, creep];
@@ -3189,10 +3233,10 @@ export function capacity___largest_at_creep(law, arc, tight) {
     creep = capacity___between(low, up, high, down);
     met = capacity__carry(law, arc, tight, new Limit(CREEP, creep), at);
     if (!met.done) {
-      break;
+      return [NaN, NaN];
     }
     at = capacity___near(met);
-    best = capacity__log_ratio(met);
+    best = capacity__log_ratio(arc, met);
     grows = capacity__growth(arc, met.slopes);
     if (grows > 0.0) {
       [low, up, down] = [creep, grows, 0.5 * down];
@@ -3214,25 +3258,24 @@ export function capacity__largest_ratio(law, arc, tight, softening) {
   if (!gross_slip__outweighs(law, arc, tight, residual)) {
     return [residual, Infinity];
   }
-  const found1 = capacity___largest_at_creep(law, arc, tight);
+  const found1 = capacity___largest_at_creep(law, arc, tight, residual);
   let most = found1[0];
   let creep = found1[1];
-  return most > residual ? [most, creep] : [residual, Infinity];
+  return most <= residual ? [residual, Infinity] : [most, creep];
 }
 
 /** Operating point by continuation in the creep at the exit, the tight side held. */
 export function answer___by_creep(law, arc, goal) {
-  let below, between, carried, ends, guess, i, there;
+  let between, ends, guess, i, rise, share, there;
   let tight = max(goal.entry, goal.leaving);
   let slack = min(goal.entry, goal.leaving);
   let asked = Math.log(tight / slack);
-  let low = 0.0;
-  let high = Infinity;
   let close = CLOSE;
   let first = max(Math.abs(goal.creep), LEAST_GUESS);
-  let near = null;
-  let at = 0.0;
+  let low = new _Tried(0.0, 0.0, null);
+  let high = new _Tried(Infinity, Infinity, null);
   let creep = first;
+  let at = low;
   let met = meet__unmet(
     meet__interface(law, arc),
     collocation__first_course(arc, 1.0, goal.entry, goal.leaving, goal.creep),
@@ -3243,36 +3286,40 @@ export function answer___by_creep(law, arc, goal) {
     guess = Object.assign(Object.create(Object.getPrototypeOf(goal)), goal, {
       creep: arc.side * creep,
     });
-    met = meet__meet(law, arc, ends, guess, near, ROUGH);
+    met = meet__meet(law, arc, ends, guess, at.course, ROUGH);
     if (met.done) {
-      near = met.rest === 0.0 ? met.course : null;
-      at = creep;
-      carried = capacity__log_ratio(met);
-      if (Math.abs(carried - asked) < close * asked) {
-        there = meet__meet(
-          law,
-          arc,
-          collocation__between_tensions(goal.entry, goal.leaving),
-          goal,
-          near,
-          MESH,
-        );
-        if (there.done) {
+      at = new _Tried(creep, capacity__log_ratio(arc, met), met.rest === 0.0 ? met.course : null);
+      if (Math.abs(at.carried - asked) < close * asked) {
+        between = collocation__between_tensions(goal.entry, goal.leaving);
+        there = meet__meet(law, arc, between, goal, at.course, MESH);
+        if (there.done && answer___rises(there)) {
           return there;
         }
         close *= NEARER;
       }
-      below = carried < asked && (met.rest > 0.0 || capacity__growth(arc, met.slopes) > 0.0);
-      [low, high] = below ? [creep, high] : [low, creep];
-      between = low > 0.0 ? Math.sqrt(low * high) : 0.3 * high;
-      creep = high < Infinity ? between : 3.0 * low;
-    } else if (at === 0.0) {
+      if (at.carried < asked && (met.rest > 0.0 || capacity__growth(arc, met.slopes) > 0.0)) {
+        low = at;
+      } else {
+        high = at;
+      }
+      if (high.creep === Infinity) {
+        creep = 3.0 * low.creep;
+      } else if (low.creep === 0.0) {
+        creep = 0.3 * high.creep;
+      } else {
+        rise = high.carried - low.carried;
+        share = high.carried > asked ? (asked - low.carried) / rise : 0.5;
+        share = min(max(share, 0.1), 0.9);
+        creep = low.creep * (high.creep / low.creep) ** share;
+        at = share < 0.5 ? low : high;
+      }
+    } else if (at.creep === 0.0) {
       creep =
         first * AWAY ** (modulo(i, 2) === 0 ? Math.floor((i + 2) / 2) : -Math.floor((i + 1) / 2));
-    } else if (LEAST_GROWTH * min(creep, at) > max(creep, at)) {
+    } else if (LEAST_GROWTH * min(creep, at.creep) > max(creep, at.creep)) {
       break;
     } else {
-      creep = Math.sqrt(creep * at);
+      creep = Math.sqrt(creep * at.creep);
     }
   }
   return meet__unmet(meet__interface(law, arc), met.course);
@@ -3307,7 +3354,7 @@ export function answer__operating_point(law, arc, entry, leaving) {
     return new Answer(BREAKAWAY, meet__unmet(face, first));
   }
   let met = meet__meet(law, arc, collocation__between_tensions(entry, leaving), guess, null, MESH);
-  if (!(met.done && answer___rises(arc, met))) {
+  if (!(met.done && answer___rises(met))) {
     if (goal >= capacity__largest_ratio(law, arc, max(entry, leaving), true)[0]) {
       return new Answer(BREAKAWAY, met);
     }
@@ -3319,7 +3366,7 @@ export function answer__operating_point(law, arc, entry, leaving) {
   if (met.rest === 0.0 && meet__ratio_of(met.course, arc) >= RATIO_END) {
     return new Answer(BREAKAWAY, met);
   }
-  return new Answer(answer___rises(arc, met) ? SOLVED : UNSOLVED, met);
+  return new Answer(answer___rises(met) ? SOLVED : UNSOLVED, met);
 }
 
 /** Where the course passes into another piece of the law [m]. */
@@ -4065,8 +4112,8 @@ export function capacity___pull_slope(arc, slopes) {
 }
 
 /** Pull of an arc with a tension of the tight side [N]. */
-export function capacity___pull(met, tight) {
-  return tight * -Math.expm1(-capacity__log_ratio(met));
+export function capacity___pull(arc, met, tight) {
+  return tight * -Math.expm1(-capacity__log_ratio(arc, met));
 }
 
 /** Ln tight-side tension of the largest pull at a limit, that pull [N], and its course. */
@@ -4085,7 +4132,7 @@ export function capacity___largest_pull(law, arc, limit, within, near, enough) {
     if (!met.done) {
       break;
     }
-    pull = capacity___pull(met, Math.exp(t));
+    pull = capacity___pull(arc, met, Math.exp(t));
     if (pull > most) {
       best = t;
       most = pull;
@@ -4113,7 +4160,7 @@ export function capacity___least_sought(law, arc, pull, limit, at_tight, top) {
   let t = high;
   let over = false;
   if (met.done) {
-    t = Math.log(max(met.entry, met.course.tension.at(-1)));
+    t = Math.log(capacity__sides(arc, met)[0]);
   }
   if (!(met.done && t < high && capacity___pull_slope(arc, met.slopes) > 0.0)) {
     t = high;
@@ -4123,9 +4170,9 @@ export function capacity___least_sought(law, arc, pull, limit, at_tight, top) {
     if (!met.done) {
       break;
     }
-    carried = capacity___pull(met, Math.exp(t));
+    carried = capacity___pull(arc, met, Math.exp(t));
     slope = capacity___pull_slope(arc, met.slopes);
-    miss = Math.log(carried / pull);
+    miss = carried > 0.0 ? Math.log(carried / pull) : -Infinity;
     if (Math.abs(miss) < 1e-9 && slope > 0.0) {
       return new Least(Math.exp(t) - pull, NaN);
     }
@@ -4161,13 +4208,13 @@ export function capacity__least_slack(law, arc, pull, limit, at_tight, top) {
   let carried, ends, first, found, guess, met;
   arc = quantities__counted(arc, CAPACITY_STEPS);
   if (at_tight.done) {
-    carried = -Math.expm1(-capacity__log_ratio(at_tight));
-    first = max(min(pull / carried, top), 1.02 * pull);
+    carried = -Math.expm1(-capacity__log_ratio(arc, at_tight));
+    first = max(carried > 0.0 ? min(pull / carried, top) : 0.0, 1.02 * pull);
     guess = capacity___guess(arc, first, first - pull, at_tight.course.creep.at(-1));
     ends = capacity__ends_at(arc, 1.0, -1.0, pull, limit);
     met = meet__meet(law, arc, ends, guess, capacity___near(at_tight), MISFIT);
     if (met.done && capacity___pull_slope(arc, met.slopes) > 0.0) {
-      found = max(met.entry, met.course.tension.at(-1));
+      found = capacity__sides(arc, met)[0];
       if (found <= top) {
         return new Least(found - pull, NaN);
       }
@@ -4188,7 +4235,7 @@ export function capacity__find_capacities(law, arc, load, parts) {
   if (parts & (2 + LEAST)) {
     met = capacity__carry(law, arc, tight, limit);
     if (met.done) {
-      by_creep = capacity__log_ratio(met);
+      by_creep = capacity__log_ratio(arc, met);
       near = capacity___near(met);
     }
     if (parts & LEAST && pull > 1e-6 * tight) {
@@ -4201,7 +4248,7 @@ export function capacity__find_capacities(law, arc, load, parts) {
   if (parts & TESTED_SLIP && load.slip_max === load.slip_max) {
     met = capacity__carry(law, arc, tight, new Limit(SLIP, load.slip_max), near);
     if (met.done) {
-      by_slip = capacity__log_ratio(met);
+      by_slip = capacity__log_ratio(arc, met);
     }
   }
   if (parts & GROSS_SLIP) {
@@ -4299,7 +4346,7 @@ export function sliding__at_limits(of) {
 export function capacity___first_along(law, arc, line, limit, at_tight) {
   let asked, k, middle, used;
   let [tight, slack, tight_rise, slack_rise] = line;
-  let ratio = Math.exp(capacity__log_ratio(at_tight));
+  let ratio = Math.exp(capacity__log_ratio(arc, at_tight));
   if (tight_rise > ratio * slack_rise) {
     k = 1.0 + (ratio * slack - tight) / (tight_rise - ratio * slack_rise);
     return [tight + (k - 1.0) * tight_rise, slack + (k - 1.0) * slack_rise];
@@ -4316,7 +4363,7 @@ export function capacity___first_along(law, arc, line, limit, at_tight) {
     middle = Math.sqrt(low * high);
     used = capacity__stress_about(face, middle / area, 0.6 * limit.most) / middle;
     asked = Math.log(middle / (slack + ((middle - tight) / tight_rise) * slack_rise));
-    if (asked < (used / first) * capacity__log_ratio(at_tight)) {
+    if (asked < (used / first) * capacity__log_ratio(arc, at_tight)) {
       low = middle;
     } else {
       high = middle;
@@ -4327,15 +4374,13 @@ export function capacity___first_along(law, arc, line, limit, at_tight) {
 
 /** Meet a limit of creep or slip at the exit with tensions on a line, T = T(1) + (k - 1) rise. */
 export function capacity__carry_along(law, arc, line, limit, at_tight) {
-  let left;
   arc = quantities__counted(arc, CAPACITY_STEPS);
   let [tight, slack, tight_rise, slack_rise] = line;
   if (!at_tight.done) {
     return new Along(NaN, at_tight);
   }
   if (tight_rise === 0.0 && slack_rise < 0.0) {
-    left = min(at_tight.entry, at_tight.course.tension.at(-1));
-    return new Along(1.0 + (left - slack) / slack_rise, at_tight);
+    return new Along(1.0 + (capacity__sides(arc, at_tight)[1] - slack) / slack_rise, at_tight);
   }
   const found1 = capacity___first_along(law, arc, line, limit, at_tight);
   let top = found1[0];
@@ -4359,8 +4404,9 @@ export function capacity__carry_along(law, arc, line, limit, at_tight) {
   if (!met.done) {
     return new Along(NaN, met);
   }
-  let found = max(met.entry, met.course.tension.at(-1));
-  let other = min(met.entry, met.course.tension.at(-1));
+  const found2 = capacity__sides(arc, met);
+  let found = found2[0];
+  let other = found2[1];
   if (!(tight_rise * other > slack_rise * found)) {
     return new Along(NaN, met);
   }
@@ -4497,8 +4543,9 @@ export function sliding__pull_at_sliding(of, line, begin) {
     if (!(place > 0.0)) {
       return sliding__slide_place(of, line, 1.0, 0.0, 1.0);
     }
-    tight = max(met.entry, met.course.tension.at(-1));
-    exhausted = capacity__log_ratio(met) >= sliding___most_at(of, tight) * (1.0 - 1e-6);
+    tight = capacity__sides(of.geometry, met)[0];
+    exhausted =
+      capacity__log_ratio(of.geometry, met) >= sliding___most_at(of, tight) * (1.0 - 1e-6);
     if (place < first.place * (1.0 - 1e-6)) {
       first = new Sliding(place, exhausted ? MOST : cause);
     }
@@ -4569,9 +4616,9 @@ export function summary__capacity_numbers(arc, carried) {
   return new CapacityNumbers(
     creep,
     creep / actual,
-    Math.log(creep) / wrap_angle,
+    max(Math.log(creep), 0.0) / wrap_angle,
     carried.least_slack + arc.centrifugal,
-    carried.most_pull,
+    max(carried.most_pull, 0.0),
     slip,
     slip / actual,
     gross,
