@@ -220,9 +220,11 @@ _COLUMNS: dict[str, Callable[[BatchResult], Any]] = {
     "stuck_arc": lambda r: r.found[:, row.STUCK_LENGTH] / (0.5 * r.arcs.diameter),
     "creep_limit_capacity": _ratio(row.CREEP_CAPACITY),
     "creep_limit_margin": _margin(row.CREEP_CAPACITY),
-    "equivalent_friction": lambda r: _carried(r, row.CREEP_CAPACITY) / r.arcs.wrap_angle,
+    "equivalent_friction": lambda r: (
+        np.maximum(_carried(r, row.CREEP_CAPACITY), 0.0) / r.arcs.wrap_angle
+    ),
     "least_exit_tension": lambda r: r.found[:, row.LEAST_SLACK] + r.arcs.centrifugal_force,
-    "largest_effective_tension": _place(row.MOST_PULL),
+    "largest_effective_tension": lambda r: np.maximum(r.found[:, row.MOST_PULL], 0.0),
     "tested_slip_capacity": _ratio(row.SLIP_CAPACITY),
     "tested_slip_margin": _margin(row.SLIP_CAPACITY),
     "gross_slip_capacity": _ratio(row.GROSS_CAPACITY),
