@@ -46,12 +46,14 @@ A00, A01, A02 = 5.0 / 36.0, 2.0 / 9.0 - _Q / 15.0, 5.0 / 36.0 - _Q / 30.0
 A10, A11, A12 = 5.0 / 36.0 + _Q / 24.0, 2.0 / 9.0, 5.0 / 36.0 - _Q / 24.0
 A20, A21, A22 = 5.0 / 36.0 + _Q / 30.0, 2.0 / 9.0 + _Q / 15.0, 5.0 / 36.0
 B0, B1, B2 = 5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0
-# the parabola through the stages at the start of an element (at its end: the other way round)
-E0, E1, E2 = (5.0 + _Q) / 6.0, -2.0 / 3.0, (5.0 - _Q) / 6.0
-
 # denominators of the cubic through the start and the stages
 D0 = C0 * (C0 - C1) * (C0 - C2)
 D1, D2 = C1 * (C1 - C0) * (C1 - C2), C2 * (C2 - C0) * (C2 - C1)
+# slopes of that cubic at the start and at the end of an element
+F0, F1, F2 = C1 * C2 / D0, C0 * C2 / D1, C0 * C1 / D2
+L0 = ((1.0 - C1) * (1.0 - C2) + 2.0 - C1 - C2) / D0
+L1 = ((1.0 - C0) * (1.0 - C2) + 2.0 - C0 - C2) / D1
+L2 = ((1.0 - C0) * (1.0 - C1) + 2.0 - C0 - C1) / D2
 
 #: Conditions at the exit.
 TENSION, CREEP, SLIP = range(3)
@@ -612,34 +614,30 @@ def state_at(arc: Geometry, at: Course, i: int, c: float) -> tuple[float, float]
     return u, t + c * (d0 * c1 * c2 / D0 + d1 * c0 * c2 / D1 + d2 * c0 * c1 / D2)
 
 
-def misfit(face: Interface, arc: Geometry, at: Course, i: int) -> float:
-    """How far the parabola through the stage stresses misses the stress at an element's ends [N].
-
-    As a tension: times width and length of the element.
-    """
-    area, h = arc.width * arc.radius, at.place[i + 1] - at.place[i]
-    k = at.stage[3 * i : 3 * i + 3]
-    creeps = stage_creeps(h, at.ratio, compliance_of(arc), at.creep[i], k)
-    f0, f1, f2 = (traction_at(face, k[j] / area, creeps[j]).stress for j in range(3))
-    left = traction_at(face, at.tension[i] / area, at.creep[i]).stress
-    right = traction_at(face, at.tension[i + 1] / area, at.creep[i + 1]).stress
-    first = abs(E0 * f0 + E1 * f1 + E2 * f2 - left)
-    return h * arc.width * max(first, abs(E2 * f0 + E1 * f1 + E0 * f2 - right))
-
-
 def misfits(face: Interface, arc: Geometry, at: Course, kind: int) -> list[float]:
-    """Misfits of the elements: of the change of tension where both are given (`kind` TENSION).
+    """How far the traction at the ends of each element is from that of its polynomial [-].
 
-    Of the change of the logarithm of tension where one of them is found.
+    The slope of the cubic through the tensions at its start and stages is -B tau at the stages,
+    and misses it at the ends. As a tension, times the length: of the change of tension where both
+    are given (`kind` TENSION), of the change of the logarithm of tension where one is found.
     """
-    n = len(at.place) - 1
-    size = 1e-7 * at.tension[0]
-    for tension in at.tension:
-        size = max(size, abs(tension - at.tension[0]))
-    sizes, fall = [size] * n, abs(log(at.tension[0] / at.tension[n]))
-    if kind != TENSION:
-        sizes = [max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]) for i in range(n)]
-    return [misfit(face, arc, at, i) / sizes[i] for i in range(n)]
+    n, area, k, tension = len(at.place) - 1, arc.width * arc.radius, at.stage, at.tension
+    size = 1e-7 * tension[0]
+    for one in tension:
+        size = max(size, abs(one - tension[0]))
+    fall = max(abs(log(tension[0] / tension[n])), LEAST_PULL)
+    taken = [
+        arc.width * traction_at(face, tension[i] / area, at.creep[i]).stress for i in range(n + 1)
+    ]
+    found = []
+    for i in range(n):
+        h, t = at.place[i + 1] - at.place[i], tension[i]
+        d0, d1, d2 = k[3 * i] - t, k[3 * i + 1] - t, k[3 * i + 2] - t
+        first = abs(d0 * F0 + d1 * F1 + d2 * F2 + h * taken[i])
+        last = abs(d0 * L0 + d1 * L1 + d2 * L2 + h * taken[i + 1])
+        of = size if kind == TENSION else fall * min(t, tension[i + 1])
+        found.append(max(first, last) / of)
+    return found
 
 
 def piece_code(

@@ -1030,9 +1030,12 @@ const MOST_STRETCH = 0.5;
 const FARTHEST = 1000000.0;
 const MOST_ROUNDS = 14;
 const LONGEST = 2.0;
-const E0 = 1.478830557701236;
-const E1 = -0.6666666666666666;
-const E2 = 0.1878361089654305;
+const F0 = 13.121638910345695;
+const F1 = -1.333333333333333;
+const F2 = 0.2116944229876385;
+const L0 = 19.788305577012366;
+const L1 = -14.666666666666666;
+const L2 = 6.878361089654304;
 const SMALL = 1e-5;
 const KINK = 0.0001;
 const _S = 2.32379000772445;
@@ -2556,44 +2559,36 @@ export function collocation__converged(face, arc, ends, at, most, near) {
   return new Solved(false, at, slopes);
 }
 
-/** How far the parabola through the stage stresses misses the stress at an element's ends [N]. */
-export function collocation__misfit(face, arc, at, i) {
-  let area = arc.width * arc.radius;
-  let h = at.place[i + 1] - at.place[i];
-  let k = at.stage.slice(3 * i, 3 * i + 3);
-  let creeps = collocation__stage_creeps(
-    h,
-    at.ratio,
-    collocation__compliance_of(arc),
-    at.creep[i],
-    k,
-  );
-  let [f0, f1, f2] = [...$range(3)].map(
-    (j) => collocation__traction_at(face, k[j] / area, creeps[j]).stress,
-  );
-  let left = collocation__traction_at(face, at.tension[i] / area, at.creep[i]).stress;
-  let right = collocation__traction_at(face, at.tension[i + 1] / area, at.creep[i + 1]).stress;
-  let first = Math.abs(E0 * f0 + E1 * f1 + E2 * f2 - left);
-  return h * arc.width * max(first, Math.abs(E2 * f0 + E1 * f1 + E0 * f2 - right));
-}
-
-/** Misfits of the elements: of the change of tension where both are given (`kind` TENSION). */
+/** How far the traction at the ends of each element is from that of its polynomial [-]. */
 export function collocation__misfits(face, arc, at, kind) {
-  let tension;
+  let d0, d1, d2, first, h, i, last, of, one, t;
   let n = at.place.length - 1;
-  let size = 1e-7 * at.tension[0];
-  for (const each1 of at.tension) {
-    tension = each1;
-    size = max(size, Math.abs(tension - at.tension[0]));
+  let area = arc.width * arc.radius;
+  let k = at.stage;
+  let tension = at.tension;
+  let size = 1e-7 * tension[0];
+  for (const each1 of tension) {
+    one = each1;
+    size = max(size, Math.abs(one - tension[0]));
   }
-  let sizes = $repeated([size], n);
-  let fall = Math.abs(Math.log(at.tension[0] / at.tension[n]));
-  if (kind !== TENSION) {
-    sizes = [...$range(n)].map(
-      (i) => max(fall, LEAST_PULL) * min(at.tension[i], at.tension[i + 1]),
-    );
+  let fall = max(Math.abs(Math.log(tension[0] / tension[n])), LEAST_PULL);
+  let taken = [...$range(n + 1)].map(
+    (i) => arc.width * collocation__traction_at(face, tension[i] / area, at.creep[i]).stress,
+  );
+  let found = [];
+  for (let each2 = 0, end2 = n; each2 < end2; each2++) {
+    i = each2;
+    h = at.place[i + 1] - at.place[i];
+    t = tension[i];
+    d0 = k[3 * i] - t;
+    d1 = k[3 * i + 1] - t;
+    d2 = k[3 * i + 2] - t;
+    first = Math.abs(d0 * F0 + d1 * F1 + d2 * F2 + h * taken[i]);
+    last = Math.abs(d0 * L0 + d1 * L1 + d2 * L2 + h * taken[i + 1]);
+    of = kind === TENSION ? size : fall * min(t, tension[i + 1]);
+    found.push(max(first, last) / of);
   }
-  return [...$range(n)].map((i) => collocation__misfit(face, arc, at, i) / sizes[i]);
+  return found;
 }
 
 /** Branch of a law at a magnitude of creep, > 0 [m]; -1 where the belt is held. */
