@@ -545,13 +545,12 @@ function why(b, full) {
   const told = answer.full?.arcs
     .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
     ?.bars.find((x) => x.title === b.title);
-  const source = b.source || told?.source;
   return h(
     "div",
     { class: "why", id: "why", role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
-    h("p", { class: "src" }, [b.place, source].filter(Boolean).join(". ")),
+    h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),
   );
 }
 function changes() {
