@@ -4,6 +4,7 @@ Expected: ``docs/reference/answer.schema.json``, which users are given; the glos
 results of the same JSON.
 """
 
+import csv
 import json
 from importlib import import_module
 from pathlib import Path
@@ -27,6 +28,9 @@ ASKED = {
     "trim": ("trim", EXAMPLES / "tandem-fabric.toml", "--points", 3),
     "field": ("field", EXAMPLES / "head-drive-fabric.toml"),
     "changed": ("what-if", EXAMPLES / "head-drive-fabric.toml", "--other-carcass"),
+    "run": ("run", EXAMPLES / "tandem-fabric.toml", "--points", 12, "--step", "50 ms", "--quiet"),
+    "stability": ("stability", EXAMPLES / "tandem-fabric.toml"),
+    "lagging": ("lagging", "diamond-rubber"),
     "fitted": ("fit", EXAMPLES / "shear_tests" / "plan.toml", "-o", "lagging.toml"),
 }
 
@@ -51,7 +55,7 @@ def test_answers_are_what_the_schema_says(
     assert "\\u0004" not in ran.out
     assert answer["tables"]
     cells = cells_of(answer)
-    if name != "fitted":  # what is told with its interval is text
+    if name not in ("fitted", "lagging"):  # what is told with its interval is text
         assert len(cells) > 20
     for cell in cells:
         if cell["name"]:
@@ -76,3 +80,17 @@ def test_the_numbers_are_those_of_the_results() -> None:
     assert [cell["value"] for cell in head["cells"]][:2] == [
         document["verdict"]["governing"]["value"], document["verdict"]["governing"]["limit"]
     ]  # fmt: skip
+
+
+def test_a_run_is_written_beside_its_rows(tmp_path: Path) -> None:
+    """Expected: the largest creep of the rows, which are every step of the run."""
+    event = ("run", EXAMPLES / "tandem-fabric.toml", "--points", 12, "--step", "50 ms", "--quiet")
+    ran = wraparc(*event, "--csv", "-", "--json", tmp_path / "run.json")
+    document = json.loads((tmp_path / "run.json").read_text("utf-8"))
+    rows = list(csv.DictReader(ran.out.splitlines()))
+    first = document["drums"][0]
+    column = next(name for name in rows[0] if name.startswith(f"{first['name']}: exit creep"))
+    largest = max(abs(float(row[column])) for row in rows)
+    assert first["extremes"]["creep"]["value"] == pytest.approx(largest, rel=1e-3)
+    assert document["outcome"] == "whole"
+    assert "verdict" not in ran.out

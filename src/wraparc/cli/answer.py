@@ -90,6 +90,7 @@ class Answer:
         self,
         sheet: Callable[[], Sheet] | None,
         document: Callable[[], Mapping[str, Any]] | None = None,
+        shows: bool = True,
     ) -> None:
         """Write the files, then print the sheet.
 
@@ -99,13 +100,15 @@ class Answer:
             Makes the sheet, if any.
         document
             Makes what the JSON holds besides the answer of the sheet.
+        shows
+            Whether the sheet is printed.
         """
         path, made = self.paths.get("json"), sheet and cache(sheet)
         if path and made and document:
             from wraparc.present.answer_data import answer_json
 
             self.files = {path: answer_json(document(), made()), **self.files}
-        deliver(self.files, made, self.wanted)
+        deliver(self.files, made if shows else None, self.wanted)
 
 
 def answers(

@@ -1,5 +1,7 @@
 """``wraparc laggings``, ``wraparc lagging`` and ``wraparc belts``."""
 
+from typing import Any
+
 import click
 
 from wraparc import catalogue
@@ -29,6 +31,7 @@ def laggings(units: System) -> None:
     "cost",
     settings=False,
     argument="name",
+    json="",
     plot="",
 )
 def lagging(answer: Answer, name: str) -> None:
@@ -38,7 +41,13 @@ def lagging(answer: Answer, name: str) -> None:
         from wraparc.plot import plot_lagging
 
         answer.write("plot", lambda: plot_lagging(conditions[0], answer.units).save)
-    answer.give(lambda: lagging_sheet(conditions))
+
+    def document() -> dict[str, Any]:
+        from wraparc.present.document import lagging_data
+
+        return {"conditions": [lagging_data(one) for one in conditions]}
+
+    answer.give(lambda: lagging_sheet(conditions), document)
 
 
 @click.command()

@@ -37,6 +37,7 @@ from wraparc.units import System
     "event",
     "drums",
     "checks",
+    json="",
     csv="Stream every row as CSV.",
     parquet="Write every row as Parquet.",
     plot="Draw the run: .svg, .png or .pdf.",
@@ -81,7 +82,7 @@ def run(
     if not rows.cancelled:
         answer.write("plot", lambda: _picture(result, answer.units))
     printed = csv_file == STANDARD_OUTPUT
-    answer.give(None if printed else lambda: _run_sheet(result))
+    answer.give(lambda: _run_sheet(result), lambda: _run_document(result), shows=not printed)
     if rows.cancelled:
         with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
             raise KeyboardInterrupt
@@ -105,6 +106,7 @@ def run(
 @answers(
     "vibrations",
     "controls",
+    json="",
     map="Draw a map over droop and inertia.",
     plot="Draw responses and controls.",
 )
@@ -112,7 +114,7 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
     """Check the drives of FILE for self-excited oscillation: cause, size, and what cures it."""
     from wraparc.motion.vibration import stability as found_by
     from wraparc.motion.vibration import stability_map
-    from wraparc.present.motion_sheet import stability_sheet
+    from wraparc.present.motion_sheet import stability_document, stability_sheet
 
     motion = load_motion(file, overrides=settings)
     result = found_by(motion.station, run_out=positive("--run-out", run_out, "length") or 0.0)
@@ -123,7 +125,7 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
         answer.write(
             "map", lambda: plot_stability_map(stability_map(motion.station, what=over)).save
         )
-    answer.give(lambda: stability_sheet(result))
+    answer.give(lambda: stability_sheet(result), lambda: stability_document(result))
     return SOLVED if result.stable else FAILS
 
 
@@ -131,6 +133,12 @@ def _picture(result: RunResult, units: System) -> Content:
     from wraparc.plot.motion import plot_run
 
     return plot_run(result, units).save
+
+
+def _run_document(result: RunResult) -> dict[str, Any]:
+    from wraparc.present.motion_sheet import run_document
+
+    return run_document(result)
 
 
 def _run_sheet(result: RunResult) -> Any:

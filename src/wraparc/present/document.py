@@ -193,7 +193,7 @@ def _drive_data(drive: Drive, file: str) -> Data:
                 "name": pulley.name,
                 "diameter": pulley.diameter,
                 "wrap_angle": pulley.wrap_angle,
-                "lagging": _lagging_data(pulley.lagging),
+                "lagging": lagging_data(pulley.lagging),
             }
             for pulley in drive.pulleys
         ],
@@ -201,7 +201,8 @@ def _drive_data(drive: Drive, file: str) -> Data:
     }
 
 
-def _lagging_data(lagging: Lagging) -> Data:
+def lagging_data(lagging: Lagging) -> Data:
+    """Return what a lagging is as plain data, SI."""
     tested = lagging.law.tested
     ends = {} if tested is None else {f.name: getattr(tested, f.name) for f in fields(tested)}
     return {

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import asdict
+from typing import Any
 
 from wraparc.alike import largest, least
 from wraparc.checks import Level, judge_run
@@ -36,6 +38,29 @@ def run_sheet(run: RunResult) -> Sheet:
         remarks=(*told.data, *_LEFT_OUT, *_surface(run.station.train)),
         sources=(run.station.source,) if run.station.source else (),
     )
+
+
+def run_document(run: RunResult) -> dict[str, Any]:
+    """Return a run as plain data, SI: how it ended and the largest values of every drum."""
+    return {
+        "event": run.event.name,
+        "outcome": run.outcome.name.lower(),
+        "reason": run.reason,
+        "ended": float(run.time[-1]),
+        "step": run.step,
+        "belt_error": run.belt_error,
+        "build_distance": run.build_distance,
+        "drums": [
+            {
+                "name": drum.name,
+                "over_limit": drum.over_limit,
+                "friction_energy": drum.friction_energy,
+                "drum_work": drum.drum_work,
+                "extremes": asdict(drum.extremes),
+            }
+            for drum in run.drums
+        ],
+    }
 
 
 def run_tables(run: RunResult) -> tuple[Table, ...]:
@@ -140,6 +165,38 @@ def _drum_table(run: RunResult) -> Table:
         ]
         rows.append(row("Wear of one such event", texts))
     return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
+
+
+def stability_document(result: StabilityResult) -> dict[str, Any]:
+    """Return what is known of vibrations as plain data, SI."""
+    return {
+        "stable": result.stable,
+        "frequency": result.frequency,
+        "decay": result.margin,
+        "run_out": result.run_out,
+        "softening": result.softening,
+        "drums": [
+            {"name": name, "sensitivity": share, "gain_margin": gain}
+            for name, share, gain in zip(
+                result.linear.station.names,
+                (None, *result.sensitivity),  # of the first drum none
+                result.gain_margins,
+                strict=True,
+            )
+        ],
+        "controls": [
+            {
+                "name": way.name,
+                "stable": way.stable,
+                "frequency": abs(way.root.imag) / math.tau,
+                "decay": -way.root.real,
+                "pull": way.pull,
+                "pull_third": way.pull_third,
+                "power_loss": way.power_loss,
+            }
+            for way in result.controls
+        ],
+    }
 
 
 def stability_sheet(result: StabilityResult) -> Sheet:
