@@ -345,3 +345,22 @@ def test_a_drive_that_does_not_follow_the_record_is_no_ok(tmp_path: Path) -> Non
     assert (
         "Shear angle of the lagging along the arc, design: the best fit misses it by" in ran.words
     )
+
+
+def test_no_point_of_a_usual_fit_is_solved_twice(
+    courses: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its start and its best are asked for by the fit and by what is told of it."""
+    solved, points = Fit._solved, []
+    monkeypatch.setattr(Fit, "_solved", lambda f, x: points.append(x.tobytes()) or solved(f, x))
+    calibrated(0, kinds(courses)["creep alone"])
+    assert len(points) == len(set(points))
+
+
+def test_a_fit_keeps_so_many_arcs_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("wraparc.calibrate.fit._KEPT", 2)
+    creep = Number(quantity="exit_creep", value=6e-3, sd=1e-5, load_case="design")
+    fit = Fit(Problemset(drive=DRIVE, pulley="head", parameters=("friction",), numbers=(creep,)))
+    for k in range(4):
+        fit.model(fit.start + 1e-3 * k)
+    assert len(fit._known) == 2

@@ -35,6 +35,8 @@ _REIN = 3.0
 #: how many times off a trial may be [-]: far beyond what is told, and short of what no drive may be
 _FARTHEST = 100.0
 _STEP = 2e-4
+#: points whose arcs are kept: the end of a usual fit asks again for its start and its best
+_KEPT = 64
 #: misfit of a trial at gross slip over the size of what was measured [-]: more than a drive that
 #: just carries its load creeps
 _GROSS_SLIP = 200.0
@@ -71,7 +73,9 @@ class Fit:
         """What would be measured with parameters."""
         p, key = self.problem, x[self._arcs_of].tobytes()
         if key not in self._known:
-            self._known = {key: self._solved(x)}  # the last one only: it is asked for again
+            if len(self._known) == _KEPT:
+                del self._known[next(iter(self._known))]
+            self._known[key] = self._solved(x)
         results = self._known[key]
         zero = self.values(x).get("speed_zero", 1.0)
         beyond = {name: 0.0 if r.status.solved else _beyond(r) for name, r in results.items()}

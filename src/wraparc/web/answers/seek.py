@@ -1,6 +1,6 @@
 """Which value of an input gives a wanted result, as ``wraparc seek`` finds it."""
 
-from wraparc.arc import Distributed, DriveResult
+from wraparc.arc import DriveResult
 from wraparc.checks import Level, judge
 from wraparc.present.seek_sheet import seek_document, sentence, value_text
 from wraparc.present.words import verdict
@@ -32,7 +32,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
     """Every value of an input in a range that gives a wanted result."""
     document = without_none(asked.document)
     read(document)
-    found = seek(document, Goal(**asked.model_dump(exclude={"document"})), method=Distributed())
+    found = seek(document, Goal(**asked.model_dump(exclude={"document"})))
     data = seek_document(found)
     return SeekAnswer(
         sentence=both(sentence(found)),
