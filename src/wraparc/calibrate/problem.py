@@ -34,6 +34,8 @@ ERRORS = (
     "exit_tension",
     "effective_tension",
     "compression",
+    "lagging_shear",
+    "cover_shear",
 )
 #: standard deviation of the zero of the speed ratio where only a zero record tells it [-]: more
 #: than any belt is thick
@@ -230,8 +232,14 @@ def arc_of(
         leaving = entry - pull
     elif "effective_tension" in errors:
         entry = leaving + pull
-    modulus = arc.compression_modulus / errors.get("compression", 1.0)
-    return replace(arc, entry_tension=entry, exit_tension=leaving, compression_modulus=modulus)
+    return replace(
+        arc,
+        entry_tension=entry,
+        exit_tension=leaving,
+        compression_modulus=arc.compression_modulus / errors.get("compression", 1.0),
+        shear_modulus=arc.shear_modulus / errors.get("lagging_shear", 1.0),
+        cover_compliance=arc.cover_compliance * errors.get("cover_shear", 1.0),
+    )
 
 
 def speed_ratio(arc: WrapArc, creep_ratio: float, zero: float = 1.0) -> float:

@@ -30,6 +30,8 @@ _ERRORS = {
     "exit_tension": "Exit tension T2",
     "effective_tension": "Effective tension T1 - T2",
     "compression": "Compression of the lagging",
+    "lagging_shear": "Shear of the lagging",
+    "cover_shear": "Shear of the belt cover",
     "readings": "Readings",
 }
 #: Standard deviations beyond which an error is not what was stated of it [-].
@@ -258,10 +260,19 @@ def _remarks(found: Calibration) -> Iterator[str]:
             r = float(found.correlation[i, k])
             if abs(r) > _MOST_CORRELATED:
                 yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
-    if not any(d.name.endswith("tension") for d in found.deviations):
+    stated = {d.name for d in found.deviations} | {e.name for e in found.estimates}
+    exact = [
+        what
+        for what, of in (
+            ("the tensions", ("entry_tension", "exit_tension", "effective_tension")),
+            ("the modulus of the lagging", ("lagging_shear", "shear_modulus")),
+        )
+        if not stated.intersection(of)
+    ]
+    if exact:
         yield (
-            "The tensions are taken as exact: their errors enter the intervals where [errors] "
-            "states them."
+            f"Taken as exact: {' and '.join(exact)}. Their errors enter the intervals where "
+            "[errors] states them."
         )
     yield (
         "Calibration makes the model agree with the data it was calibrated to; that agreement is "
