@@ -12,8 +12,11 @@ from wraparc import Distributed, WrapArc
 from wraparc.calibrate.calibration import Calibration, calibrate
 from wraparc.calibrate.file import load_measured
 from wraparc.calibrate.problem import arc_of, speed_ratio
+from wraparc.checks import Level
 from wraparc.drive import Tensions
 from wraparc.errors import InputError
+from wraparc.present.calibrate_sheet import calibrate_sheet
+from wraparc.present.sheet import shown
 from wraparc.train.file import load_drive
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml"
@@ -267,6 +270,33 @@ def test_an_overlay_shows_what_tachometers_would(tmp_path: Path) -> None:
     assert surface not in ran.words
     asked(tmp_path, ASK, EXAMPLE.read_text("utf-8"))
     assert surface in wraparc("overlay", tmp_path / "calibrate.toml").words
+
+
+def test_a_cover_that_may_be_in_the_slip_is_no_ok(tmp_path: Path) -> None:
+    """Expected: the same readings calibrated with a law that has no such shear in its slip."""
+    file = asked(tmp_path, ASK + ZERO)
+    problem = load_measured(file).problem
+    told = calibrate(problem)
+    series = benchmark_module("calibrate_speeds").described()
+    right = calibrate(replace(problem, drive=series))
+    assert right.covered == {}
+    assert told.covered["friction"] == pytest.approx(right.estimates[0].value, rel=1e-5)
+    assert told.covered["friction"] > (told.estimates[0].high or math.inf)
+    sheet = shown(calibrate_sheet(told, problem, ""), "si")
+    assert sheet.verdict is not None
+    assert sheet.verdict.level is Level.ATTENTION
+    assert any(
+        "is not known: with the cover in series friction is 1.17, outside its interval" in said
+        for said in sheet.verdict.sentences
+    )
+    exact = shown(calibrate_sheet(right, problem, ""), "si").verdict
+    assert exact is not None
+    assert exact.level is Level.OK
+    assert "of the belt cover is not known: it is left out" in wraparc("overlay", file).words
+    # with errors stated, the interval holds the other value: said, and no more than that
+    within = wraparc("calibrate", asked(tmp_path, ASK + ZERO + ERRORS))
+    assert within.code == 0
+    assert "cover is not known: with the cover in series friction is 1.17. By" in within.words
 
 
 def test_no_thickness_no_offset() -> None:

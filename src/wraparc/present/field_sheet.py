@@ -7,6 +7,7 @@ from typing import Any
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
+from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.present.words import as_it_is, in_short, in_words
@@ -139,10 +140,7 @@ def _covered(found: FieldNumbers) -> Iterator[str]:
             f"a healthy drive shows at {'most' if found.side > 0.0 else 'least'} "
             f"{percent(found.covered)}"
         )
-    yield (
-        "Whether the tested slip includes the shear of the belt cover is not known: with the cover "
-        f"in series {told}."
-    )
+    yield f"{COVER_UNKNOWN}: with the cover in series {told}."
 
 
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
