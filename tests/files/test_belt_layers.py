@@ -229,7 +229,7 @@ def test_layers_are_told_beside_another_fault_of_the_belt(odd: str) -> None:
     text = text.replace('speed = "3 m/s"\n', "") if "speed" in odd else text
     with pytest.raises(InputError) as error:
         drive_from_text(text)
-    assert f"belt.{odd.split()[0]} = " in told(error)
+    assert f"belt.{odd.split(maxsplit=1)[0]} = " in told(error)
     assert "pulley_cover + carcass = 14 mm, too much for a belt of 10 mm" in told(error)
     assert len(error.value.problems) == 2
 

@@ -259,6 +259,7 @@ def train_words() -> dict[str, list[Words]]:
         "fight": fight(0.0, place),
         "fight:fights": fight(1.0, place),
         "belt_thickness": of_drive.unknown_trim("⟦first⟧", 0.0, False, Place(PULLEY, CASE)),
+        "belt_thickness:opposite": of_drive.unknown_trim("⟦first⟧", 0.0, True, Place(PULLEY, CASE)),
         "train_balance": train_balance(0.0, place),
         "motor_load:none": unrated(False, Place(PULLEY, CASE)),
         "momentary_load:none": unrated(True, Place(PULLEY, CASE)),
