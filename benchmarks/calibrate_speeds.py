@@ -2,10 +2,11 @@
 
     python benchmarks/calibrate_speeds.py 200
 
-Simulates records of a drive whose belt thickness, compression of the lagging, tensions and wheel
-of the tachometer are wrong within their stated errors, calibrates friction to each, and tells how
-many intervals hold the truth: with a zero record of the idling belt, and without one, where the
-offset of the tension member is known to its stated error alone.
+Simulates records of a drive whose belt thickness, tensions, wheel of the tachometer, compression
+and shear of the lagging and shear of the belt cover are wrong within their stated errors,
+calibrates friction to each, and tells how many intervals hold the truth: with a zero record of the
+idling belt, and without one, where the offset of the tension member is known to its stated error
+alone.
 """
 
 import sys
@@ -17,13 +18,17 @@ import numpy as np
 from wraparc.calibrate.calibration import Calibration, Number, Problemset, calibrate
 from wraparc.calibrate.problem import OPEN_ZERO, arc_of, calibrated_drive, speed_ratio, usual_method
 from wraparc.drive import Drive, Tensions
+from wraparc.drive.changes import with_pulley
 from wraparc.drive.pitch import pitch_offset
 from wraparc.train.file import load_drive
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "head-drive-fabric.toml"
 #: Standard deviations as they are stated: of the offset [m], of the others as shares.
 OFFSET, WHEEL = 0.5e-3, 1e-3
-STATED = {"exit_tension": 0.02, "effective_tension": 0.03, "compression": 0.2}
+STATED = {
+    "exit_tension": 0.02, "effective_tension": 0.03,
+    "compression": 0.2, "lagging_shear": 0.1, "cover_shear": 0.2,
+}  # fmt: skip
 #: Of a reading of the speed ratio, averaged over minutes [-].
 READING = 5e-5
 FRICTION = 0.85
@@ -51,8 +56,11 @@ class Simulated:
 
 
 def described() -> Drive:
-    """The drive as its file describes it: a belt of 20.6 mm, e = 8.3 mm."""
+    """The drive as its file describes it: a belt of 20.6 mm, e = 8.3 mm, its cover in series."""
     drive = load_drive(EXAMPLE)
+    pulley = drive.pulleys[0]
+    law = replace(pulley.lagging.law, slip_includes=())
+    drive = with_pulley(drive, replace(pulley, lagging=replace(pulley.lagging, law=law)))
     return replace(drive, belt=replace(drive.belt, pulley_cover=4e-3, carry_cover=8e-3))
 
 

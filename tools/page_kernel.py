@@ -92,6 +92,8 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     numbers.trim_shift,
     turning.driven,
     turning.surface_of_first,
+    in_page_train.belt_of,
+    in_page_train.system_of,
     in_page_train.divided,
     in_page_train.told,
     in_page_train.borne,

@@ -2,7 +2,7 @@
 
 Expected values: `thick_twin`, an integration written from moments about the drum; closed forms of
 constant friction; two descriptions of the same thing (a cover, or as much more lagging; tensions
-above m v^2, or a belt without mass). The whole set of drives is in benchmarks/thick_belts.py.
+above m v^2, or a belt without mass).
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from wraparc.friction import Constant
 QUICK = Distributed(capacities=False)
 SMOOTH = tuple(name for name in LAWS if name != "table")
 ACCURACY = 1e-7
+EACH = -(-300 // len(SMOOTH))  # 300 drives in all
 
 
 def thick(arc: WrapArc, rng: np.random.Generator) -> WrapArc:
@@ -61,7 +62,7 @@ def misses(result: ArcResult) -> dict[str, float]:
 
 @pytest.mark.parametrize("name", SMOOTH)
 def test_random_belts(name: str) -> None:
-    for result in solved(name, 4, 34):
+    for result in solved(name, EACH, 34):
         found = misses(result)
         assert max(found.values()) <= ACCURACY, (found, result.arc)
 
@@ -69,14 +70,15 @@ def test_random_belts(name: str) -> None:
 @pytest.mark.parametrize("name", SMOOTH)
 def test_loss_is_sliding_and_shear_energy_by_quadrature(name: str) -> None:
     """v_s (T1 - T2)[g + (T1 - T2)/(2 EA')] = B v_s R/(R + e) int tau du, by the twin's work."""
-    for result in solved(name, 3, 35):
+    found = []
+    for result in solved(name, 5, 35):
         arc, twin = result.arc, ThickTwin(result.arc).solve(result.entry_creep_ratio)
         pull, g = result.effective_tension, twin.entry_ratio
         surface = 3.0 / (1.0 - g)
         width = arc.width * arc.radius / (arc.radius + (arc.pitch_offset or 0.0))
         exact = surface * pull * (g + 0.5 * pull * arc.compliance)
         size = abs(exact) + 1e-3 * surface * abs(pull * g)
-        assert abs(surface * width * twin.work - exact) <= 1e-9 * size
+        found.append(abs(surface * width * twin.work - exact) / size)
         energy = result.energy
         loss = result.entry_creep_ratio + 0.5 * pull * arc.compliance
         told = 3.0 / (1.0 - result.entry_creep_ratio) * pull * loss
@@ -84,6 +86,8 @@ def test_loss_is_sliding_and_shear_energy_by_quadrature(name: str) -> None:
         assert energy.sliding_power + energy.shear_loss == pytest.approx(
             energy.power_loss, rel=1e-12
         )
+    # what is left is the twin's, whose steps cross the kinks of a law
+    assert (float(np.median(found)) <= 1e-12, max(found) <= 1e-9) == (True, True), found
 
 
 @pytest.mark.parametrize("name", LAWS)

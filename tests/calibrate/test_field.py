@@ -214,3 +214,58 @@ def test_a_drum_is_not_measured_again_for_wear_that_no_tape_tells() -> None:
     assert "Measure the drum's surface instead of its shaft." in said
     tandem = " ".join(wraparc("field", str(example("tandem-fabric")), "--full")[1].split())
     assert "again for every 0.255 mm worn off" in tandem
+
+
+COVERS = ("--set", "belt.pulley_cover=4 mm", "--set", "belt.carcass=6 mm")
+
+
+def test_an_alarm_below_what_a_load_case_shows_is_no_ok() -> None:
+    """Compression moves what a pair shows: the empty belt's limit is below the healthy start.
+
+    The start presses the lagging more, so the belt runs nearer the shaft and the pair shows more.
+    """
+    ran = wraparc("field", example("uphill-conveyor"), *COVERS, "--full")
+    seen = wraparc("field", example("uphill-conveyor"), *COVERS, "--json", "-").json["shown"]
+    assert seen["healthy"]["start"]["exit"] > seen["alarm"] > seen["healthy"]["full"]["exit"]
+    assert "ATTENTION A healthy drive shows at most" in ran.words
+    assert "set each load case's own level, that of its creep limit" in ran.words
+    assert "At the creep limit, empty g2 -0.828 %" in ran.words
+    assert "At the creep limit, start g2 -0.683 %" in ran.words
+
+
+@pytest.mark.parametrize("covers", [(), COVERS])
+def test_a_brake_is_told_by_the_load_cases_that_brake(covers: tuple[str, ...]) -> None:
+    """Its empty belt drives: that limit is no alarm of a brake. Wear raises ratios, away from it.
+
+    By hand: wear w takes 2 w/D (1 + 0.611 %) off a drum of 1.07 m, -0.611 % -> 0.804 % at 7.5 mm.
+    """
+    ran = wraparc("field", example("downhill-braking"), *covers, "--full")
+    told = wraparc("field", example("downhill-braking"), *covers, "--json", "-").json
+    healthy = told["healthy"]["emergency stop"]["exit_creep_ratio"]
+    assert 0.006 < -healthy < told["alarm"] < told["trip"]
+    assert told["wear_to_alarm"] is None
+    assert "wear since it was measured hides the slip of a brake" in ran.words
+    assert "alarms at once" not in ran.words
+    assert "own level" not in ran.words
+    if not covers:
+        assert "A healthy drive shows at least -0.611 % between drum and belt" in ran.words
+        assert "Healthy, at most -0.611 % 0.804 %" in ran.words
+
+
+def test_levels_say_what_a_cover_that_may_be_in_the_slip_would_show(tmp_path: Path) -> None:
+    """Expected: the drive solved again with a law that has no shear of a cover in its slip."""
+    text = example("uphill-conveyor").read_text("utf-8")
+    (tmp_path / "unsaid.toml").write_text(text, "utf-8")
+    ran = wraparc("field", tmp_path / "unsaid.toml", *COVERS)
+    assert "Whether the tested slip includes the shear of the belt cover is not known" in ran.words
+    told = wraparc("field", tmp_path / "unsaid.toml", *COVERS, "--json", "-").json
+    drive = load_drive(tmp_path / "unsaid.toml")
+    belt = replace(drive.belt, pulley_cover=4e-3, carcass=6e-3)
+    ends = []
+    for case in drive.load_cases:
+        arc = WrapArc.of(replace(drive, belt=belt), drive.pulleys[0], case)
+        arc = replace(arc, cover_compliance=4e-3 / 1e6, cover_left_out=0.0)
+        g = Distributed(capacities=False).solve(arc).exit_creep_ratio
+        ends.append(1.0 - arc.pitch_radius / arc.radius * (1.0 - g))
+    assert told["with_cover_in_series"] == pytest.approx(max(ends), rel=1e-9)
+    assert max(ends) > told["shown"]["healthy"]["start"]["exit"]

@@ -12,8 +12,11 @@ from wraparc import Distributed, WrapArc
 from wraparc.calibrate.calibration import Calibration, calibrate
 from wraparc.calibrate.file import load_measured
 from wraparc.calibrate.problem import arc_of, speed_ratio
+from wraparc.checks import Level
 from wraparc.drive import Tensions
 from wraparc.errors import InputError
+from wraparc.present.calibrate_sheet import calibrate_sheet
+from wraparc.present.sheet import shown
 from wraparc.train.file import load_drive
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml"
@@ -99,6 +102,48 @@ def test_tensions_are_off_by_factors() -> None:
     )
 
 
+def test_the_shear_of_lagging_and_cover_is_off_by_factors() -> None:
+    # a law that has neither shear in its slip, and 4 mm of cover of which nothing is said: 1 MPa
+    drive = benchmark_module("calibrate_speeds").described()
+    right = arc_of(drive, "head", ("design", None), {})
+    off = arc_of(drive, "head", ("design", None), {"lagging_shear": 1.1, "cover_shear": 1.3})
+    assert right.cover_compliance == pytest.approx(4e-3 / 1e6)
+    assert off.lagging_compliance == pytest.approx(1.1 * right.lagging_compliance)
+    assert off.cover_compliance == pytest.approx(1.3 * right.cover_compliance)
+    assert off.shear_compliance == pytest.approx(off.lagging_compliance + off.cover_compliance)
+
+
+def test_the_shear_of_lagging_and_cover_enters_the_interval(tmp_path: Path) -> None:
+    # Shares go with the squares of what is stated: each alone is as large as its own factor on the
+    # creep ratio makes it, and both are found again among the parts.
+    text = ASK + ZERO + '[errors]\nlagging_shear = "20 %"\ncover_shear = "40 %"\n'
+    drive = benchmark_module("calibrate_speeds").described()
+    measured = load_measured(asked(tmp_path, text)).problem
+    parts = calibrate(replace(measured, drive=drive)).estimates[0].parts
+    assert sum(parts.values()) == pytest.approx(1.0, abs=1e-9)
+
+    def shift(**errors: float) -> float:
+        arcs = [arc_of(drive, "head", ("design", None), e) for e in (errors, {})]
+        one, other = (Distributed(capacities=False).solve(a).exit_creep_ratio for a in arcs)
+        return one - other
+
+    ratio = (shift(cover_shear=1.04) / shift(lagging_shear=1.02)) ** 2
+    assert parts["cover_shear"] / parts["lagging_shear"] == pytest.approx(ratio, rel=0.2)
+    assert parts["lagging_shear"] > 0.1
+
+
+def test_what_is_taken_as_exact_is_said(tmp_path: Path) -> None:
+    asked(tmp_path, ASK + ZERO)
+    for errors, said in (
+        ("", "Taken as exact: the tensions and the modulus of the lagging."),
+        ('[errors]\nexit_tension = "2 %"\n', "Taken as exact: the modulus of the lagging."),
+        ('[errors]\nexit_tension = "2 %"\nlagging_shear = "9 %"\n', ""),
+    ):
+        ran = wraparc("calibrate", asked(tmp_path, ASK + ZERO + errors), "--full")
+        assert said in ran.words
+        assert ("Taken as exact" in ran.words) is bool(said)
+
+
 def found(folder: Path, text: str, *settings: str) -> Calibration:
     return calibrate(load_measured(asked(folder, text), overrides=settings).problem)
 
@@ -175,6 +220,12 @@ def test_what_remains_identified_is_said_before_and_after(tmp_path: Path) -> Non
         (ASK + ZERO + 'load_case = "empty"\n', "zero.load_case: given, and tensions as well"),
         (ASK + ZERO.replace("0.01 %", "0 %"), 'zero.sd = "0 %": must be more than 0'),
         (ASK + ERRORS + 'entry_tension = "2 %"\n', "given, and both tensions as well"),
+        (
+            ASK.replace('["friction"]', '["friction", "shear_modulus"]')
+            + ERRORS
+            + 'lagging_shear = "10 %"\n',
+            "errors.lagging_shear: given, and shear_modulus is to be found",
+        ),
         (ASK + ERRORS.replace("20 %", "0 %"), "errors.compression: must be more than 0"),
         (ASK + ERRORS.replace("20 %", "20"), "must be a percentage"),
     ],
@@ -219,6 +270,33 @@ def test_an_overlay_shows_what_tachometers_would(tmp_path: Path) -> None:
     assert surface not in ran.words
     asked(tmp_path, ASK, EXAMPLE.read_text("utf-8"))
     assert surface in wraparc("overlay", tmp_path / "calibrate.toml").words
+
+
+def test_a_cover_that_may_be_in_the_slip_is_no_ok(tmp_path: Path) -> None:
+    """Expected: the same readings calibrated with a law that has no such shear in its slip."""
+    file = asked(tmp_path, ASK + ZERO)
+    problem = load_measured(file).problem
+    told = calibrate(problem)
+    series = benchmark_module("calibrate_speeds").described()
+    right = calibrate(replace(problem, drive=series))
+    assert right.covered == {}
+    assert told.covered["friction"] == pytest.approx(right.estimates[0].value, rel=1e-5)
+    assert told.covered["friction"] > (told.estimates[0].high or math.inf)
+    sheet = shown(calibrate_sheet(told, problem, ""), "si")
+    assert sheet.verdict is not None
+    assert sheet.verdict.level is Level.ATTENTION
+    assert any(
+        "is not known: with the cover in series friction is 1.17, outside its interval" in said
+        for said in sheet.verdict.sentences
+    )
+    exact = shown(calibrate_sheet(right, problem, ""), "si").verdict
+    assert exact is not None
+    assert exact.level is Level.OK
+    assert "of the belt cover is not known: it is left out" in wraparc("overlay", file).words
+    # with errors stated, the interval holds the other value: said, and no more than that
+    within = wraparc("calibrate", asked(tmp_path, ASK + ZERO + ERRORS))
+    assert within.code == 0
+    assert "cover is not known: with the cover in series friction is 1.17. By" in within.words
 
 
 def test_no_thickness_no_offset() -> None:

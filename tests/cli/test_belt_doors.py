@@ -91,3 +91,45 @@ def test_the_answer_of_a_train_says_which_side_lies_on_each_drum(
     answer = json.loads(wraparc("solve", "tandem-fabric.toml", "--json", "-")[1])
     for case in answer["train"]["load_cases"]:
         assert [drive["side"] for drive in case["drives"]] == ["pulley", "carry"]
+
+
+OPEN = {
+    "trim": ("trim", "tandem.toml", "--points", "3", "--full"),
+    "run": ("run", "tandem.toml", "--event", "run-out", "--points", "10"),
+    "study": ("study", "study.toml"),
+    "what-if": ("what-if", "tandem.toml", "--worn", "3 mm"),
+}
+STUDY = """format = 1
+drive = "tandem.toml"
+pulley = "first"
+[sampling]
+samples = 8
+seed = 1
+[[axis]]
+field = "belt.modulus"
+distribution = "normal"
+mean = "12960 kN/m"
+standard_deviation = "900 kN/m"
+"""
+
+
+@pytest.mark.parametrize("drum", ['diameter = "1000 mm"', 'diameter = "800 mm"\nside = "carry"'])
+@pytest.mark.parametrize("name", OPEN)
+def test_no_ok_where_a_trim_is_open_without_the_thickness(
+    name: str, drum: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Drums of two diameters, or on opposite sides: the study of either drum asks too."""
+    monkeypatch.chdir(tmp_path)
+    text = example("tandem-fabric").read_text("utf-8")
+    own = 'name = "own"\nkind = "fabric"\nmodulus = "12960 kN/m"\nrating = "175 kN/m"'
+    text = text.replace('preset = "Plylon Plus 1000/4"', own)
+    head, tail = text.split('name = "second"\n', 1)
+    tail = tail.replace('diameter = "800 mm"', drum, 1)
+    Path("tandem.toml").write_text(f'{head}name = "second"\n{tail}', "utf-8")
+    Path("study.toml").write_text(STUDY, "utf-8")
+    ran = wraparc(*OPEN[name])
+    before, attention, _ = ran.words.partition("ATTENTION")
+    assert attention, ran.err
+    assert "OK" not in before.split()
+    said = "trim of second is that of a belt without thickness", "trim without the thickness"
+    assert any(words in ran.words for words in said), ran.out

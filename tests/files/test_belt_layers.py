@@ -222,6 +222,18 @@ def test_what_belt_and_drums_have_wrong_together_is_told_at_once(door: str) -> N
     assert len(error.value.problems) == len(ALL)
 
 
+@pytest.mark.parametrize("odd", ['mass = "20 t"', 'speed = "3 mm"', 'rating = "-1 N/mm"'])
+def test_layers_are_told_beside_another_fault_of_the_belt(odd: str) -> None:
+    belt = f'{odd}\npulley_cover = "8 mm"\ncarcass = "6 mm"\nthickness = "10 mm"'
+    text = TEXT.format(belt=belt, pulley='entry_tension = "150 kN"')
+    text = text.replace('speed = "3 m/s"\n', "") if "speed" in odd else text
+    with pytest.raises(InputError) as error:
+        drive_from_text(text)
+    assert f"belt.{odd.split(maxsplit=1)[0]} = " in told(error)
+    assert "pulley_cover + carcass = 14 mm, too much for a belt of 10 mm" in told(error)
+    assert len(error.value.problems) == 2
+
+
 @pytest.mark.parametrize(
     ("belt", "pulley", "said"),
     [

@@ -20,7 +20,9 @@ from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.student import t95
 
-NONE = Uncertainty(force=0.0, normal_force=0.0, area=0.0, travel=0.0, compliance=0.0)
+NONE = Uncertainty(
+    force=0.0, normal_force=0.0, area=0.0, travel=0.0, compliance=0.0, shear_modulus=0.0
+)
 AT = np.array([120e3])
 Records = dict[str, MachineRecord]
 
@@ -108,37 +110,45 @@ def test_a_rig_that_yields_moves_the_peak_slip() -> None:
     np.testing.assert_allclose(moved, expected, atol=0.15 * expected[0])
 
 
-def test_a_cover_of_another_modulus_moves_the_peak_slip(sound: tuple[TestPlan, Records]) -> None:
-    """The same files, their cover said to be 5 % softer: the law moves by its sensitivity."""
-    plan, records = sound
-    covered = replace(plan, cover_thickness=4e-3, cover_shear_modulus=1e6)
-    softer = replace(covered, cover_shear_modulus=1e6 / 1.05)
-    before, after = law(covered, records), law(softer, records)
-    told = common(covered, records, cover_shear_modulus=0.05)
-    expected = told.effects(before.peaks, AT)["modulus of the belt cover"][0] * np.sqrt(3.0)
+@pytest.mark.parametrize(
+    ("part", "key", "none"),
+    [
+        ("modulus of the belt cover", "cover_shear_modulus", {"cover_thickness": None}),
+        ("modulus of the sample", "shear_modulus", {"remove_shear": False}),
+    ],
+)
+def test_a_rubber_of_another_modulus_moves_the_peak_slip(
+    sound: tuple[TestPlan, Records], part: str, key: str, none: dict[str, Any]
+) -> None:
+    """The same files, their rubber said to be 5 % softer: the law moves by its sensitivity."""
+    plan, records = replace(sound[0], cover_thickness=4e-3, cover_shear_modulus=1e6), sound[1]
+    softer = replace(plan, **{key: getattr(plan, key) / 1.05})
+    before, after = law(plan, records), law(softer, records)
+    told = common(plan, records, **{key: 0.05})
+    expected = told.effects(before.peaks, AT)[part][0] * np.sqrt(3.0)
     moved = (before.peaks(AT) - after.peaks(AT))[0]
     assert expected[0] > 1e-3
     np.testing.assert_allclose(moved, expected, atol=0.15 * expected[0])
-    assumed = common(covered, records, cover_shear_modulus=None)
-    part = assumed.effects(before.peaks, AT)["modulus of the belt cover"][0] * np.sqrt(3.0)
-    np.testing.assert_allclose(part, 4.0 * expected, rtol=1e-12)
-    without = common(plan, records).effects(law(plan, records).peaks, AT)
-    assert "modulus of the belt cover" not in without
+    assumed = common(plan, records, **{key: None})
+    found = assumed.effects(before.peaks, AT)[part][0] * np.sqrt(3.0)
+    np.testing.assert_allclose(found, 4.0 * expected, rtol=1e-12)
+    without = common(replace(plan, **none), records).effects(before.peaks, AT)
+    assert part not in without
 
 
-def test_what_a_cover_may_be_wrong_by_is_said(sound: tuple[TestPlan, Records]) -> None:
+def test_what_sample_and_cover_may_be_wrong_by_is_said(sound: tuple[TestPlan, Records]) -> None:
     plan, records = sound
     covered = replace(plan, cover_thickness=4e-3, cover_shear_modulus=1e6)
     for error, origin, said in (
         (None, "at most 20 %, assumed: 5 Shore A", "its modulus is within 20 % (assumed)"),
         (0.07, "at most 7 %, as stated", "its modulus is within 7 %"),
     ):
-        asked = replace(covered, uncertainty=Uncertainty(cover_shear_modulus=error))
-        found = fitted(asked, records)
+        limits = Uncertainty(shear_modulus=error, cover_shear_modulus=error)
+        found = fitted(replace(covered, uncertainty=limits), records)
         table = shown(budget_table(found.conditions[0], ""), "si")
         assert table is not None
-        assert [r.note for r in table.rows if r.title == "modulus of the belt cover"] == [origin]
-        assert any(r.endswith(said) for r in found.conditions[0].remarks)
+        assert [r.note for r in table.rows if r.title.startswith("modulus")] == [origin] * 2
+        assert sum(r.endswith(said) for r in found.conditions[0].remarks) == 2
 
 
 def test_the_parts_add_up_to_the_interval_of_the_law(sound: tuple[TestPlan, Records]) -> None:

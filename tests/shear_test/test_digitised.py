@@ -350,6 +350,12 @@ def test_whether_the_slip_of_a_figure_includes_shear_is_asked(tmp_path: Path) ->
         for said in ("true", "false")
     ]
     assert peaks[1] == pytest.approx(1e-3 * SLIP[-1], rel=0.02)
+    # what the plan says of the modulus whose shear it takes off counts, as for tests
+    head = f'{head}[fit]\nremove_shear = true\n[uncertainty]\nshear_modulus = "5 %"\n'
+    table = shown(budget_table(fitted(tmp_path, project(), head=head).conditions[0], ""), "si")
+    assert table is not None
+    notes = {row.title: row.note for row in table.rows}
+    assert notes["modulus of the sample"] == "at most 5 %, as stated"
     assert peaks[0] < 0.95 * peaks[1]
 
 

@@ -21,7 +21,10 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 FABRIC = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8").partition("# The drives in time")[0]
 SHARES = 'share = ["50 %", "50 %"]       # or speeds = "equal", speeds = ["100 %", "99.7 %"], ...'
+LAYERS = 'pulley_cover = "3 mm"\ncarry_cover = "7 mm"\ncarcass = "6 mm"\nmass = "20 kg/m"\n'
+WRAP, CARRY = 'wrap_angle = "200 deg"\n', 'side = "carry"\n'
 assert SHARES in FABRIC
+assert WRAP in FABRIC
 
 
 def divided(by: str, more: str = "") -> str:
@@ -50,6 +53,17 @@ TRAINS: dict[str, str] = {
     "take-up between": divided('share = ["50 %", "50 %"]', '[take_up]\nafter = "first"\n'),
     "fixed take-up, worn drum": divided(
         'speeds = "equal"\ndiameters = ["800 mm", "797 mm"]', '[take_up]\nkind = "fixed"\n'
+    ),
+    "S-wrap": FABRIC.replace("[belt]\n", f"[belt]\n{LAYERS}", 1).replace(WRAP, f"{WRAP}{CARRY}"),
+    "two diameters, covers": FABRIC.replace("[belt]\n", f"[belt]\n{LAYERS}", 1).replace(
+        f'diameter = "800 mm"\n{WRAP}', f'diameter = "1000 mm"\n{WRAP}'
+    ),
+    "two diameters, no covers": FABRIC.replace(
+        f'diameter = "800 mm"\n{WRAP}', f'diameter = "1000 mm"\n{WRAP}'
+    ),
+    "opposite sides, no covers": FABRIC.replace(WRAP, f"{WRAP}{CARRY}").replace(
+        'preset = "Plylon Plus 1000/4"',
+        'name = "own"\nkind = "fabric"\nmodulus = "12960 kN/m"\nrating = "175 kN/m"',
     ),
     "wet and dry, with sag": divided(
         'speeds = "equal"', '[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n'

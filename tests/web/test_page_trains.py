@@ -80,6 +80,7 @@ def given(train: Train, case: Any, pulley: Any) -> Data:
     arc = arc_of(train, case, pulley, (case.entry_tension,) * 2)
     found = {**dict.fromkeys(Given._fields, math.nan), **arc.described()._asdict()}
     found["modulus"], found["speed"] = train.belt.modulus, train.belt.speed or math.nan
+    found["mass"] = train.belt.mass or math.nan
     found["steepest_fall"] = arc.law.steepest_fall()
     found["cover_compliance"], found["slip_with_shear"] = arc.cover_compliance, arc.slip_with_shear
     return {name: float(found[name]) for name in Given._fields}
@@ -92,6 +93,11 @@ def drawn(each: int, seed: int) -> Iterator[tuple[str, Train]]:
         for i in range(each):
             count = 2 + i % 2
             train = random_train(rng, law, count)
+            if i % 2:  # a belt of covers and mass, the last drum on its other side
+                belt = replace(train.belt, pulley_cover=4e-3, carry_cover=9e-3, carcass=6e-3)
+                *others, last = train.pulleys
+                pulleys = (*others, replace(last, side="carry"))
+                train = replace(train, belt=replace(belt, mass=60.0), pulleys=pulleys)
             yield f"{law}, shares", train
             solved = solve_train(train, method=QUICK, raise_on_failure=False).cases[0]
             if not solved.status.solved:

@@ -22,13 +22,16 @@ function solved({ form, laws, given, tested, lines, ends, names, softening, pull
     ({ speed, scale, master, ratio, held }, i) =>
       new train.Line(speed, held ? null : motors[i], scale, master, ratio),
   );
-  const system = new train.System(members, turned, ends.entry, ends.exit, ends.runs);
+  const belt = train.in_page_train__belt_of(given[0], ends.entry, ends.exit);
+  const system = train.in_page_train__system_of(members, turned, belt, ends.runs);
   const { speed, reference } = of;
-  const found = train.in_page_train__divided(system, names, softening, pulls, speed, reference);
+  const found = train.in_page_train__divided(
+    system, names, softening, pulls, speed, reference, belt,
+  );
   const arcs = found.pairs.map(({ entry, exit }, i) =>
     quick(
       laws[i],
-      { ...given[i], entry_tension: entry, exit_tension: exit, speed: found.belt_speeds[i] },
+      { ...given[i], entry_tension: entry, exit_tension: exit, belt_speed: found.belt_speeds[i] },
       tested[i],
       180,
     ),

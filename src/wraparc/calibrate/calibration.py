@@ -140,6 +140,9 @@ class Calibration:
     offset
         Offset e of the tension member that the zero record shows with the drum and the wheel as
         they are stated [m], None without one.
+    covered
+        The estimates with the cover of the belt in series, by name [SI]; none where the law says
+        whether its slip includes that shear.
     """
 
     drive: Drive
@@ -153,6 +156,7 @@ class Calibration:
     data: int
     deviations: tuple[Deviation, ...] = ()
     offset: float | None = None
+    covered: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def told(self) -> bool:
@@ -247,6 +251,11 @@ def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> C
         float(np.sqrt(np.mean((m - t.value) ** 2)))
         for m, t in zip(traces, problem.traces, strict=True)
     ]
+    covered = {}
+    if (series := problem.covered) is not None:
+        again = Fit(series)
+        at = again.values(again.best(x, scales)[0])
+        covered = {name: at[name] for name in kept}
     return Calibration(
         drive=calibrated_drive(problem.drive, problem.pulley, kept),
         pulley=problem.pulley,
@@ -263,6 +272,7 @@ def _told(problem: Problemset, fit: Fit, x: Array, scales: Sequence[float]) -> C
             if n in problem.errors
         ),
         offset=fit.offset(x),
+        covered=covered,
     )
 
 

@@ -55,8 +55,8 @@ class FieldNumbers:
         Entry and exit creep ratio by load case: drum less belt speed over drum speed, at the
         nips [-].
     at_limit
-        Exit creep ratio at the creep limit in the load case that gets there first, None if no
-        load case gets there [-].
+        Exit creep ratio at the creep limit in the load case that gets there first, of those that
+        pull as the one that creeps most; None if none gets there [-].
     at_breakaway
         Creep at gross slip over the length of the wrap, None if no finite creep attains it [-].
     alarm, trip
@@ -80,6 +80,12 @@ class FieldNumbers:
     shown
         What a tachometer pair shows of `healthy`, 1 - v/(omega R) by load case [-]; None where the
         thickness of the belt is not known.
+    limits
+        Exit creep ratio at the creep limit by load case, its size and as it is seen [-]: the
+        compression of the lagging shifts what a tachometer pair shows by the tension.
+    covered
+        `worst_seen` with the cover of the belt in series, inf or -inf where the belt slips through;
+        None where the law says whether its slip includes that shear [-].
     """
 
     healthy: Mapping[str, tuple[float, float]] = field(hash=False)
@@ -95,20 +101,24 @@ class FieldNumbers:
     depth: float
     pitch: float = 1.0
     shown: Mapping[str, tuple[float, float]] | None = field(default=None, hash=False)
+    limits: Mapping[str, tuple[float, float]] = field(default_factory=dict, hash=False)
+    covered: float | None = None
 
     @property
     def side(self) -> float:
         """-1 where the belt runs ahead of a drum that it drives and levels are below, else 1."""
         ratios = [ratio for pair in self.healthy.values() for ratio in pair]
-        return -1.0 if self.shown is not None and max(ratios, key=abs) < 0.0 else 1.0
+        return -1.0 if max(ratios, key=abs) < 0.0 else 1.0
 
     @property
     def worst_seen(self) -> float:
         """Healthy ratio nearest to the alarm, as a tachometer pair shows it [-]."""
-        if self.shown is None:
-            return self.worst
-        ratios = [self.side * ratio for pair in self.shown.values() for ratio in pair]
-        return self.side * max(ratios)
+        seen = self.healthy if self.shown is None else self.shown
+        return self.side * max(self.side * ratio for pair in seen.values() for ratio in pair)
+
+    def alarms_at(self, seen: float) -> bool:
+        """Whether a ratio is beyond the alarm, more than rounding makes [-]."""
+        return self.side * (seen - self.seen(self.alarm, 0.0)) > 1e-12
 
     def worn_seen(self, worn: float) -> float:
         """Return the healthy ratio nearest to the alarm by a worn lagging [-].
@@ -147,9 +157,14 @@ class FieldNumbers:
 
     @property
     def wear_to_alarm(self) -> float:
-        """Depth worn since the diameter was measured that alarms by itself [m]."""
-        worn = 0.5 * self.pitch * self.diameter * (1.0 - (1.0 - self.alarm) / (1.0 - self.worst))
-        return max(worn, 0.0)
+        """Depth worn since the diameter was measured that alarms by itself [m].
+
+        inf on a brake: wear raises every ratio, and its alarm is below.
+        """
+        if self.side < 0.0:
+            return math.inf
+        room = self.seen(self.alarm, 0.0) - self.worst_seen
+        return max(room / ((1.0 - self.worst) * self.drift), 0.0)
 
 
 def wear_coefficient(depth: float, energy: float) -> float:
@@ -213,7 +228,8 @@ def field_numbers(
     _check(results, hours)
     healthy = {n: (r.entry_creep_ratio, r.exit_creep_ratio) for n, r in results.items()}
     worst = max(max(abs(a), abs(b)) for a, b in healthy.values())
-    limit = min(limits.values(), key=_nearest, default=None)
+    side = max(results.values(), key=lambda r: abs(r.exit_creep_ratio)).arc.side
+    limit = min((r for r in limits.values() if r.arc.side == side), key=_nearest, default=None)
     at_limit = None if limit is None else abs(limit.exit_creep_ratio)
     told = limit or max(results.values(), key=lambda r: abs(r.exit_creep_ratio))
     gross = [
@@ -249,18 +265,35 @@ def field_numbers(
         pitch=1.0 if told.arc.pitch_offset is None else told.arc.pitch_radius / told.arc.radius,
         shown=None
         if told.arc.pitch_offset is None
-        else {
-            name: (speed_ratio(r.arc, r.entry_creep_ratio), speed_ratio(r.arc, r.exit_creep_ratio))
-            for name, r in results.items()
-        },
+        else {name: _seen(r) for name, r in results.items()},
+        limits={n: (abs(r.exit_creep_ratio), _seen(r)[1]) for n, r in limits.items()},
+        covered=_covered(results, side),
     )
 
 
-def _nearest(result: ArcResult) -> float:
-    """Exit ratio, driving positive: as a tachometer pair shows it, where the belt is known [-]."""
+def _seen(result: ArcResult) -> tuple[float, float]:
+    """Entry and exit ratio as a tachometer pair shows them; at the surface without thickness."""
+    pair = result.entry_creep_ratio, result.exit_creep_ratio
     if result.arc.pitch_offset is None:
-        return abs(result.exit_creep_ratio)
-    return result.arc.side * speed_ratio(result.arc, result.exit_creep_ratio)
+        return pair
+    return speed_ratio(result.arc, pair[0]), speed_ratio(result.arc, pair[1])
+
+
+def _nearest(result: ArcResult) -> float:
+    """Exit ratio as it is seen, driving positive [-]."""
+    return result.arc.side * _seen(result)[1]
+
+
+def _covered(results: Mapping[str, ArcResult], side: float) -> float | None:
+    """Return the seen ratio nearest to the alarm with the cover of the belt in series [-]."""
+    found = None
+    for r in results.values():
+        if r.arc.cover_left_out > 0.0:
+            arc = replace(r.arc, cover_compliance=r.arc.cover_left_out, cover_left_out=0.0)
+            again = Distributed(capacities=False).solve(arc)
+            ends = _seen(again) if again.status.solved else (side * math.inf,)
+            found = max(ends if found is None else (found, *ends), key=lambda ratio: side * ratio)
+    return found
 
 
 def _check(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> None:

@@ -75,6 +75,8 @@ ERRORS_TABLE = Table(
     Entry("exit_tension", "Of the exit tensions, T2: a load cell at the take-up.", _PART),
     Entry("effective_tension", "Of the effective tensions: power of the motor.", _PART),
     Entry("compression", "Of the compression of the lagging, by its modulus E_c.", _PART),
+    Entry("lagging_shear", "Of the shear of the lagging, by its modulus G and thickness.", _PART),
+    Entry("cover_shear", "Of that of the belt cover, by its modulus and thickness.", _PART),
     Entry("belt_speed", "Of the belt speed: radius of the wheel.", _PART),
     Entry("diameter", "Of the diameter over the lagging.", _LENGTH),
     Entry("pitch_offset", "Of the offset e of the tension member: covers and carcass.", _LENGTH),
@@ -290,6 +292,12 @@ def _errors(
             ("errors", "effective_tension"),
             "given, and both tensions as well",
             "Effective tension is their difference: keep two of the three.",
+        )
+    if "lagging_shear" in stated and "shear_modulus" in record.get("parameters", ()):
+        report.add(
+            ("errors", "lagging_shear"),
+            "given, and shear_modulus is to be found",
+            "Give it a prior instead, or leave it out of the parameters.",
         )
     for key, value in stated.items():
         if not value > 0.0:

@@ -14,6 +14,7 @@ from wraparc.arc import ArcResult, Distributed
 from wraparc.calibrate.problem import (
     OVERRUN_UNIT,
     Problemset,
+    State,
     Trace,
     arc_of,
     calibrated_drive,
@@ -21,11 +22,10 @@ from wraparc.calibrate.problem import (
     value_of,
     variable_of,
 )
-from wraparc.drive import Tensions
 from wraparc.errors import InputError, MissingExtraError, Problem
 
 Array = NDArray[np.float64]
-Solved = dict[tuple[str, Tensions | None], ArcResult]
+Solved = dict[State, ArcResult]
 
 # how exactly to fit: the best fit, and a refit of which only the sum of squares counts
 _FULLY: dict[str, Any] = {"xtol": 1e-7, "ftol": 1e-9, "gtol": 1e-9, "max_nfev": 60}
@@ -88,7 +88,7 @@ class Fit:
             numbers.append(n.value + far * max(abs(n.value), n.sd) if far else value)
         traces = []
         for t in p.traces:
-            state = (t.load_case, None)
+            state: State = (t.load_case, None)
             profile, far = results[state].profile, beyond[state]
             if far:
                 traces.append(t.value + far * float(np.abs(t.value).max()))
@@ -100,8 +100,7 @@ class Fit:
         p, values = self.problem, self.values(x)
         drive = calibrated_drive(p.drive, p.pulley, values)
         errors = {name: values[name] for name in p.errors}
-        used = {n.state: None for n in p.numbers} | {(t.load_case, None): None for t in p.traces}
-        return {state: p.method.solve(arc_of(drive, p.pulley, state, errors)) for state in used}
+        return {state: p.method.solve(arc_of(drive, p.pulley, state, errors)) for state in p.used}
 
     def offset(self, x: Array) -> float | None:
         """Offset e that the zero record shows with drum and wheel as stated [m], None without one.

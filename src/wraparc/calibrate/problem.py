@@ -15,6 +15,8 @@ from wraparc.drive.changes import with_pulley
 from wraparc.errors import InputError, Problem
 
 Array = NDArray[np.float64]
+#: A load case, and tensions where they are not those of the load case.
+State = tuple[str, Tensions | None]
 
 #: what can be calibrated, and how: factors and moduli by their logarithm, the overrun as it is
 PARAMETERS = ("friction", "peak_slip", "shear_modulus", "overrun", "belt_modulus")
@@ -34,6 +36,8 @@ ERRORS = (
     "exit_tension",
     "effective_tension",
     "compression",
+    "lagging_shear",
+    "cover_shear",
 )
 #: standard deviation of the zero of the speed ratio where only a zero record tells it [-]: more
 #: than any belt is thick
@@ -82,7 +86,7 @@ class Number:
     tensions: Tensions | None = None
 
     @property
-    def state(self) -> tuple[str, Tensions | None]:
+    def state(self) -> State:
         """In which load case and at which tensions it was measured."""
         return self.load_case, self.tensions
 
@@ -166,6 +170,24 @@ class Problemset:
             )
 
     @property
+    def covered(self) -> Problemset | None:
+        """The problem with the cover of the belt in series, where the law may include its shear.
+
+        None where the law says so, and where there is no such cover.
+        """
+        on = self.drive.pulley(self.pulley)
+        if WrapArc.of(self.drive, on, self.drive.load_cases[0]).cover_left_out == 0.0:
+            return None
+        lagging = replace(on.lagging, law=replace(on.lagging.law, slip_includes=()))
+        return replace(self, drive=with_pulley(self.drive, replace(on, lagging=lagging)))
+
+    @property
+    def used(self) -> tuple[State, ...]:
+        """Load cases and tensions that something was measured at."""
+        used = [n.state for n in self.numbers] + [(t.load_case, None) for t in self.traces]
+        return tuple(dict.fromkeys(used))
+
+    @property
     def variables(self) -> tuple[str, ...]:
         """What is fitted: the parameters, and the errors beside them."""
         return self.parameters + tuple(self.errors)
@@ -204,7 +226,7 @@ def calibrated_drive(drive: Drive, pulley: str, values: Mapping[str, float]) -> 
 def arc_of(
     drive: Drive,
     pulley: str,
-    state: tuple[str, Tensions | None],
+    state: State,
     errors: Mapping[str, float],
 ) -> WrapArc:
     """Return the arc of a pulley as it really was, where what was measured is off by factors.
@@ -230,8 +252,14 @@ def arc_of(
         leaving = entry - pull
     elif "effective_tension" in errors:
         entry = leaving + pull
-    modulus = arc.compression_modulus / errors.get("compression", 1.0)
-    return replace(arc, entry_tension=entry, exit_tension=leaving, compression_modulus=modulus)
+    return replace(
+        arc,
+        entry_tension=entry,
+        exit_tension=leaving,
+        compression_modulus=arc.compression_modulus / errors.get("compression", 1.0),
+        shear_modulus=arc.shear_modulus / errors.get("lagging_shear", 1.0),
+        cover_compliance=arc.cover_compliance * errors.get("cover_shear", 1.0),
+    )
 
 
 def speed_ratio(arc: WrapArc, creep_ratio: float, zero: float = 1.0) -> float:

@@ -14,10 +14,8 @@ from wraparc.checks.check import Check, Level, Place, Verdict, escaped
 from wraparc.checks.gross_slip import loaded
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import (
-    LEAST_SHIFT,
     kept,
     pull_against,
-    trim_shift,
 )
 from wraparc.checks.rules import RULES, idle
 from wraparc.checks.sliding import wet_creep
@@ -237,7 +235,7 @@ def _meeting(case: CaseResult) -> Iterator[Check]:
 
 def _train(result: TrainResult) -> Iterator[Check]:
     for case in result:
-        yield from _of_train(case)
+        yield from _of_train(result.train, case)
         if isinstance(case.case.division, Pulls):
             yield from _meeting(case)
     adrift = {case.case.name for case in result if case.adrift}
@@ -249,7 +247,7 @@ def _train(result: TrainResult) -> Iterator[Check]:
             yield check
 
 
-def _of_train(case: CaseResult) -> Iterator[Check]:
+def _of_train(train: Train, case: CaseResult) -> Iterator[Check]:
     """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
     place = Place("", case.case.name)
     if case.adrift or case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
@@ -260,46 +258,13 @@ def _of_train(case: CaseResult) -> Iterator[Check]:
         return
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
-        yield from _unknown_trims(case)
+        yield from of_drive.unknown_trims(train.belt, train.pulleys, place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
     division = case.case.division
     for member, motor in zip(
         case.members, division.motors if isinstance(division, Motors) else (), strict=False
     ):
         yield _motor(member, motor, case.case)
-
-
-def _unknown_trims(case: CaseResult) -> Iterator[Check]:
-    """Yield what no trim between drums is known without: the thickness of the belt."""
-    first, *others = case.members
-    for m in others:
-        one, other = first.arc.arc, m.arc.arc
-        known = one.pitch_offset is not None and other.pitch_offset is not None
-        opposite = one.side_of_belt != other.side_of_belt
-        shift = 0.0 if known else trim_shift(one.diameter, other.diameter, opposite)
-        if shift > LEAST_SHIFT:
-            yield unknown_trim(first.name, shift, opposite, Place(m.name, case.case.name))
-
-
-def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
-    """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
-    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
-    if opposite:
-        why = (
-            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
-            "shift it by {shift} %."
-        )
-    return Check(
-        name="belt_thickness",
-        title="Trim by the thickness of the belt",
-        level=Level.ATTENTION,
-        place=place,
-        short="trim without belt thickness",
-        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
-        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
-        more={"shift": (100.0 * shift, "number")},
-        binding=False,
-    )
 
 
 def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:

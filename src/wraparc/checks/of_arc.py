@@ -206,6 +206,10 @@ def creep(drive: Drive, result: ArcResult) -> Check:
     )
 
 
+#: Of a law that does not say what its slip includes, on a belt with a cover.
+COVER_UNKNOWN = "Whether the tested slip includes the shear of the belt cover is not known"
+
+
 def cover_creep(result: ArcResult) -> Check | None:
     """Check the creep with the cover of the belt in series, where the law may include its shear."""
     place, found = Place(result.arc.pulley, result.arc.load_case), result.covered_creep
@@ -224,8 +228,7 @@ def cover_creep(result: ArcResult) -> Check | None:
         place=place,
         source="shear of the cover of the belt",
         short="limit within belt cover",
-        says="Whether the tested slip includes the shear of the belt cover is not known: with the "
-        f"cover in series {told}, beyond the limit of {{limit}}.",
+        says=f"{COVER_UNKNOWN}: with the cover in series {told}, beyond the limit of {{limit}}.",
         remedy="State the cover of the test belt with the shear tests, or raise the slack-side "
         "tension.",
         otherwise="State the cover of the test belt with the shear tests.",

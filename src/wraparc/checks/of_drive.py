@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import held_alike, idles
+from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, trim_shift
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -15,8 +15,8 @@ from wraparc.checks.rules import (
     tension_rule,
     wrap_pressure,
 )
-from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.drive.pitch import centrifugal_of
+from wraparc.drive import Belt, Drive, LoadCase, Pulley
+from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
@@ -24,6 +24,53 @@ from wraparc.units import Dimension
 MEETS = 0.02
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
+
+
+def unknown_trims(belt: Belt, pulleys: Sequence[Pulley], at: Place) -> Iterator[Check]:
+    """Yield what no trim between drums is known without: the thickness of the belt.
+
+    Parameters
+    ----------
+    belt, pulleys
+        Of the train.
+    at
+        Load case or event.
+    """
+    first = pulleys[0]
+    for pulley in pulleys[1:]:
+        shift = open_shift(belt, first, pulley)
+        if shift > 0.0:
+            place, opposite = at._replace(pulley=pulley.name), pulley.side != first.side
+            yield unknown_trim(first.name, shift, opposite, place)
+
+
+def open_shift(belt: Belt, first: Pulley, other: Pulley) -> float:
+    """Return how far the trim between two drums is open without the thickness of the belt [-]."""
+    if all(pitch_offset(belt, pulley.side) is not None for pulley in (first, other)):
+        return 0.0
+    shift = trim_shift(first.diameter, other.diameter, first.side != other.side)
+    return shift if shift > LEAST_SHIFT else 0.0
+
+
+def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
+    """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
+    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    if opposite:
+        why = (
+            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
+            "shift it by {shift} %."
+        )
+    return Check(
+        name="belt_thickness",
+        title="Trim by the thickness of the belt",
+        level=Level.ATTENTION,
+        place=place,
+        short="trim without belt thickness",
+        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
+        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
+        more={"shift": (100.0 * shift, "number")},
+        binding=False,
+    )
 
 
 def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:

@@ -19,6 +19,7 @@ from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
 from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
+from wraparc.checks.of_drive import open_shift
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
@@ -95,6 +96,8 @@ class Held:
         Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
+    open_trim
+        Whether the trim against another drum is open without the thickness of the belt.
     odd
         Least margin of sizes beside those of the arc that are asked about, infinite for none [-].
     motor, motor_load, momentary_load
@@ -122,6 +125,7 @@ class Held:
     diameter: Array
     scaled: Flags
     misfit: Flags
+    open_trim: Flags
     odd: Array
     motor: Array
     motor_load: Array
@@ -159,7 +163,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating, strength, mass, cover, odd,
+        misfit, open_trim, rating, strength, mass, cover, odd,
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -197,6 +201,7 @@ def held_by(
         diameter=least,
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
+        open_trim=open_trim > 0.0,
         odd=odd,
         **dict.fromkeys(MOTORS, np.full(len(arcs), math.nan)),
     )
@@ -219,12 +224,21 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         belt.least_pulley_diameter,
         float(SCALED in lagging.sources or WORN in lagging.sources),
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
+        float(any(_open_shifts(drive, pulley))),
         belt.rating,
         belt.breaking_strength,
         belt.mass,
         of_belt(belt, drive.pulley(pulley).side, lagging.law)["cover_left_out"],
         least_margin(drive),
     )
+
+
+def _open_shifts(drive: Drive, name: str) -> Iterator[float]:
+    """Yield how far the trims that a pulley takes part in are open [-]."""
+    first, *others = drive.pulleys
+    for other in others:
+        if name in (first.name, other.name):
+            yield open_shift(drive.belt, first, other)
 
 
 def _factors(
@@ -321,6 +335,8 @@ def _checks(
             for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
                 ranks = np.where(flags, RULES[told].missed.rank, 0)
                 yield told, ranks, np.full(len(value), math.inf)
+    ranks = np.where(held.open_trim, RULES["belt_thickness"].missed.rank, 0)
+    yield "belt_thickness", ranks, np.full(len(ranks), math.inf)
     yield _usual_sizes(solved.arcs, held)
 
 

@@ -133,6 +133,8 @@ def _checks(run: RunResult) -> Iterator[Check]:
         yield from (replace(check, place=place) for check in of_pulley)
         yield of_drive.pulley_diameter(drive, pulley)
         yield from _motors(run, drum, place)
+    of, at = run.station.train, Place(event=run.event.name)
+    yield from of_drive.unknown_trims(of.belt, of.pulleys, at)
     yield _vibration(run)
     yield _tension(run, case)
     yield _sag(drive, run)

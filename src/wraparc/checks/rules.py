@@ -72,6 +72,7 @@ RULES = {
         Rule("balance", "the energy balance", Level.FAULT),
         Rule("sag", "the sag of the belt", at_most=False),
         Rule("pulley_diameter", "the least pulley of the belt", Level.FAILS, at_most=False),
+        Rule("belt_thickness", "a trim without the thickness of the belt"),
         Rule("usual_sizes", "an unusual size"),
         Rule("motor_load", "the rating of a motor", fails_beyond=1.15),
         Rule("momentary_load", "the torque that a motor bears in a start"),

@@ -61,10 +61,14 @@ def build_belt(record: Record, report: Report) -> Belt | None:
         return None
     more = {key: v for key, v in more.items() if key == "provenance" or key not in record}
     built: Belt | None = BELT.built(record, report, sources=sources, **more)
-    if built is None and record.faulty <= {*LAYERS, THICKNESS, "mass", "cover_shear_modulus"}:
-        rest = {key: value for key, value in record.items() if key != THICKNESS}
-        built = BELT.built(Record(rest, record.place, record.raw), Report(), sources={}, **more)
-    return built
+    if built is not None or not record.sound("width", "modulus"):
+        return built
+    sound = Record(dict(record), record.place, record.raw)
+    # what its layers have wrong together, where another number of it is at fault
+    layers = report if not record.sound() and record.sound(*LAYERS, THICKNESS) else Report()
+    built = BELT.built(sound, layers, sources={}, **more)
+    sound.pop(THICKNESS, None)
+    return built or BELT.built(sound, Report(), sources={}, **more)
 
 
 def report_together(

@@ -11,6 +11,7 @@ from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Pr
 from wraparc.calibrate.fold import Folded
 from wraparc.calibrate.problem import OPEN_ZERO, speed_ratio
 from wraparc.checks import Level
+from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
 from wraparc.train.turning import surface_sentence
@@ -30,6 +31,8 @@ _ERRORS = {
     "exit_tension": "Exit tension T2",
     "effective_tension": "Effective tension T1 - T2",
     "compression": "Compression of the lagging",
+    "lagging_shear": "Shear of the lagging",
+    "cover_shear": "Shear of the belt cover",
     "readings": "Readings",
 }
 #: Standard deviations beyond which an error is not what was stated of it [-].
@@ -91,7 +94,7 @@ def _row(e: Estimate) -> Row:
 
 
 def _verdict(found: Calibration, problem: Problemset) -> Verdict:
-    apart = tuple(_apart(found, problem))
+    apart, covered = tuple(_apart(found, problem)), tuple(_covered(found, outside=True))
     untold = [e.name for e in found.estimates if e.value is None]
     if not untold:
         headline = (
@@ -102,14 +105,15 @@ def _verdict(found: Calibration, problem: Problemset) -> Verdict:
             headline = f"The parameter is identified from {found.data} measured values."
         if apart:
             headline = f"The drive does not follow what was measured. {headline}"
-        level = Level.ATTENTION if apart else Level.OK
-        return Verdict(level, headline, (*apart, *_mixed_words(found)))
+        level = Level.ATTENTION if apart or covered else Level.OK
+        return Verdict(level, headline, (*apart, *covered, *_mixed_words(found)))
     names = ", ".join(n.replace("_", " ") for n in untold)
     return Verdict(
         Level.ATTENTION,
         f"The data do not identify {names}; no value is given.",
         (
             *apart,
+            *covered,
             *_mixed_words(found),
             "Keep some of them at the values of the drive file, measure something that separates "
             "them, or give a prior.",
@@ -141,6 +145,21 @@ def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
                 f"it by {named(t.quantity, miss)} in the mean, {percent(miss / most, 2)} "
                 f"of its largest value. {_OTHER}"
             )
+
+
+def _covered(found: Calibration, *, outside: bool) -> Iterator[str]:
+    """Yield the estimates with the belt cover in series, beyond their intervals or within."""
+    there = [
+        f"{e.name.replace('_', ' ')} is {quantity(found.covered[e.name], _PARAMETERS[e.name][1])}"
+        for e in found.estimates
+        if e.name in found.covered
+        and e.low is not None
+        and e.high is not None
+        and outside is not (e.low <= found.covered[e.name] <= e.high)
+    ]
+    if there:
+        where = ", outside its interval. State slip_includes in the lagging" if outside else ""
+        yield f"{COVER_UNKNOWN}: with the cover in series {', '.join(there)}{where}."
 
 
 def _title(n: Number, problem: Problemset) -> str:
@@ -247,6 +266,7 @@ def _misfits(found: Calibration, problem: Problemset) -> Table:
 
 
 def _remarks(found: Calibration) -> Iterator[str]:
+    yield from _covered(found, outside=False)
     if found.offset is not None:
         yield (
             "By the zero record, with drum and wheel as stated, the tension member runs "
@@ -258,10 +278,19 @@ def _remarks(found: Calibration) -> Iterator[str]:
             r = float(found.correlation[i, k])
             if abs(r) > _MOST_CORRELATED:
                 yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
-    if not any(d.name.endswith("tension") for d in found.deviations):
+    stated = {d.name for d in found.deviations} | {e.name for e in found.estimates}
+    exact = [
+        what
+        for what, of in (
+            ("the tensions", ("entry_tension", "exit_tension", "effective_tension")),
+            ("the modulus of the lagging", ("lagging_shear", "shear_modulus")),
+        )
+        if not stated.intersection(of)
+    ]
+    if exact:
         yield (
-            "The tensions are taken as exact: their errors enter the intervals where [errors] "
-            "states them."
+            f"Taken as exact: {' and '.join(exact)}. Their errors enter the intervals where "
+            "[errors] states them."
         )
     yield (
         "Calibration makes the model agree with the data it was calibrated to; that agreement is "
@@ -312,8 +341,10 @@ def overlay_sheet(
     by_surface = any(n.apparent for n in problem.numbers) and any(
         r.arc.pitch_offset is None for r in first
     )
+    covered = any(r.arc.cover_left_out > 0.0 for r in first)
     notes = (
         *((surface_sentence(first[0].arc.diameter),) if by_surface else ()),
+        *((f"{COVER_UNKNOWN}: it is left out.",) if covered else ()),
         *(note for _, f in folded for note in f.notes),
         *(
             f"Load case {r.arc.load_case}, {r.method}: {r.status}"
@@ -364,6 +395,7 @@ def calibrate_document(found: Calibration) -> dict[str, Any]:
             for d in found.deviations
         ],
         "pitch_offset": found.offset,
+        "with_cover_in_series": dict(found.covered),
         "correlation": found.correlation.tolist(),
         "not_told_apart": [list(group) for group in found.mixed],
         "too_loose": list(found.loose),

@@ -7,6 +7,7 @@ from typing import Any
 from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
+from wraparc.checks.of_arc import COVER_UNKNOWN
 from wraparc.present.checks_table import verdict_document
 from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
 from wraparc.present.words import as_it_is, in_short, in_words
@@ -74,16 +75,18 @@ def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
     who = "A healthy drive" if found.alarm > worst else "The drive as described"
     # no level that a tachometer pair is set by is an OK without the thickness of the belt
     surface = () if found.shown else (surface_sentence(found.diameter),)
-    open_ = not found.shown and judged.level is Level.OK
+    covered = tuple(_covered(found))
+    doubt = not found.shown or at_once or found.alarms_at(found.covered or found.worst_seen)
+    open_ = bool(doubt) and judged.level is Level.OK
     return Verdict(
         Level.ATTENTION if open_ else judged.level,
         f"{why}{who} shows at {'most' if found.side > 0.0 else 'least'} "
         f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'drum'} and belt; alarm "
         f"at {percent(found.seen(found.alarm, 0.0))}, trip at "
         f"{percent(found.seen(found.trip, 0.0))}.",
-        (*as_is, *at_once, *surface, *_rules(found, worst), again),
+        (*as_is, *at_once, *surface, *covered, *_rules(found, worst), again),
         "" if open_ else judged.word,
-        kept=(*as_is, *at_once, *surface, again),
+        kept=(*as_is, *at_once, *surface, *covered, again),
     )
 
 
@@ -96,6 +99,12 @@ def _circumference(found: FieldNumbers) -> str:
     moved_each = either(*(percent(step * found.drift) for step in steps))
     worn, again = found.wear_to_alarm, 0.25 * found.wear_to_alarm
     alarms, measure = "any wear", "the drum's surface instead of its shaft"
+    if math.isinf(worn):
+        return (
+            "These levels need the drum speed from a measured circumference: wear since it was "
+            f"measured hides the slip of a brake, {each} moves every difference by {moved_each}, "
+            f"and {depth} by {moved}. Measure {measure}."
+        )
     if again >= TAPE:
         alarms = f"{quantity(worn, 'length')} of wear"
         every = quantity(again, "length")
@@ -108,11 +117,30 @@ def _circumference(found: FieldNumbers) -> str:
 
 
 def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
-    if found.at_limit is not None and worst > found.at_limit:
+    limits = {name: ratio for name, (ratio, _) in found.limits.items()}
+    beyond = [n for n, ratio in limits.items() if max(map(abs, found.healthy[n])) > ratio]
+    if beyond or (not limits and found.at_limit is not None and worst > found.at_limit):
         yield (
             "As described, the drive already creeps beyond its limit, where the alarm is set: it "
             "alarms at once."
         )
+    elif found.alarms_at(found.worst_seen):
+        yield (
+            "One load case sets this alarm, and another shows more without creeping beyond its "
+            "limit: set each load case's own level, that of its creep limit."
+        )
+
+
+def _covered(found: FieldNumbers) -> Iterator[str]:
+    if found.covered is None:
+        return
+    told = "the belt slips through"
+    if math.isfinite(found.covered):
+        told = (
+            f"a healthy drive shows at {'most' if found.side > 0.0 else 'least'} "
+            f"{percent(found.covered)}"
+        )
+    yield f"{COVER_UNKNOWN}: with the cover in series {told}."
 
 
 def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
@@ -134,7 +162,11 @@ def _levels(found: FieldNumbers) -> Table:
 
     healthy = (found.worst_seen, found.worn_seen(found.depth))
     rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
-    if found.at_limit is not None:
+    limits = found.limits if found.shown else {}
+    for name, (ratio, seen) in limits.items():
+        worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
+        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn)), "g2"))
+    if found.at_limit is not None and not limits:
         rows.append(row("At the creep limit", found.at_limit, "g2"))
     rows.append(row("Alarm", found.alarm, note="at the creep limit"))
     rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
@@ -210,6 +242,7 @@ def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, A
         else None,
         "drift": found.drift,
         "alarm_when_worn": found.seen(found.alarm, found.depth),
+        "with_cover_in_series": found.covered,
         "wear_to_alarm": found.wear_to_alarm,
         "customary_trips": {r.name: 1.0 - r.speed_share for r in TRIP_RULES},
         "wear_per_year": found.wear_per_year,

@@ -71,9 +71,10 @@ def _origin(part: str, common: Common | None) -> str:
     if part == "compliance of the rig":
         stated = "as stated" if of.compliance is not None else "assumed: the plan says nothing"
         return f"at most {1e6 * common.compliance:.3g} mm/kN, {stated}"
-    if part == "modulus of the belt cover":
-        stated = "as stated" if of.cover_shear_modulus is not None else "assumed: 5 Shore A"
-        return f"at most {100.0 * of.cover_modulus_error:.3g} %, {stated}"
+    if part.startswith("modulus"):
+        error = of.shear_modulus if part.endswith("sample") else of.cover_shear_modulus
+        stated = "as stated" if error is not None else "assumed: 5 Shore A"
+        return f"at most {100.0 * of.modulus_error(error):.3g} %, {stated}"
     relative = {
         "pulling force": of.force, "normal force": of.normal_force, "sample area": of.area,
         "travel": of.travel, "temperature": of.temperature,

@@ -21,9 +21,9 @@ from wraparc.shear_test.record import Array
 #: over it [-].
 UNKNOWN_COMPLIANCE = 0.05e-6
 MEASURED_COMPLIANCE = 0.2
-#: Largest error of the modulus of a belt cover, assumed: what 5 degrees of Shore A hardness make,
+#: Largest error of the modulus of a rubber, assumed: what 5 degrees of Shore A hardness make,
 #: +23 and -18 % at 60 Shore A (A. N. Gent, Rubber Chem. Technol. 31, 1958).
-COVER_MODULUS = 0.2
+RUBBER_MODULUS = 0.2
 _STEP = 0.02  # of ln p, for slopes over pressure
 
 
@@ -93,8 +93,8 @@ class Uncertainty:
         Of the rig's compliance [m/N]; None for 20 % of it, or 0.05 mm/kN where it is not known.
     temperature
         What the temperature of the tests may change in the friction [-].
-    cover_shear_modulus
-        Of the modulus of the test belt's cover [-]; None for `COVER_MODULUS`.
+    shear_modulus, cover_shear_modulus
+        Of the moduli of the sample and of the test belt's cover [-]; None for `RUBBER_MODULUS`.
     stated
         Whether the plan says them, or they are those of a usual rig.
     read_off
@@ -108,6 +108,7 @@ class Uncertainty:
     zero: float = 0.0
     compliance: float | None = None
     temperature: float = 0.0
+    shear_modulus: float | None = None
     cover_shear_modulus: float | None = None
     stated: bool = False
     read_off: ReadOff | None = None
@@ -118,10 +119,10 @@ class Uncertainty:
             return self.compliance
         return MEASURED_COMPLIANCE * compliance if compliance else UNKNOWN_COMPLIANCE
 
-    @property
-    def cover_modulus_error(self) -> float:
-        """Largest error of the modulus of the test belt's cover [-]."""
-        return COVER_MODULUS if self.cover_shear_modulus is None else self.cover_shear_modulus
+    @staticmethod
+    def modulus_error(stated: float | None) -> float:
+        """Return the largest error of the modulus of a rubber [-]."""
+        return RUBBER_MODULUS if stated is None else stated
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,10 +137,8 @@ class Common:
         Pulling force per friction and pressure: faces times sample area [m2].
     compliance
         Largest error of the rig's compliance [m/N].
-    shear_compliance
-        h/G of the shear of sample and belt cover that is taken off the travel [m/Pa].
-    cover_compliance
-        That of the belt cover in it [m/Pa].
+    sample_compliance, cover_compliance
+        h/G of the sample and of the belt cover as far as its shear is taken off the travel [m/Pa].
     weighed
         Whether the normal force was given or measured; else the pressure, which the area turns
         into the normal force.
@@ -151,7 +150,7 @@ class Common:
     limits: Uncertainty
     force_at: float
     compliance: float
-    shear_compliance: float
+    sample_compliance: float
     cover_compliance: float
     weighed: bool
     bent: Array
@@ -178,7 +177,12 @@ class Common:
         slip = np.broadcast_to([1.0, 0.0], at.shape)
         over_slip = self.bent / np.exp(at[:, :1])
         # what sample and cover shear is taken off by the stress, F_x over the area
-        shear = self.shear_compliance * stress[:, None] * over_slip
+        rubbers = {
+            "modulus of the sample": (self.sample_compliance, of.shear_modulus),
+            "modulus of the belt cover": (self.cover_compliance, of.cover_shear_modulus),
+        }
+        shears = {name: h * stress[:, None] * over_slip for name, (h, _) in rubbers.items()}
+        shear = sum(shears.values())
         # a pressure that was set is the normal force, but for the area
         area = slope if self.weighed else -friction
         found = {
@@ -190,9 +194,9 @@ class Common:
             "compliance of the rig": self.compliance * pull[:, None] * over_slip,
             "temperature": of.temperature * friction,
         }
-        if self.cover_compliance > 0.0:
-            cover = self.cover_compliance * stress[:, None] * over_slip
-            found["modulus of the belt cover"] = of.cover_modulus_error * cover
+        for name, (compliance, stated) in rubbers.items():
+            if compliance > 0.0:
+                found[name] = of.modulus_error(stated) * shears[name]
         if of.read_off is not None:
             found |= of.read_off.effects(at)
         return {name: effect / math.sqrt(3.0) for name, effect in found.items()}

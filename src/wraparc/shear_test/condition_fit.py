@@ -89,7 +89,7 @@ def _common(plan: TestPlan, tests: Sequence[TestResult]) -> Common | None:
         limits=plan.uncertainty,
         force_at=plan.rig.faces * plan.rig.area,
         compliance=plan.uncertainty.compliance_error(plan.rig.compliance),
-        shear_compliance=plan.removed_compliance,
+        sample_compliance=plan.sample_compliance,
         cover_compliance=plan.cover_compliance,
         weighed=all(t.record.normal_force is not None or t.test.pressure is None for t in tests),
         bent=np.mean([bent_peak(t.fit) for t in tests], axis=0),

@@ -273,10 +273,11 @@ def with_curves(
         tests.append(replace(test, file=label, pressure=pressure, normal_force=None))
     if problems:
         raise InputError(problems)
-    # Nothing else is known of how the paper measured, and nothing is invented.
-    limits = Uncertainty(
-        force=0.0, normal_force=0.0, area=0.0, travel=0.0, compliance=0.0, stated=True,
-        read_off=_errors(of, taken),
+    # Nothing else is known of how the paper measured, and nothing is invented. What the plan says
+    # of the rubbers whose shear it takes off, and of temperature, stays.
+    limits = replace(
+        plan.uncertainty or Uncertainty(), force=0.0, normal_force=0.0, area=0.0, travel=0.0,
+        zero=0.0, compliance=0.0, stated=True, read_off=_errors(of, taken),
     )  # fmt: skip
     held = plan.held if plan.held.lash is not None else replace(plan.held, lash=0.0)
     read = replace(plan, tests=(*tests, *plan.unused_tests), uncertainty=limits, held=held)

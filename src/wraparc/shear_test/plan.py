@@ -275,6 +275,11 @@ class TestPlan:
         return self.shear_compliance > 0.0 and self.remove_shear is not False
 
     @property
+    def sample_compliance(self) -> float:
+        """h/G of the sample as far as its shear is taken off [m/Pa]."""
+        return self.shear_compliance if self.removes_shear else 0.0
+
+    @property
     def cover_compliance(self) -> float:
         """h/G of the test belt's cover, 0 if there is none or it is not known [m/Pa]."""
         return (self.cover_thickness or 0.0) / (self.cover_shear_modulus or math.inf)
@@ -282,7 +287,7 @@ class TestPlan:
     @property
     def removed_compliance(self) -> float:
         """h/G of what is taken off the travel [m/Pa]."""
-        return self.cover_compliance + (self.shear_compliance if self.removes_shear else 0.0)
+        return self.cover_compliance + self.sample_compliance
 
     @property
     def slip_includes(self) -> tuple[str, ...] | None:

@@ -183,6 +183,7 @@ UNCERTAINTY = Table(
         "What the temperature of the tests may change in friction; 0 if left out.",
         _PART,
     ),
+    Entry("shear_modulus", "Of the modulus of the sample; 20 % if left out.", _PART),
     Entry(
         "cover_shear_modulus",
         "Of the modulus of the test belt's cover; 20 % if left out.",

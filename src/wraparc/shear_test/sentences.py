@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
-from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE
+from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE, Uncertainty
 from wraparc.shear_test.campaign import lot_sentences, order_sentences
 from wraparc.shear_test.consistency import FAR, USUAL
 from wraparc.shear_test.curve_fit import fit_curve
@@ -297,7 +297,7 @@ def _cover_sentence(plan: TestPlan) -> str:
     if plan.cover_compliance > 0.0:
         return (
             f"the shear of the test belt's cover, h/G = {plan.cover_compliance * 1e9:.3g} mm/MPa "
-            f"times the shear stress, is taken off the travel{_cover_error(plan)}"
+            f"times the shear stress, is taken off the travel{_within(plan, 'cover_shear_modulus')}"
         )
     if plan.cover_thickness is not None:
         return "the test belt has no cover that shears, as the plan says"
@@ -309,12 +309,11 @@ def _cover_sentence(plan: TestPlan) -> str:
     )
 
 
-def _cover_error(plan: TestPlan) -> str:
-    """Say what the modulus of the cover may be wrong by, and whether that was stated."""
-    if plan.uncertainty is None:
-        return ""
-    assumed = "" if plan.uncertainty.cover_shear_modulus is not None else " (assumed)"
-    return f"; its modulus is within {100.0 * plan.uncertainty.cover_modulus_error:.3g} %{assumed}"
+def _within(plan: TestPlan, modulus: str) -> str:
+    """Say what a modulus may be wrong by, and whether that was stated."""
+    stated = getattr(plan.uncertainty, modulus, 0.0)
+    error, assumed = Uncertainty.modulus_error(stated), "" if stated is not None else " (assumed)"
+    return f"; its modulus is within {100.0 * error:.3g} %{assumed}" if error else ""
 
 
 def _shear_sentence(plan: TestPlan) -> str:
@@ -322,6 +321,7 @@ def _shear_sentence(plan: TestPlan) -> str:
         return (
             f"slip is travel less lash and less the sample's own shear, h/G = "
             f"{plan.shear_compliance * 1e9:.3g} mm/MPa times the shear stress"
+            f"{_within(plan, 'shear_modulus')}"
         )
     if plan.shear_compliance > 0.0:
         return (

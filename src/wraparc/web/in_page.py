@@ -92,6 +92,7 @@ class Given(NamedTuple):
     cover_compliance: float
     mass: float
     slip_with_shear: bool
+    belt_speed: float  # where the belt meets the pulley, nan where that is `speed`
 
 
 def described(given: Given) -> tuple[float, float]:
@@ -178,7 +179,7 @@ def description_of(given: Given) -> Description:
         compression_modulus=given.compression_modulus,
         overrun=given.overrun,
         recovery=given.recovery,
-        belt_speed=given.speed,
+        belt_speed=given.belt_speed if given.belt_speed == given.belt_speed else given.speed,
         wear_coefficient=given.wear_coefficient,
         shear_compliance=(0.0 if given.slip_with_shear else given.thickness / given.shear_modulus)
         + given.cover_compliance,
@@ -397,15 +398,16 @@ def asked_of(
     if limits.tested_slip < given.creep_limit:
         by_slip = flung + least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
     lift = lift_for_safety(loaded, factor, among.tight_rise, begin)
+    of_slack, of_tight = end - slack, end - tight
     return Asked(
-        creep=end - slack + (least if least == least else inf),
-        tested_slip=end - slack + by_slip,
-        design_standard=end - slack + limits.design_standard,
+        creep=of_slack + (least if least == least else inf),
+        tested_slip=of_slack + by_slip,
+        design_standard=of_slack + limits.design_standard,
         gross_slip=end + (lift if lift == lift else inf),
-        tested_pressure_min=end - slack + limits.tested_pressure_min * area + flung,
-        tested_pressure_max=end - tight + limits.tested_pressure_max * area + flung,
-        face_pressure=end - tight + limits.face_pressure * area + flung,
-        belt_tension=end - tight + limits.belt_tension,
+        tested_pressure_min=limits.tested_pressure_min * area + flung + of_slack,
+        tested_pressure_max=limits.tested_pressure_max * area + flung + of_tight,
+        face_pressure=limits.face_pressure * area + flung + of_tight,
+        belt_tension=of_tight + limits.belt_tension,
         sag=limits.sag + end - among.slack_end,
         given=end,
     )

@@ -33,7 +33,7 @@ from wraparc.train.turning import (
     tension_error,
     turning,
 )
-from wraparc.web.in_page import Among, Given, Quick, description_of
+from wraparc.web.in_page import Among, Given, Quick, description_of, lift_of
 
 
 def total_of(powers: Sequence[float], speed: float) -> float:
@@ -77,12 +77,34 @@ def member_of(law: CompactLaw, given: Given) -> Member:
     return Member(law, geometry, 0.5 * arc.diameter + e, stretch, squeeze, e)
 
 
+class Belt(NamedTuple):
+    """A belt as its train has it: tensions at both ends, m v^2 [N], and EA [N]."""
+
+    entry: float
+    exit: float
+    lift: float
+    stiffness: float
+
+
+def belt_of(given: Given, entry: float, exit_: float) -> Belt:
+    """The belt of a train with tensions at its ends [N]."""
+    return Belt(entry, exit_, lift_of(given), given.modulus * given.width)
+
+
+def system_of(
+    members: Sequence[Member], lines: Sequence[Line], belt: Belt, runs: Sequence[float]
+) -> System:
+    """The equations of a train, whose tensions are those above m v^2."""
+    return System(members, lines, belt.entry - belt.lift, belt.exit - belt.lift, runs)
+
+
 class Divided(NamedTuple):
     """How the load of a train divides."""
 
     pairs: list[Pair]
     located: Located | None  # None where the pulls are given
     belt_speeds: list[float]  # where the belt meets the drums [m/s]
+    belt: Belt
 
 
 def divided(
@@ -92,6 +114,7 @@ def divided(
     pulls: Sequence[float],
     speed: float,
     reference: float,
+    belt: Belt,
 ) -> Divided:
     """Tensions of all pulleys, from what is given: their pulls, or what turns their drums.
 
@@ -109,24 +132,27 @@ def divided(
         Of the belt, nan where it is not known [m/s].
     reference
         Speed that the levels refer to, nan where only ratios of speeds are known [m/s].
+    belt
+        The belt.
     """
+    lift, stiffness = belt.lift, belt.stiffness
     found: Located | None = None
     if len(pulls) > 0:
-        pairs = along(system.entry, system.exit, system.runs, pulls)
+        pairs = along(belt.entry, belt.exit, system.runs, pulls)
     else:
         found = locate(system, names, softening)
-        pairs = [Pair(at.entry, at.exit) for at in found.passages]
+        pairs = [Pair(at.entry + lift, at.exit + lift) for at in found.passages]
         if found.status == TrainStatus.SOLVED:
-            pairs = rounded(pairs, system.exit, system.runs)
+            pairs = rounded(pairs, belt.exit, system.runs)
         elif found.status == TrainStatus.BREAKAWAY:
-            pairs = as_asked(pairs, system.entry, system.exit, system.runs)
-    stretch = system.members[0].stretch
+            pairs = as_asked(pairs, belt.entry, belt.exit, system.runs)
     at_first = speed
     if found is not None and reference == reference:
-        at_first = reference * exp(-found.level) * (1.0 + pairs[0].entry * stretch)
-    first = 1.0 + pairs[0].entry * stretch
-    speeds = [at_first * (1.0 + at.entry * stretch) / first for at in pairs]
-    return Divided(pairs, found, speeds)
+        light = 1.0 + (pairs[0].entry - lift) / (stiffness + lift)
+        at_first = reference * exp(-found.level) * light
+    first = 1.0 + pairs[0].entry / stiffness
+    speeds = [at_first * (1.0 + at.entry / stiffness) / first for at in pairs]
+    return Divided(pairs, found, speeds, belt)
 
 
 def fallen_of(of: Divided) -> list[int]:
@@ -156,17 +182,16 @@ def told(
     motors: Sequence[Motor | None],
 ) -> Told:
     """What a train has beside its arcs, these solved for their tensions."""
-    located, fallen = of.located, fallen_of(of)
+    located, fallen, lift = of.located, fallen_of(of), of.belt.lift
     nips = [
-        _nip(at, arc, diameter)
+        _nip(at, arc, diameter, lift)
         for at, arc, diameter in zip(system.members, arcs, nominal, strict=True)
     ]
     for i in fallen:  # what slides has no state at rest
         nips[i] = nips[i]._replace(creep_ratio=nan)
     failed = located is not None and located.status != TrainStatus.SOLVED
-    stiffness = 1.0 / system.members[0].stretch
     turnings = [
-        turning(nips[0], nip, stiffness, system.pull, speed)
+        turning(nips[0], nip, of.belt.stiffness, system.pull, speed)
         for nip, speed in zip(nips, of.belt_speeds, strict=True)
     ]
     points = [
@@ -177,7 +202,7 @@ def told(
     passages: list[Passage | None] = [None for _ in arcs]
     if len(stuck) == 0:
         passages = [
-            m.between(arc.summary.entry_tension, arc.summary.exit_tension)
+            m.between(arc.summary.entry_tension - lift, arc.summary.exit_tension - lift)
             for m, arc in zip(system.members, arcs, strict=True)
         ]
     torques = [at.drum_torque for at in turnings]
@@ -185,10 +210,10 @@ def told(
     if len(stuck) == 0 and (located is None or located.settled is not None):
         leaving = [arc.profile.tension[len(arc.profile.tension) - 1] for arc in arcs]
         entries = [arc.summary.entry_tension for arc in arcs]
-        tension_miss = tension_error(leaving, system.runs, entries, system.exit)
+        tension_miss = tension_error(leaving, system.runs, entries, of.belt.exit)
     speed_miss = nan if failed else 0.0
     if located is not None and not failed:
-        speed_miss = speed_error(system, nips, torques, located.level, 0.0)
+        speed_miss = speed_error(system, nips, torques, located.level, lift)
     status, reason = TrainStatus.SOLVED, ""
     if located is not None and failed:
         status, reason = located.status, located.reason
@@ -223,14 +248,14 @@ def borne(motor: Motor, momentary: bool) -> float:
     return motor.bears(momentary)
 
 
-def _nip(member: Member, arc: Quick, nominal: float) -> Nip:
+def _nip(member: Member, arc: Quick, nominal: float, lift: float) -> Nip:
     found = arc.summary
     return Nip(
         entry=found.entry_tension,
         pull=found.effective_tension,
         creep_ratio=found.entry_creep_ratio,
         radius=member.radius - member.offset,
-        compression=member.squeeze * found.entry_tension,
+        compression=member.squeeze * (found.entry_tension - lift),
         offset=member.offset,
         nominal=nominal,
     )

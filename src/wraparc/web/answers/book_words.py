@@ -18,7 +18,6 @@ from wraparc.checks.judge import (
     not_working,
     operating_point,
     train_balance,
-    unknown_trim,
     unrated,
 )
 from wraparc.checks.of_arc import held_words
@@ -259,7 +258,8 @@ def train_words() -> dict[str, list[Words]]:
     checks = {
         "fight": fight(0.0, place),
         "fight:fights": fight(1.0, place),
-        "belt_thickness": unknown_trim("⟦first⟧", 0.0, False, Place(PULLEY, CASE)),
+        "belt_thickness": of_drive.unknown_trim("⟦first⟧", 0.0, False, Place(PULLEY, CASE)),
+        "belt_thickness:opposite": of_drive.unknown_trim("⟦first⟧", 0.0, True, Place(PULLEY, CASE)),
         "train_balance": train_balance(0.0, place),
         "motor_load:none": unrated(False, Place(PULLEY, CASE)),
         "momentary_load:none": unrated(True, Place(PULLEY, CASE)),

@@ -108,6 +108,7 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
         "creep_limit": arc.creep_limit,
         "cover_compliance": arc.cover_compliance,
         "mass": math.nan if drive.belt.mass is None else drive.belt.mass,
+        "belt_speed": math.nan,
         "slip_with_shear": float(arc.slip_with_shear),
         "steepest_fall": arc.law.steepest_fall(),
     }

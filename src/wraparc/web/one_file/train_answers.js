@@ -65,16 +65,19 @@ function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
     return [...point, ...["fight", "train_balance"].map((name) => made(`${name}:none`, none))];
   }
   const [first] = arcs;
-  /** The trim of a drum of another diameter, the thickness of the belt not known.
-   * @param {any} arc */
+  /** The trim of a drum of another diameter or on the other side of the belt, whose thickness is
+   * not known. @param {any} arc */
   const unknownTrim = (arc) => {
+    const opposite = arc.side !== first.side;
     const shift = K.numbers__trim_shift(
       ...[first, arc].map(({ prepared }) => +prepared.given.diameter),
-      false,
+      opposite,
     );
-    if (!(shift > LEAST_SHIFT)) return [];
+    const known = [first, arc].every(({ offset }) => offset !== null);
+    if (known || !(shift > LEAST_SHIFT)) return [];
     const names = { case: c.name, pulley: arc.pulley, first: first.pulley };
-    const [w] = words.belt_thickness.map((word) => put(word, names));
+    const key = `belt_thickness${opposite ? ":opposite" : ""}`;
+    const [w] = words[key].map((word) => put(word, names));
     const values = { shift: 100 * shift };
     return [{ ...check({ ...w }, { ...none, values }, c.name, levels), pulley: arc.pulley }];
   };
@@ -92,27 +95,29 @@ function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
 }
 /** A case as the words of Python read one. @param {any} one @param {any[]} numbers */
 function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
-  const members = arcs.map((/** @type {any} */ { pulley, prepared }, /** @type {number} */ i) => {
-    const { summary, solved } = quicks[i];
-    const limit = +prepared.given.creep_limit;
-    const wrap_angle = +prepared.given.wrap_angle;
-    const { compliance } = system.members[i];
-    const { entry_tension, exit_tension, effective_tension } = summary;
-    const { exit_creep, entry_creep_ratio } = summary;
-    const arc = {
-      ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
-      within_creep_limit: solved && Math.abs(exit_creep) <= limit,
-      arc: {
-        ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
-        ...{ diameter: +prepared.given.diameter, pitch_offset: null },
-      },
-      status: solved ? "solved" : "breakaway",
-      energy: { power_loss: summary.power_loss },
-      capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
-    };
-    const fields = { ...told.turnings[i], arc, motor: told.points[i] };
-    return Object.assign(Object.create(K.MemberResult.prototype), fields);
-  });
+  const members = arcs.map(
+    (/** @type {any} */ { pulley, prepared, offset }, /** @type {number} */ i) => {
+      const { summary, solved } = quicks[i];
+      const limit = +prepared.given.creep_limit;
+      const wrap_angle = +prepared.given.wrap_angle;
+      const { compliance } = system.members[i];
+      const { entry_tension, exit_tension, effective_tension } = summary;
+      const { exit_creep, entry_creep_ratio } = summary;
+      const arc = {
+        ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
+        within_creep_limit: solved && Math.abs(exit_creep) <= limit,
+        arc: {
+          ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
+          ...{ diameter: +prepared.given.diameter, pitch_offset: offset },
+        },
+        status: solved ? "solved" : "breakaway",
+        energy: { power_loss: summary.power_loss },
+        capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
+      };
+      const fields = { ...told.turnings[i], arc, motor: told.points[i] };
+      return Object.assign(Object.create(K.MemberResult.prototype), fields);
+    },
+  );
   const { parts, motors } = c.division;
   const runs = c.runs.slice(0, -1);
   const of = {

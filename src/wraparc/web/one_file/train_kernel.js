@@ -19,6 +19,7 @@ import {
   collocation__solved_or_softened,
   collocation__start_at,
   in_page__description_of,
+  in_page__lift_of,
   meet__all_sliding,
   meet__by_growth,
   meet__held_along,
@@ -194,6 +195,60 @@ export class Driven {
   *[Symbol.iterator]() {
     yield this.lines;
     yield this.reference;
+  }
+}
+
+export class Belt {
+  constructor(entry, exit, lift, stiffness) {
+    this.entry = entry;
+    this.exit = exit;
+    this.lift = lift;
+    this.stiffness = stiffness;
+  }
+  *[Symbol.iterator]() {
+    yield this.entry;
+    yield this.exit;
+    yield this.lift;
+    yield this.stiffness;
+  }
+}
+
+export class System {
+  constructor(members, lines, entry, exit, runs) {
+    this.members = members;
+    this.lines = lines;
+    this.entry = entry;
+    this.exit = exit;
+    this.runs = runs;
+  }
+  get pull() {
+    return this.entry + $sum(this.runs) - this.exit;
+  }
+  get torque_scale() {
+    return max(this.entry, this.exit) * this.members[0].radius;
+  }
+  torque(i, entry, exit_) {
+    return (entry - exit_) * this.members[i].arm(entry);
+  }
+  speed_miss(i, at, level) {
+    let member = this.members[i];
+    let line = this.lines[i];
+    let left = -Math.log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry);
+    return left - line.log_speed(this.torque(i, at.entry, at.exit)) - level;
+  }
+  speed_slopes(i, at) {
+    let member = this.members[i];
+    let slopes = at.slopes;
+    let arm = member.arm(at.entry);
+    let leaves = 1.0 - min(at.ratio, 0.99);
+    let by_torque = this.lines[i].log_speed_slope(this.torque(i, at.entry, at.exit));
+    let torque_by_entry =
+      (1.0 - slopes.exit_by_entry) * arm - (at.entry - at.exit) * member.squeeze;
+    let by_entry = slopes.ratio_by_entry / leaves + member.stretch_slope(at.entry);
+    return [
+      by_entry - by_torque * torque_by_entry,
+      slopes.ratio_by_place / leaves + by_torque * slopes.exit_by_place * arm,
+    ];
   }
 }
 
@@ -500,15 +555,17 @@ export class Search {
 }
 
 export class Divided {
-  constructor(pairs, located, belt_speeds) {
+  constructor(pairs, located, belt_speeds, belt) {
     this.pairs = pairs;
     this.located = located;
     this.belt_speeds = belt_speeds;
+    this.belt = belt;
   }
   *[Symbol.iterator]() {
     yield this.pairs;
     yield this.located;
     yield this.belt_speeds;
+    yield this.belt;
   }
 }
 
@@ -823,45 +880,6 @@ export class MemberResult {
   }
   get name() {
     return this.arc.arc.pulley;
-  }
-}
-
-export class System {
-  constructor(members, lines, entry, exit, runs) {
-    this.members = members;
-    this.lines = lines;
-    this.entry = entry;
-    this.exit = exit;
-    this.runs = runs;
-  }
-  get pull() {
-    return this.entry + $sum(this.runs) - this.exit;
-  }
-  get torque_scale() {
-    return max(this.entry, this.exit) * this.members[0].radius;
-  }
-  torque(i, entry, exit_) {
-    return (entry - exit_) * this.members[i].arm(entry);
-  }
-  speed_miss(i, at, level) {
-    let member = this.members[i];
-    let line = this.lines[i];
-    let left = -Math.log1p(-min(at.ratio, 0.99)) + member.stretch_log(at.entry);
-    return left - line.log_speed(this.torque(i, at.entry, at.exit)) - level;
-  }
-  speed_slopes(i, at) {
-    let member = this.members[i];
-    let slopes = at.slopes;
-    let arm = member.arm(at.entry);
-    let leaves = 1.0 - min(at.ratio, 0.99);
-    let by_torque = this.lines[i].log_speed_slope(this.torque(i, at.entry, at.exit));
-    let torque_by_entry =
-      (1.0 - slopes.exit_by_entry) * arm - (at.entry - at.exit) * member.squeeze;
-    let by_entry = slopes.ratio_by_entry / leaves + member.stretch_slope(at.entry);
-    return [
-      by_entry - by_torque * torque_by_entry,
-      slopes.ratio_by_place / leaves + by_torque * slopes.exit_by_place * arm,
-    ];
   }
 }
 
@@ -1336,6 +1354,16 @@ export function turning__driven(motors, masters, ratios, radii) {
     }
   }
   return new Driven(lines, reference);
+}
+
+/** The belt of a train with tensions at its ends [N]. */
+export function in_page_train__belt_of(given, entry, exit_) {
+  return new Belt(entry, exit_, in_page__lift_of(given), given.modulus * given.width);
+}
+
+/** The equations of a train, whose tensions are those above m v^2. */
+export function in_page_train__system_of(members, lines, belt, runs) {
+  return new System(members, lines, belt.entry - belt.lift, belt.exit - belt.lift, runs);
 }
 
 /** Return the tensions of pulleys whose pulls are known; `runs` has 0 behind the last [N]. */
@@ -1837,38 +1865,40 @@ export function turning__as_asked(pairs, entry, exit_, runs) {
 }
 
 /** Tensions of all pulleys, from what is given: their pulls, or what turns their drums. */
-export function in_page_train__divided(system, names, softening, pulls, speed, reference) {
-  let pairs;
+export function in_page_train__divided(system, names, softening, pulls, speed, reference, belt) {
+  let light, pairs;
+  let lift = belt.lift;
+  let stiffness = belt.stiffness;
   let found = null;
   if (pulls.length > 0) {
-    pairs = train__along(system.entry, system.exit, system.runs, pulls);
+    pairs = train__along(belt.entry, belt.exit, system.runs, pulls);
   } else {
     found = locate__locate(system, names, softening);
-    pairs = [...found.passages].map((at) => new Pair(at.entry, at.exit));
+    pairs = [...found.passages].map((at) => new Pair(at.entry + lift, at.exit + lift));
     if (found.status === SOLVED) {
-      pairs = turning__rounded(pairs, system.exit, system.runs);
+      pairs = turning__rounded(pairs, belt.exit, system.runs);
     } else if (found.status === BREAKAWAY) {
-      pairs = turning__as_asked(pairs, system.entry, system.exit, system.runs);
+      pairs = turning__as_asked(pairs, belt.entry, belt.exit, system.runs);
     }
   }
-  let stretch = system.members[0].stretch;
   let at_first = speed;
   if (found !== null && reference === reference) {
-    at_first = reference * Math.exp(-found.level) * (1.0 + pairs[0].entry * stretch);
+    light = 1.0 + (pairs[0].entry - lift) / (stiffness + lift);
+    at_first = reference * Math.exp(-found.level) * light;
   }
-  let first = 1.0 + pairs[0].entry * stretch;
-  let speeds = [...pairs].map((at) => (at_first * (1.0 + at.entry * stretch)) / first);
-  return new Divided(pairs, found, speeds);
+  let first = 1.0 + pairs[0].entry / stiffness;
+  let speeds = [...pairs].map((at) => (at_first * (1.0 + at.entry / stiffness)) / first);
+  return new Divided(pairs, found, speeds, belt);
 }
 
-export function in_page_train___nip(member, arc, nominal) {
+export function in_page_train___nip(member, arc, nominal, lift) {
   let found = arc.summary;
   return new Nip(
     found.entry_tension,
     found.effective_tension,
     found.entry_creep_ratio,
     member.radius - member.offset,
-    member.squeeze * found.entry_tension,
+    member.squeeze * (found.entry_tension - lift),
     member.offset,
     nominal,
   );
@@ -2042,8 +2072,9 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   let at, beyond, entries, i, leaving, motor, name, point;
   let located = of.located;
   let fallen = in_page_train__fallen_of(of);
+  let lift = of.belt.lift;
   let nips = [...$zip(system.members, arcs, nominal)].map(([at, arc, diameter]) =>
-    in_page_train___nip(at, arc, diameter),
+    in_page_train___nip(at, arc, diameter, lift),
   );
   for (const each1 of fallen) {
     i = each1;
@@ -2052,9 +2083,8 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     });
   }
   let failed = located !== null && located.status !== SOLVED;
-  let stiffness = 1.0 / system.members[0].stretch;
   let turnings = [...$zip(nips, of.belt_speeds)].map(([nip, speed]) =>
-    turning__turning(nips[0], nip, stiffness, system.pull, speed),
+    turning__turning(nips[0], nip, of.belt.stiffness, system.pull, speed),
   );
   let points = [...$zip(motors, turnings)].map(([motor, at]) =>
     motor === null ? null : turning__motor_point(motor, at.drum_torque, at.rotation_speed),
@@ -2065,7 +2095,7 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   let passages = [...arcs].map((_) => null);
   if (stuck.length === 0) {
     passages = [...$zip(system.members, arcs)].map(([m, arc]) =>
-      m.between(arc.summary.entry_tension, arc.summary.exit_tension),
+      m.between(arc.summary.entry_tension - lift, arc.summary.exit_tension - lift),
     );
   }
   let torques = [...turnings].map((at) => at.drum_torque);
@@ -2073,11 +2103,11 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   if (stuck.length === 0 && (located === null || located.settled !== null)) {
     leaving = [...arcs].map((arc) => arc.profile.tension[arc.profile.tension.length - 1]);
     entries = [...arcs].map((arc) => arc.summary.entry_tension);
-    tension_miss = turning__tension_error(leaving, system.runs, entries, system.exit);
+    tension_miss = turning__tension_error(leaving, system.runs, entries, of.belt.exit);
   }
   let speed_miss = failed ? NaN : 0.0;
   if (located !== null && !failed) {
-    speed_miss = turning__speed_error(system, nips, torques, located.level, 0.0);
+    speed_miss = turning__speed_error(system, nips, torques, located.level, lift);
   }
   let status = SOLVED;
   let reason = "";

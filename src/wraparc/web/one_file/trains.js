@@ -70,13 +70,16 @@ function solved(c, { saids, names, nominal, speed }, laws, book) {
     lines = driven.lines;
     reference = driven.reference;
   }
-  const system = new K.System(members, lines, c.entry, c.exit, c.runs);
+  const belt = K.in_page_train__belt_of(givens[0], c.entry, c.exit);
+  const system = K.in_page_train__system_of(members, lines, belt, c.runs);
   const pulls = parts ? K.in_page_train__shared(parts, system.pull) : [];
   const softening = laws.some((law) => law.steepest_fall < 0);
-  const divided = K.in_page_train__divided(system, names, softening, pulls, speed, reference);
+  const divided = K.in_page_train__divided(
+    ...[system, names, softening, pulls, speed, reference, belt],
+  );
   const arcs = divided.pairs.map((/** @type {any} */ { entry, exit }, /** @type {number} */ i) => {
     const made = caseOf(saids[i], { ...c, entry, exit }, laws[i], book);
-    const given = { ...made.prepared.given, speed: divided.belt_speeds[i] };
+    const given = { ...made.prepared.given, belt_speed: divided.belt_speeds[i] };
     const criteria = { ...made.criteria, alone: 0 };
     return { ...made, criteria, prepared: { ...made.prepared, given } };
   });
@@ -154,6 +157,8 @@ export function trainOf(design, book, words) {
     const arcs = one.arcs.map((/** @type {any} */ arc, /** @type {number} */ i) => ({
       ...arc,
       pulley: names[i],
+      side: found.pulleys[i].side,
+      offset: saids[i].thick(c.condition).get("pitch_offset"),
       names: named(saids[i]),
       among: K.in_page_train__among(divided.pairs, i, fixed, after),
       checks: arc.checks

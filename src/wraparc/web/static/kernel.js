@@ -1201,7 +1201,7 @@ export function in_page__description_of(given) {
     given.compression_modulus,
     given.overrun,
     given.recovery,
-    given.speed,
+    given.belt_speed === given.belt_speed ? given.belt_speed : given.speed,
     given.wear_coefficient,
     (given.slip_with_shear ? 0.0 : given.thickness / given.shear_modulus) + given.cover_compliance,
     given.pitch_offset,
@@ -4674,15 +4674,17 @@ export function in_page__asked_of(loaded, begin, arc, least, limits, given, fact
       flung + least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
   }
   let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise, begin);
+  let of_slack = end - slack;
+  let of_tight = end - tight;
   return new Asked(
-    end - slack + (least === least ? least : Infinity),
-    end - slack + by_slip,
-    end - slack + limits.design_standard,
+    of_slack + (least === least ? least : Infinity),
+    of_slack + by_slip,
+    of_slack + limits.design_standard,
     end + (lift === lift ? lift : Infinity),
-    end - slack + limits.tested_pressure_min * area + flung,
-    end - tight + limits.tested_pressure_max * area + flung,
-    end - tight + limits.face_pressure * area + flung,
-    end - tight + limits.belt_tension,
+    limits.tested_pressure_min * area + flung + of_slack,
+    limits.tested_pressure_max * area + flung + of_tight,
+    limits.face_pressure * area + flung + of_tight,
+    of_tight + limits.belt_tension,
     limits.sag + end - among.slack_end,
     end,
   );

@@ -61,7 +61,7 @@ source__check_format(document, file);
 return [table.read(document, [], report), report];
 }
 function drive_build__build_belt(record, report) {
-let built, more, own, place, preset, published, remedy, rest, sources;
+let built, layers, more, own, place, preset, published, remedy, sound, sources;
 
 (sources = origins__read_sources(record, (function* () { for (const e of $iter($c1)) { yield e.key; } })(), report));
 (own = $or(origins__own_provenance(record, report), () => new Provenance()));
@@ -87,11 +87,14 @@ return null;
 }
 (more = $map([...(function* () { for (const [key, v] of $iter($m.items(more))) { if (!((($eq(key, "provenance")) || (!$in(key, record))))) continue; yield [key, v]; } })()]));
 (built = $method($c5, "built", [record, report], [["sources", sources], ...more]));
-if (((built == null) && (record.faulty <= new Set([...$iter($c6), "thickness", "mass", "cover_shear_modulus"])))) {
-(rest = $map([...(function* () { for (const [key, value] of $iter($m.items(record))) { if (!((!$eq(key, "thickness")))) continue; yield [key, value]; } })()]));
-(built = $method($c5, "built", [new Record(rest, $bound(record, "place"), $bound(record, "raw")), new Report()], [["sources", $map([])], ...more]));
-}
+if (((built != null) || !$truth(record.sound("width", "modulus")))) {
 return built;
+}
+(sound = new Record($b.dict(record), $bound(record, "place"), $bound(record, "raw")));
+(layers = ((!$truth(record.sound()) && $truth(record.sound(...$iter($c6), "thickness"))) ? report : new Report()));
+(built = $method($c5, "built", [sound, layers], [["sources", $map([])], ...more]));
+$m.pop(sound, "thickness", null);
+return $or(built, () => $method($c5, "built", [sound, new Report()], [["sources", $map([])], ...more]));
 }
 function origins__read_sources(record, keys, report) {
 let key, place, provenance, sources, table;

@@ -240,6 +240,7 @@ export function caseOf(said, c, bookLaw, book) {
     pitch_offset: thick.get("pitch_offset") ?? 0,
     cover_compliance: thick.get("cover_compliance"),
     mass: belt.mass,
+    belt_speed: none,
   };
   const tested = bookLaw.tested;
   const standard = standardOf(said, bookLaw, book);
