@@ -43,7 +43,7 @@ RAISING = frozenset({
     "tested_pressure_min", "sag", "uneven_creep",
 })  # fmt: skip
 LOWERING = frozenset({
-    "belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max", "edge_tension",
+    "belt_tension", "momentary_tension", "belt_safety", "face_pressure", "tested_pressure_max", "edge_tension",
     "uneven_pressure", "uneven_face_pressure",
 })  # fmt: skip
 #: The check of an even pulley that stands beside one across the width.
@@ -162,6 +162,7 @@ def before(described: Drive | Train) -> Verdict:
 def _unsolved(drive: Drive, case: LoadCase, pulleys: Sequence[Pulley]) -> Iterator[Check]:
     for pulley in pulleys:
         yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.belt_safety(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_data.condition(case, pulley)
@@ -211,6 +212,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         )
         yield from (check for check in found if check is not None)
         yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.belt_safety(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)

@@ -195,6 +195,15 @@ def usual_motor(power: float, speed: float, drum: float, radius: float, belt: fl
     )
 
 
+def safety_of(strength: float, tension: float, asked: float) -> float:
+    """Breaking strength of a belt over its tension [-].
+
+    What is asked, where the tension is the one that leaves it in the four digits it is compared in.
+    """
+    safety = strength / tension
+    return asked if safety < asked and same_shown(tension, strength / asked) else safety
+
+
 def held_alike(least: float, most: float) -> bool:
     """Whether one take-up can hold both tensions."""
     return most - least <= HELD * most
@@ -208,6 +217,7 @@ class Compared(NamedTuple):
     creep: float
     belt_tension: float
     momentary_tension: float
+    belt_safety: float
     face_pressure: float
     bond_stress: float
     fatigue_stress: float
@@ -232,6 +242,7 @@ class Criteria(NamedTuple):
     belt_tension: float  # per width [N/m]
     rating: float  # per width [N/m]
     strength: float  # per width [N/m]
+    belt_safety: float  # strength over tension [-]
     face_pressure: float  # [Pa]
     bond_strength: float  # [Pa]
     fatigue_limit: float  # [Pa]
