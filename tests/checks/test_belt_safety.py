@@ -68,6 +68,7 @@ def test_it_is_missed_where_the_rating_is(over: float) -> None:
     [
         ("steel cord", 359e3, 20 / 3, Level.OK),  # 15 % of the strength
         ("steel cord", 370e3, 20 / 3, Level.ATTENTION),
+        ("steel cord", 810e3, 20 / 3, Level.FAILS),  # 2.96: less than 3
         ("fabric", 290e3, 8.0, Level.OK),
         ("fabric", 310e3, 8.0, Level.ATTENTION),
         ("", 310e3, float("nan"), Level.NOT_CHECKED),

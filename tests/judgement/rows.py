@@ -227,7 +227,7 @@ ROWS = (
         ("strength of the belt is 5.71 times its tension", "to be 6.67 times"), ("OK",),
         ALIKE, level="ATTENTION"),
     Row("a start of the same belt", (*event('kind = "start", time = "5 s"', "8 s"),
-        ("70 kN", "260 kN"), ("60 kN", "110 kN"),
+        ("60 kN", "110 kN"), ("70 kN", "160 kN"), ("800 mm", "1250 mm"),
         ('preset = "Plylon Plus 1000/4"',
          'name = "ST2000"\nkind = "steel cord"\nmodulus = "144000 kN/m"')),
         ("strength of the belt is",), ("OK",), ("run",), base=MOTION),

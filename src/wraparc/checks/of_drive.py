@@ -92,9 +92,8 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         factor = f" over momentary_factor, {belt.momentary_factor:g}"
     source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
     if belt.rating is not None:
+        rule = replace(rule, missed=Level.FAILS)
         source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
-    else:
-        rule = replace(rule, missed=Level.ATTENTION)
     return judged(
         rule,
         title,
@@ -104,6 +103,7 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         source=source,
         short="belt safety factor",
         says="The strength of the belt is {value} times its tension, and is to be {limit} times.",
+        because="No belt is rated at more than a third of its strength.",
         remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
         "stronger belt.",
         otherwise="Take a wider or stronger belt.",

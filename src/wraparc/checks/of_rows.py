@@ -321,8 +321,9 @@ def _checks(
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
         if name == "belt_safety":
-            missed[held.customary] = Level.ATTENTION.rank
-        missed[value > RULES[name].fails_beyond] = Level.FAILS.rank  # all but gross slip at most
+            missed[~held.customary] = Level.FAILS.rank
+        fails = RULES[name].fails_beyond
+        missed[value > fails if RULES[name].at_most else value < fails] = Level.FAILS.rank
         never = np.isinf(limit) & (name == "design_standard")
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most

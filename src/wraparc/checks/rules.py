@@ -21,6 +21,11 @@ from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
 
+#: Breaking strength over the largest tension that is customary, by carcass, where no rating says
+#: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
+CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
+
+
 @dataclass(frozen=True)
 class Rule:
     """One check.
@@ -60,7 +65,7 @@ RULES = {
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),
-        Rule("belt_safety", "the safety factor of the belt", Level.FAILS, at_most=False),
+        Rule("belt_safety", "the safety factor of the belt", at_most=False, fails_beyond=WEAKEST),
         Rule("face_pressure", "the pressure on the pulley face"),
         Rule("bond_stress", "the bond strength of the lagging"),
         Rule("fatigue_stress", "the fatigue limit of the lagging"),
@@ -100,9 +105,6 @@ ACROSS_RULES = {
 }
 #: Names of all checks across the width, those without a limit too.
 ACROSS_CHECKS = frozenset({*ACROSS_RULES, "slack_edge", "uneven_wear"})
-#: Breaking strength over the largest tension that is customary, by carcass, where no rating says
-#: it [-]: 15 % of the strength of steel cord, 8 of fabric.
-CUSTOMARY_SAFETY = {"steel cord": 1.0 / 0.15, "fabric": 8.0}
 #: Where gross slip cannot be avoided, whatever its safety factor.
 NO_GRIP = Level.FAILS
 
