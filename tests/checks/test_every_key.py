@@ -472,7 +472,7 @@ TENFOLD = (
     "safety_factor.running", "safety_factor.starting", "safety_factor.braking",
     "sag.idler_spacing", "sag.share", "lagging.plain.law.friction",
     "lagging.plain.condition_factor.factor", "pulley.across.before.length",
-    "train.motor.one.rated_speed", "train.motor.one.gear_ratio", "train.motor.one.setting",
+    "train.motor.one.rated_power", "train.motor.one.rated_speed", "train.motor.one.gear_ratio", "train.motor.one.setting",
     "train.motor.one.gear_efficiency", "train.motor.one.motor_efficiency",
     "train.motor.one.torque_limit", "train.motor.one.breakdown_ratio",
     "conveyor.friction_factor", "conveyor.length_coefficient", "conveyor.start_factor",

@@ -43,8 +43,8 @@ RAISING = frozenset({
     "tested_pressure_min", "sag", "uneven_creep",
 })  # fmt: skip
 LOWERING = frozenset({
-    "belt_tension", "momentary_tension", "belt_safety", "face_pressure", "tested_pressure_max", "edge_tension",
-    "uneven_pressure", "uneven_face_pressure",
+    "belt_tension", "momentary_tension", "belt_safety", "face_pressure", "tested_pressure_max",
+    "edge_tension", "uneven_pressure", "uneven_face_pressure",
 })  # fmt: skip
 #: The check of an even pulley that stands beside one across the width.
 EVEN = {

@@ -175,6 +175,8 @@ def usual_sizes(of: Sizes) -> bool:
     )
 
 
+#: Rated power of all motors over that of the largest pull that is given, at most [-].
+LARGE_MOTORS = 6.0
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
 #: belt [-], least and most.
 USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.6, 1.7))

@@ -7,14 +7,33 @@ from typing import ClassVar, NamedTuple
 
 from wraparc.conveyor import GRAVITY
 from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
+from wraparc.errors import Problem
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"
 #: Least and largest tension that a pulley may have [N].
 LEAST_TENSION, MOST_TENSION = 0.1, 1e9
+#: Hours of the longest year.
+YEAR = 8784.0
 #: Pull over tension that rounding leaves of none [-].
 ROUNDING = 1e-12
+
+
+def hours_problems(hours: Mapping[str, float], key: str = "hours") -> list[Problem]:
+    """Return a problem for hours of running in a year that are none, or more than it has in all."""
+    said = "must be between 0 and 8784 in a year"
+    problems = [
+        Problem(key=f"{key}.{name}", value=f"{h:g}", message=said)
+        for name, h in hours.items()
+        if not 0.0 <= h <= YEAR
+    ]
+    total = sum(hours.values())
+    if problems or total <= YEAR:
+        return problems
+    message = f"{total:g} in all, and a year has {YEAR:g}"
+    remedy = "Give each load case the hours of a year that it runs."
+    return [Problem(key=key, message=message, remedy=remedy)]
 
 
 def exit_behind(entry: float, leaving: float) -> float:

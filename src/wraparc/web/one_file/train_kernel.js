@@ -1130,6 +1130,7 @@ export class Node {
   }
 }
 
+const LARGE_MOTORS = 6.0;
 const SMALL_PULL = 0.001;
 const COVERS_APART = 0.004;
 const USUAL_OFFSET = 0.005;
@@ -1206,6 +1207,11 @@ const LOW_VOLTAGE = 0.81;
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
+}
+
+/** Whether motors are far too large for the largest pull [W, N, m/s]. */
+export function in_page_train__oversized(rated, pull, speed) {
+  return rated > LARGE_MOTORS * pull * speed;
 }
 
 /** Pull that powers of the drives make [N]. */
