@@ -80,14 +80,14 @@ def drive_sheet(
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=_with_sides(verdict(first), results),
+        verdict=with_sides(verdict(first), results),
         tables=tuple(tables),
         remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
 
 
-def _with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
+def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
     """Add where two methods stand on different sides of the creep limit."""
     said = []
     for arcs in zip(*results, strict=True):
