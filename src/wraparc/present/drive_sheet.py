@@ -88,8 +88,8 @@ def drive_sheet(
 
 
 def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
-    """Add where two methods stand on different sides of the creep limit."""
-    said = []
+    """Add where two methods stand on different sides of a creep limit, each limit once."""
+    places: dict[float, list[str]] = {}
     for arcs in zip(*results, strict=True):
         one, other = arcs[0], arcs[-1]
         solved = one.status.solved and other.status.solved
@@ -99,17 +99,14 @@ def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
             f"{named('exit_creep', abs(arc.exit_creep))} ({METHOD_TITLES[arc.method]})"
             for arc in (one, other)
         )
-        limit = named("creep_limit", one.arc.creep_limit)
-        whose = (
-            " The customary limit was set with the paper's."
-            if one.arc.creep_limit == CREEP_LIMIT
-            else ""
-        )
-        said.append(
-            f"The methods stand on different sides of the creep limit {limit} ({belongs(one)}): "
-            f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
-            f"left, the solver adds it up along the arc.{whose}"
-        )
+        places.setdefault(one.arc.creep_limit, []).append(f"{belongs(one)}, creeps {creeps}")
+    said = tuple(
+        f"The methods stand on different sides of the creep limit {named('creep_limit', limit)}: "
+        f"{'; '.join(there)}. The paper lumps the contraction of the belt over the arc that is "
+        "left, the solver adds it up along the arc."
+        + (" The customary limit was set with the paper's." if limit == CREEP_LIMIT else "")
+        for limit, there in places.items()
+    )
     kept = told.sentences if told.kept is None else told.kept
     return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
 
