@@ -258,6 +258,12 @@ ROWS = (
         ("FAILS",), ("trim",), base=TANDEM),
     Row("one drive carries more", (("50 %\", \"50 %", "70 %\", \"30 %"),),
         ("Set two to a trim of", "in the place of"), (), ("trim",), base=TANDEM),
+    Row("a small snub pulley that nothing drives",
+        (("Plylon Plus 1000/4", "Flexsteel ST1000"), ("800 mm", "1000 mm"),
+         ("exit_tension = \"75 kN\"\n", "exit_tension = \"75 kN\"\n[[pulley]]\nname = \"snub\"\n"
+          "diameter = \"500 mm\"\nwrap_angle = \"30 deg\"\nlagging = \"diamond-rubber\"\n"
+          "entry_tension = \"75 kN\"\nexit_tension = \"75 kN\"\n")),
+        ("OK dry only",), ("snub",), ("solve", "note"), level="OK"),
     Row("drives that fight", (("50 %\", \"50 %", "130 %\", \"-30 %"),),
         ("work against each other",), ("OK",), ("solve",), base=TANDEM, level="ATTENTION"),
     Row("a tandem too slack", (("70 kN", "20 kN"), ("60 kN", "90 kN")),

@@ -279,7 +279,7 @@ def _unknown_trims(case: CaseResult) -> Iterator[Check]:
         known = one.pitch_offset is not None and other.pitch_offset is not None
         opposite = one.side_of_belt != other.side_of_belt
         shift = 0.0 if known else trim_shift(one.diameter, other.diameter, opposite)
-        if shift > LEAST_SHIFT:
+        if shift > LEAST_SHIFT and not (idle(one) or idle(other)):
             yield unknown_trim(first.name, shift, opposite, Place(m.name, case.case.name))
 
 

@@ -375,7 +375,7 @@ def _compared(
     slips = solved.slip_speed
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
     yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
-    yield "pulley_diameter", arcs.diameter, held.diameter
+    yield "pulley_diameter", arcs.diameter, _where(pulls, held.diameter)
     yield "motor_load", held.motor, held.motor_load
     yield "momentary_load", held.motor, held.momentary_load
 

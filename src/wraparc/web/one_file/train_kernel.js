@@ -2426,7 +2426,7 @@ export function* train_words___matching(case_, cases) {
   for (const each1 of $enumerate(case_.members)) {
     [i, m] = each1;
     slope = train_words___steepest(case_, cases, i);
-    if (i === 0 || slope === 0.0) {
+    if (i === 0 || slope === 0.0 || rules__idle(m.arc.arc)) {
       continue;
     }
     how = own_way ? " with its motors as they are" : "";
@@ -2515,7 +2515,9 @@ export function* train_words__case_sentences(case_, cases) {
   if (case_.members.length > 1) {
     for (const each1 of case_.members.slice(1)) {
       m = each1;
-      yield train_words___speed_sentence(case_, m);
+      if (!rules__idle(m.arc.arc)) {
+        yield train_words___speed_sentence(case_, m);
+      }
     }
     yield* train_words__surface_speeds(case_);
     yield* train_words___matching(case_, cases);
