@@ -79,6 +79,7 @@ ENTRIES: tuple[Callable[..., object], ...] = (
 TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
 TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.fallen_of,
+    in_page_train.oversized,
     in_page_train.total_of,
     in_page_train.parts_of,
     in_page_train.miss_of,

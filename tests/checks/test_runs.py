@@ -95,3 +95,23 @@ def test_the_length_that_a_fixed_take_up_keeps_is_no_growth() -> None:
     (check,) = named(simulate(of, STEP, points=20), "vibration")
     assert check.level is Level.OK
     assert stability(of).controls[0].stable
+
+
+def test_stations_grow_in_a_run_where_stability_says_so() -> None:
+    """Expected: the words of `wraparc stability`; that a run moves so, see test_stability.
+
+    A follower without damping pulsates, the more so the later it follows; a droop calms it.
+    """
+    rng, ends = np.random.default_rng(5), set()
+    step = replace(STEP, duration=0.2)
+    for number in range(4):
+        lag = float(rng.uniform(0.02, 0.3))
+        other = Follower(master="first", lag=lag) if number % 2 else Droop()
+        of = station("fabric", ExactSpeed() if number % 4 < 2 else Droop(), other)
+        told = stability(of)
+        (check,) = named(simulate(of, step, points=15, step=0.05), "vibration")
+        grows = check.level is Level.FAILS
+        assert grows is not told.controls[0].stable
+        assert check.value == pytest.approx(told.root.real, rel=1e-9, abs=1e-6, nan_ok=True)
+        ends.add(grows)
+    assert ends == {True, False}

@@ -124,3 +124,9 @@ def test_where_no_tension_is_enough_it_says_so(tmp_path: Path) -> None:
     ran = wraparc("choose", search)
     assert "no slack-side tension is enough for the safety against gross slip" in ran.words
     assert "1000000000" not in ran.out
+
+
+def test_a_year_has_no_more_hours_than_that() -> None:
+    ran = wraparc("choose", EXAMPLES / "choose.toml", "--set", "cost.hours.start=3000")
+    assert (ran.code, ran.out) == (2, "")
+    assert "cost.hours: 9000 in all, and a year has 8784" in " ".join(ran.err.split())

@@ -255,9 +255,10 @@ def started(time: float, slack: float, pull: float) -> RunResult:
     return simulate(motion.station, motion.event("start"), points=15)
 
 
-def test_what_a_run_advises_helps() -> None:
-    for number in (2, 3):
-        followed_run(number)
+@pytest.mark.parametrize("number", [2, 3, 116])
+def test_what_a_run_advises_helps(number: int) -> None:
+    """Start 116 creeps too much and is pressed beyond the tests: neither more nor less helps."""
+    followed_run(number)
 
 
 def test_where_a_binding_standard_cannot_be_applied_no_tension_is_advised(tmp_path: Path) -> None:

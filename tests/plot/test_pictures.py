@@ -1,6 +1,7 @@
 """Pictures: what is drawn is the result, in the units asked for; files are whole and the same."""
 
 import math
+import re
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -305,3 +306,21 @@ def test_a_train_whose_drive_slips_through_is_drawn_without_it() -> None:
     assert "slips as a whole" in words
     assert any(text.endswith("gross slip") for text in words)
     assert picture.to_bytes("svg")
+
+
+def test_all_that_is_drawn_is_on_the_picture() -> None:
+    """An axis of five digits beyond the left edge of its figure: the picture is as much wider."""
+    from matplotlib.figure import Figure
+
+    def width(left: float) -> float:
+        figure = Figure(figsize=(4.0, 3.0))
+        axes = figure.add_axes((left, 0.2, 0.6, 0.6))
+        axes.plot([0.0, 1.0], [0.0, 20000.0])
+        axes.set_ylabel("Belt tension [lbf]")
+        found = re.search(r'width="([\d.]+)pt"', Picture(figure).to_bytes("svg").decode())
+        assert found is not None
+        return float(found[1])
+
+    assert width(0.3) == pytest.approx(4.0 * 72.0)
+    # 5 more digits and a label stand left of the axis, 0.55 in or more
+    assert 4.35 * 72.0 < width(0.02) < 5.0 * 72.0

@@ -3,8 +3,11 @@
 from dataclasses import replace
 
 from wraparc import PaperMarch, load_drive, solve
+from wraparc.checks import Level
+from wraparc.present.arc_tables import answer_table
 from wraparc.present.drive_sheet import drive_sheet
 from wraparc.present.sheet import shown
+from wraparc.report.note import NoteHead, make_note
 
 
 def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
@@ -20,6 +23,9 @@ def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
     assert said.sentences[0].startswith("The methods stand on different sides of the creep limit")
     assert "(distributed) and " in said.sentences[0]
     assert "(paper's march)" in said.sentences[0]
+    assert make_note(results, NoteHead()).told.sentences[0] == said.sentences[0]
+    (creep, *_) = answer_table([result.arcs[0] for result in results]).rows
+    assert creep.level is Level.ATTENTION  # the colour of both numbers
     agreed = shown(drive_sheet([mine, paper]), "si").verdict
     assert agreed is not None
     assert "different sides" not in " ".join(agreed.sentences)

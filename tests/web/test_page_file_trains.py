@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from cli.running import wraparc
+from judgement.rows import MOTORS
 from web.browser import Visitor, browser
 from web.calculators import wait_for
 from web.firefox import Firefox
@@ -281,3 +282,19 @@ def assert_firefox_says(browser: Firefox, folder: Path, name: str) -> None:
             values = [row["values"]["si"] for row in table["rows"]]
             cells = [row[-len(values[0]) - 1 : -1] for row in shown["tables"][title]]
             assert cells == values
+
+
+def test_motors_far_too_large_are_left_to_the_program(chrome: Browser, tmp_path: Path) -> None:
+    """1100 kW where 110 kW is meant: `wraparc solve` asks, so the page says no OK."""
+    text = MOTORS.replace('"110 kW"', '"1100 kW"')
+    file, html = tmp_path / "train.toml", tmp_path / "train.html"
+    file.write_text(text, "utf-8")
+    assert "Is 1.22 meant?" in str(answer_of(text)["verdict"]["headline"])
+    assert wraparc("page", str(file), "-o", str(html))[0] == 0
+    visitor = Visitor(chrome, html.as_uri(), offline=True)
+    page = visitor.page
+    page.goto(html.as_uri())
+    page.click("#nav-train")
+    told = page.get_by_text("a size or a tension that conveyor drives do not have")
+    told.first.wait_for(state="attached")
+    visitor.close()

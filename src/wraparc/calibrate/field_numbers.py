@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 from wraparc.arc import ArcResult, Distributed
 from wraparc.calibrate.problem import speed_ratio
+from wraparc.drive.load_case import hours_problems
 from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem
 from wraparc.provenance import Kind, Provenance
@@ -311,11 +312,7 @@ def _check(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> None
         for name in hours
         if name not in results
     ]
-    problems += [
-        Problem(key=f"hours.{name}", value=f"{h:g}", message="must be between 0 and 8784 in a year")
-        for name, h in hours.items()
-        if not 0.0 <= h <= 8784.0
-    ]
+    problems += hours_problems(hours)
     if hours and any(r.arc.belt_speed is None for r in results.values()):
         message = "needed to count the turns in a year"
         problems.append(Problem(key="belt.speed", message=message, remedy="Add it to the drive."))

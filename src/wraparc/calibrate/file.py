@@ -88,13 +88,13 @@ NUMBER = Table(
     need("sd", kind=Text(60), title="Standard deviation", example='sd = "0.1 mm"'),
     Entry("drum_speed", _DRUM_SPEED, _SPEED),
     Entry("belt_speed", "At the nip that the quantity is of.", _SPEED),
-    Entry("load_case", "The first if left out.", Name()),
+    Entry("load_case", "The running one of the largest pull if left out.", Name()),
     Entry("provenance", kind=PROVENANCE),
 )
 RECORD = Table(
     "A record of an instrumented pulley",
     need("file", "Relative to this one.", Name(1000)),
-    Entry("load_case", "The first if left out.", Name()),
+    Entry("load_case", "The running one of the largest pull if left out.", Name()),
     Entry("columns", f"By role: {', '.join(ROLES)}.", ByName(Column())),
     Entry("units", "By role, where the file has none.", ByName(Text(40))),
     Entry("signs", "By role: what a driving pulley shows.", ByName(_SIGN)),

@@ -41,8 +41,8 @@ RAISING = frozenset({
     "tested_pressure_min", "sag", "uneven_creep",
 })  # fmt: skip
 LOWERING = frozenset({
-    "belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max", "edge_tension",
-    "uneven_pressure", "uneven_face_pressure",
+    "belt_tension", "momentary_tension", "belt_safety", "face_pressure", "tested_pressure_max",
+    "edge_tension", "uneven_pressure", "uneven_face_pressure",
 })  # fmt: skip
 #: The check of an even pulley that stands beside one across the width.
 EVEN = {
@@ -160,6 +160,7 @@ def before(described: Drive | Train) -> Verdict:
 def _unsolved(drive: Drive, case: LoadCase, pulleys: Sequence[Pulley]) -> Iterator[Check]:
     for pulley in pulleys:
         yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.belt_safety(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_data.condition(case, pulley)
@@ -209,6 +210,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
         )
         yield from (check for check in found if check is not None)
         yield of_drive.belt_tension(drive, case, pulley)
+        yield of_drive.belt_safety(drive, case, pulley)
         yield of_drive.face_pressure(drive, case, pulley)
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)
@@ -267,6 +269,42 @@ def _of_train(train: Train, case: CaseResult) -> Iterator[Check]:
         yield _motor(member, motor, case.case)
 
 
+<<<<<<< HEAD
+=======
+def _unknown_trims(case: CaseResult) -> Iterator[Check]:
+    """Yield what no trim between drums is known without: the thickness of the belt."""
+    first, *others = case.members
+    for m in others:
+        one, other = first.arc.arc, m.arc.arc
+        known = one.pitch_offset is not None and other.pitch_offset is not None
+        opposite = one.side_of_belt != other.side_of_belt
+        shift = 0.0 if known else trim_shift(one.diameter, other.diameter, opposite)
+        if shift > LEAST_SHIFT and not (idle(one) or idle(other)):
+            yield unknown_trim(first.name, shift, opposite, Place(m.name, case.case.name))
+
+
+def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
+    """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
+    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    if opposite:
+        why = (
+            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
+            "shift it by {shift} %."
+        )
+    return Check(
+        name="belt_thickness",
+        title="Trim by the thickness of the belt",
+        level=Level.ATTENTION,
+        place=place,
+        short="trim without belt thickness",
+        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
+        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
+        more={"shift": (100.0 * shift, "number")},
+        binding=False,
+    )
+
+
+>>>>>>> rest35
 def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:
     """Check the torque of the motors of a drum; a drive that follows another states no rating."""
     at, momentary = Place(member.name, case.name), case.kind != "running"

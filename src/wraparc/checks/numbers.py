@@ -175,6 +175,8 @@ def usual_sizes(of: Sizes) -> bool:
     )
 
 
+#: Rated power of all motors over that of the largest pull that is given, at most [-].
+LARGE_MOTORS = 6.0
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
 #: belt [-], least and most.
 USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.6, 1.7))
@@ -195,6 +197,15 @@ def usual_motor(power: float, speed: float, drum: float, radius: float, belt: fl
     )
 
 
+def safety_of(strength: float, tension: float, asked: float) -> float:
+    """Breaking strength of a belt over its tension [-].
+
+    What is asked, where the tension is the one that leaves it in the four digits it is compared in.
+    """
+    safety = strength / tension
+    return asked if safety < asked and same_shown(tension, strength / asked) else safety
+
+
 def held_alike(least: float, most: float) -> bool:
     """Whether one take-up can hold both tensions."""
     return most - least <= HELD * most
@@ -208,6 +219,7 @@ class Compared(NamedTuple):
     creep: float
     belt_tension: float
     momentary_tension: float
+    belt_safety: float
     face_pressure: float
     bond_stress: float
     fatigue_stress: float
@@ -232,6 +244,7 @@ class Criteria(NamedTuple):
     belt_tension: float  # per width [N/m]
     rating: float  # per width [N/m]
     strength: float  # per width [N/m]
+    belt_safety: float  # strength over tension [-]
     face_pressure: float  # [Pa]
     bond_strength: float  # [Pa]
     fatigue_limit: float  # [Pa]

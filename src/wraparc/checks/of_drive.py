@@ -3,20 +3,34 @@
 from __future__ import annotations
 
 import math
+<<<<<<< HEAD
 from collections.abc import Iterator, Mapping, Sequence
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
 from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, trim_shift
+=======
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from wraparc.alike import falling
+from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
+from wraparc.checks.numbers import held_alike, idles, safety_of
+>>>>>>> rest35
 from wraparc.checks.rules import (
     RULES,
     Rule,
+    asked_safety,
     tension_factor,
     tension_rule,
     wrap_pressure,
 )
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
+<<<<<<< HEAD
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
+=======
+from wraparc.drive.pitch import centrifugal_of
+>>>>>>> rest35
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
@@ -113,16 +127,60 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
     )
 
 
+def belt_safety(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
+    """Check the strength of the belt over its larger tension at a pulley."""
+    tensions = case.tensions[pulley.name]
+    largest = max(tensions.entry, tensions.exit)
+    return safety_factor(drive.belt, case.kind, largest, Place(pulley.name, case.name))
+
+
+def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
+    """Check the strength of a belt over a tension [N] in a kind of load case.
+
+    Against what the rating leaves, as its maker asks, or what is customary without one.
+    """
+    rule, momentary = RULES["belt_safety"], kind != "running"
+    title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
+    strength, asked, factor = belt.breaking_strength, asked_safety(belt, kind), ""
+    if strength is None:
+        return not_checked(rule.name, title, "the strength of the belt is not given", place)
+    if math.isnan(asked):
+        why = "neither rating nor kind of the belt tells what it is to be"
+        return not_checked(rule.name, title, why, place)
+    if momentary and belt.momentary_factor is not None:
+        factor = f" over momentary_factor, {belt.momentary_factor:g}"
+    source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
+    if belt.rating is not None:
+        rule = replace(rule, missed=Level.FAILS)
+        source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
+    return judged(
+        rule,
+        title,
+        safety_of(strength * belt.width, tension, asked),
+        asked,
+        "number",
+        source=source,
+        short="belt safety factor",
+        says="The strength of the belt is {value} times its tension, and is to be {limit} times.",
+        because="No belt is rated at more than a third of its strength.",
+        remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
+        "stronger belt.",
+        otherwise="Take a wider or stronger belt.",
+        binding=belt.rating is not None,
+        place=place,
+    )
+
+
 def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
     """Check the diameter of a pulley against the least that its belt may bend over."""
-    belt, title = drive.belt, "Pulley diameter, least for the belt"
+    belt, title, why = drive.belt, "Pulley diameter, least for the belt", ""
+    ends = [case.tensions[pulley.name] for case in drive.load_cases]
     if belt.least_pulley_diameter is None:
-        return not_checked(
-            "pulley_diameter",
-            title,
-            "the least pulley of the belt is not given",
-            Place(pulley.name),
-        )
+        why = "the least pulley of the belt is not given"
+    elif all(idles(at.entry, at.exit) for at in ends):
+        why = "that of the belt is the least drive pulley, and this one pulls nothing"
+    if why:
+        return not_checked("pulley_diameter", title, why, Place(pulley.name))
     return judged(
         RULES["pulley_diameter"],
         title,

@@ -18,12 +18,24 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
+<<<<<<< HEAD
 from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
 from wraparc.checks.of_drive import open_shift
+=======
+from wraparc.checks.numbers import (
+    IDLE,
+    NUMBERLESS,
+    USUAL_SIZES,
+    Sizes,
+    compared_sizes,
+    safety_of,
+)
+>>>>>>> rest35
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
     RULES,
+    asked_safety,
     start_factor,
     tension_factor,
     wrap_pressure,
@@ -85,6 +97,8 @@ class Held:
         h_b/G_b of a belt cover that the slip of the law may include or not [m/Pa].
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
+    belt_safety, customary
+        Least strength over tension [-], and whether no rating asks for it.
     face_pressure, bond_stress, fatigue_stress
         Largest pressures and stresses [Pa].
     slack, sag
@@ -117,6 +131,8 @@ class Held:
     cover_left_out: Array
     belt_tension: Array
     momentary_tension: Array
+    belt_safety: Array
+    customary: Flags
     face_pressure: Array
     bond_stress: Array
     fatigue_stress: Array
@@ -163,7 +179,11 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
+<<<<<<< HEAD
         misfit, open_trim, rating, strength, mass, cover, odd,
+=======
+        misfit, rating, strength, mass, cover, odd, asked,
+>>>>>>> rest35
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -193,6 +213,8 @@ def held_by(
         cover_left_out=cover,
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
+        belt_safety=asked,
+        customary=np.isnan(rating),
         face_pressure=face,
         bond_stress=bond,
         fatigue_stress=fatigue,
@@ -230,6 +252,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         belt.mass,
         of_belt(belt, drive.pulley(pulley).side, lagging.law)["cover_left_out"],
         least_margin(drive),
+        asked_safety(belt, kind),
     )
 
 
@@ -319,7 +342,10 @@ def _checks(
         missed = np.full(len(value), RULES[name].missed.rank)
         if name == "design_standard":
             missed[held.binding] = Level.FAILS.rank
-        missed[value > RULES[name].fails_beyond] = Level.FAILS.rank  # all but gross slip at most
+        if name == "belt_safety":
+            missed[~held.customary] = Level.FAILS.rank
+        fails = RULES[name].fails_beyond
+        missed[value > fails if RULES[name].at_most else value < fails] = Level.FAILS.rank
         never = np.isinf(limit) & (name == "design_standard")
         ranks, margins = _ranks(
             value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
@@ -357,6 +383,7 @@ def _compared(
         yield "cover_creep", creep, _where(there, arcs.creep_limit)
     yield "belt_tension", tight, held.belt_tension
     yield "momentary_tension", tight, held.momentary_tension
+    yield "belt_safety", _safety(held, arcs, tight), held.belt_safety
     pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter, arcs.centrifugal_force)
     yield "face_pressure", pressure, held.face_pressure
     stress = solved["peak_shear_stress"]
@@ -372,9 +399,18 @@ def _compared(
     slips = solved.slip_speed
     yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
     yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
-    yield "pulley_diameter", arcs.diameter, held.diameter
+    yield "pulley_diameter", arcs.diameter, _where(pulls, held.diameter)
     yield "motor_load", held.motor, held.motor_load
     yield "momentary_load", held.motor, held.momentary_load
+
+
+def _safety(held: Held, arcs: Arcs, tight: Array) -> Array:
+    """Strength of the belt over its tension, as `safety_of` has it [-]."""
+    strength = held.strength * arcs.belt_width
+    safety = strength / tight
+    for i in np.flatnonzero(np.abs(safety / held.belt_safety - 1.0) < _NEAR):  # digits decide
+        safety[i] = safety_of(*map(float, (strength[i], tight[i], held.belt_safety[i])))
+    return np.asarray(safety)
 
 
 def _covered_creep(

@@ -15,7 +15,7 @@ import numpy as np
 
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.judge import motor_load
+from wraparc.checks.judge import motor_load, sound
 from wraparc.checks.numbers import usual
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
@@ -76,7 +76,7 @@ def judge_run(run: RunResult) -> Verdict:
     The same run is judged once, however often it is asked about.
     """
     if run not in _told:
-        verdict = Verdict(tuple(_checks(run)))
+        verdict = Verdict(sound(tuple(_checks(run)), None))
         dry = verdict.level is Level.OK and all(map(of_data.wet_factor, _laggings(run)))
         _told[run] = replace(verdict, wet=math.nan) if dry else verdict
     return _told[run]
@@ -137,6 +137,7 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield from of_drive.unknown_trims(of.belt, of.pulleys, at)
     yield _vibration(run)
     yield _tension(run, case)
+    yield _safety(run, case)
     yield _sag(drive, run)
     yield from _pull_over_weight(run)
     yield from usual_sizes(drive, *of_run(run.station, run.event))
@@ -227,10 +228,17 @@ def _creeps(
     drive: Drive, pulley: Pulley, drum: DrumHistory, place: Place, moves: bool
 ) -> Iterator[Check]:
     creep, limit = drum.extremes.creep, drive.creep_limit_of(pulley)
-    slower = "start and stop more slowly, " if moves else ""
-    remedy = f"Raise the slack-side tension, {slower}or choose a lagging with more friction."
+    friction = "choose a lagging with more friction."
+    slower, otherwise = "", f"C{friction[1:]}"
+    if moves:
+        slower, otherwise = (
+            "start and stop more slowly, ",
+            f"Start and stop more slowly, or {friction}",
+        )
+    remedy = f"Raise the slack-side tension, {slower}or {friction}"
     if creep.value > max(SLIDES, limit):
-        yield _slides(place, creep.value, creep.time, remedy)
+        slides = _slides(place, creep.value, creep.time, remedy)
+        yield replace(slides, otherwise=otherwise)
     yield judged(
         RULES["creep"],
         "Largest creep at exit",
@@ -242,6 +250,7 @@ def _creeps(
         says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
         f"{{limit}}, and is over it for {quantity(drum.over_limit, 'time', 2)}.",
         remedy=remedy,
+        otherwise=otherwise,
     )
 
 
@@ -351,10 +360,20 @@ def _tension(run: RunResult, case: LoadCase) -> Check:
         short="over belt rating",
         says=f"The belt tension {peak.place} reaches {{value}} at "
         f"{quantity(peak.time, 'time')}, more than the belt allows, {{limit}}.",
-        remedy="Start more slowly, or take a stronger belt."
-        if run.event.moves
-        else "Take a stronger belt.",
+        remedy=_stronger(run),
     )
+
+
+def _safety(run: RunResult, case: LoadCase) -> Check:
+    place, peak = Place(event=run.event.name), run.peak_tension.value
+    check = of_drive.safety_factor(run.station.train.belt, case.kind, peak, place)
+    stronger = replace(check, remedy=_stronger(run), otherwise="")
+    return stronger if check.missed else check
+
+
+def _stronger(run: RunResult) -> str:
+    slower = "Start more slowly, or take" if run.event.moves else "Take"
+    return f"{slower} a stronger belt."
 
 
 def _sag(drive: Drive, run: RunResult) -> Check:

@@ -21,6 +21,11 @@ from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 _Number = TypeVar("_Number", float, NDArray[np.float64])
 
 
+#: Breaking strength over the largest tension that is customary, by carcass, where no rating says
+#: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
+CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
+
+
 @dataclass(frozen=True)
 class Rule:
     """One check.
@@ -60,6 +65,7 @@ RULES = {
         Rule("creep_interval", "the creep limit, at the end of the interval of the law"),
         Rule("belt_tension", "the rating of the belt", Level.FAILS),
         Rule("momentary_tension", "the momentary rating of the belt", Level.FAILS),
+        Rule("belt_safety", "the safety factor of the belt", at_most=False, fails_beyond=WEAKEST),
         Rule("face_pressure", "the pressure on the pulley face"),
         Rule("bond_stress", "the bond strength of the lagging"),
         Rule("fatigue_stress", "the fatigue limit of the lagging"),
@@ -123,6 +129,20 @@ def tension_rule(kind: str) -> Rule:
 def tension_factor(belt: Belt, kind: str) -> float:
     """Tension allowed in a kind of load case over the rating of the belt [-]."""
     return 1.0 if kind == "running" else belt.momentary_factor or 1.0
+
+
+def asked_safety(belt: Belt, kind: str) -> float:
+    """Breaking strength over tension that a belt is to have in a kind of load case [-].
+
+    What its rating leaves, the demand of its maker; without one what is customary for its carcass;
+    nan where its strength is not known, or neither of them.
+    """
+    if belt.breaking_strength is None:
+        return math.nan
+    asked = CUSTOMARY_SAFETY.get(belt.kind, math.nan)
+    if belt.rating is not None:
+        asked = belt.breaking_strength / belt.rating
+    return asked / tension_factor(belt, kind)
 
 
 def start_factor(criteria: Criteria, kind: str) -> float:

@@ -7,7 +7,7 @@ all that is described besides, by class and field.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
+    LARGE_MOTORS,
     USUAL_MOTORS,
     USUAL_SIZES,
     Sizes,
@@ -162,6 +163,7 @@ def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
         yield from _of_owner(owner)
         if isinstance(owner.of, Motor | float):
             yield from _turning(drive, owner)
+    yield from _motor_sizes(drive, [o.of for o in others if isinstance(o.of, Motor)])
     if drive.conveyor is not None:
         yield from _conveyor_sizes(drive.conveyor, drive.belt.width)
     width = drive.belt.width
@@ -278,6 +280,19 @@ def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
         if not usual(value, *ends):
             check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
             yield replace(check, remedy=remedy) if name == _FITS else check
+
+
+def _motor_sizes(drive: Drive, motors: Sequence[Motor]) -> Iterator[Check]:
+    """Yield that motors are far too large for every pull; that they are too small is a check."""
+    pulls = [
+        abs(case.tensions[drive.pulleys[0].name].entry - case.tensions[drive.pulleys[-1].name].exit)
+        for case in drive.load_cases
+    ]
+    needed = max(pulls) * (drive.belt.speed or math.nan)
+    rated = sum(motor.count * motor.rated_power for motor in motors)
+    if rated and needed and not usual(rated / needed, 0.0, LARGE_MOTORS):
+        told = "rated power of the motors over that of the largest pull"
+        yield unusual(told, "number", NOWHERE, rated / needed, (0.0, LARGE_MOTORS))
 
 
 _FITS = "speed of the drum over that of the belt"

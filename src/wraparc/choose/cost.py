@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from wraparc.catalogue import LaggingCost, lagging_costs
 from wraparc.drive import Cost, Lagging
+from wraparc.drive.load_case import hours_problems
 from wraparc.errors import Problem, shown
 from wraparc.provenance import Provenance
 
@@ -199,6 +200,7 @@ def price_problems(costing: Costing, laggings: list[str], belts: list[str]) -> l
         problems.append(
             Problem(key="cost.hours", message=message, remedy="Write hours.design = 6000.")
         )
+    problems += hours_problems(costing.hours, "cost.hours")
     if not 0.0 < costing.years < math.inf:
         problems.append(Problem(key="cost.years", message="must be more than 0"))
     return problems

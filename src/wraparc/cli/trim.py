@@ -17,7 +17,9 @@ from wraparc.units import display, parse_quantity
 
 @click.command()
 @click.option("--drive", "pulley", metavar="PULLEY", help="Drive to trim; the second if left out.")
-@click.option("--load-case", metavar="NAME", default="", help="Load case; the first if left out.")
+@click.option(
+    "--load-case", metavar="NAME", default="", help="Load case; the largest running pull."
+)
 @click.option(
     "--span",
     nargs=2,
@@ -69,9 +71,9 @@ def trim(
     depth = WEAR if wear is None else _wear(wear, train)
     ends = None if not span else (_trim(span[0]), _trim(span[1]))
     with placed("--load-case", file):
-        train.case(load_case)
+        load_case = train.case(load_case).name
     result = solve_train(train, method=Distributed(capacities=False), raise_on_failure=False)
-    if not (result[load_case] if load_case else result.cases[0]).status.solved:
+    if not result[load_case].status.solved:
         answer.give(lambda: _verdict(result), lambda: _verdict_document(result))
         return exit_code(result)
     matching = match_drives(

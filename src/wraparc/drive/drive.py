@@ -10,7 +10,7 @@ from wraparc.conveyor import Conveyor
 from wraparc.drive.belt import LAYERS, THICKNESS, Belt
 from wraparc.drive.criteria import Criteria
 from wraparc.drive.lagging import Lagging
-from wraparc.drive.load_case import LoadCase
+from wraparc.drive.load_case import LoadCase, heaviest
 from wraparc.drive.pitch import centrifugal_of, layers_of, touching_cover
 from wraparc.drive.pulley import Pulley
 from wraparc.errors import Problem, no_such, shown
@@ -117,7 +117,14 @@ class Drive(Viewable):
         return named("pulley", name, self.pulleys)
 
     def load_case(self, name: str | None = None) -> LoadCase:
-        """Return a load case by name, the first for None; errors as for `pulley`."""
+        """Return a load case by name, the running one of the largest pull for None.
+
+        Errors as for `pulley`.
+        """
+        if name is None:
+            return heaviest(
+                self.load_cases, lambda case: math.fsum(t.effective for t in case.tensions.values())
+            )
         return named("load case", name, self.load_cases)
 
     @property

@@ -1,20 +1,61 @@
 """The tensions that a drive works at."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import atan2, cos, nan, sin, sqrt
-from typing import ClassVar, NamedTuple
+from typing import ClassVar, NamedTuple, Protocol, TypeVar
 
+from wraparc.alike import largest
 from wraparc.conveyor import GRAVITY
 from wraparc.drive.criteria import CASE_KINDS, CaseKind, choice_problems
+from wraparc.errors import Problem
 from wraparc.schema.limits import Limit, limit_problems, name_problems, raise_all
 
 #: Name of the load case made by the tensions of the pulleys themselves.
 DESIGN = "design"
 #: Least and largest tension that a pulley may have [N].
 LEAST_TENSION, MOST_TENSION = 0.1, 1e9
+#: Hours of the longest year.
+YEAR = 8784.0
 #: Pull over tension that rounding leaves of none [-].
 ROUNDING = 1e-12
+
+
+def hours_problems(hours: Mapping[str, float], key: str = "hours") -> list[Problem]:
+    """Return a problem for hours of running in a year that are none, or more than it has in all."""
+    said = "must be between 0 and 8784 in a year"
+    problems = [
+        Problem(key=f"{key}.{name}", value=f"{h:g}", message=said)
+        for name, h in hours.items()
+        if not 0.0 <= h <= YEAR
+    ]
+    total = sum(hours.values())
+    if problems or total <= YEAR:
+        return problems
+    message = f"{total:g} in all, and a year has {YEAR:g}"
+    remedy = "Give each load case the hours of a year that it runs."
+    return [Problem(key=key, message=message, remedy=remedy)]
+
+
+class Kinded(Protocol):
+    """A load case of a drive or of a train."""
+
+    @property
+    def kind(self) -> CaseKind:
+        """What the conveyor does in it."""
+        ...
+
+
+_Case = TypeVar("_Case", bound=Kinded)
+
+
+def heaviest(cases: Sequence[_Case], pull: Callable[[_Case], float]) -> _Case:
+    """Return the load case of the largest pull [N] either way, of those that run if any does.
+
+    It is the one that is meant where none is named; the first of those that pull alike.
+    """
+    running = [case for case in cases if case.kind == "running"]
+    return largest(running or cases, lambda case: abs(pull(case)))
 
 
 def exit_behind(entry: float, leaving: float) -> float:

@@ -206,7 +206,12 @@ EVENT = Table(
 )
 MOTION = Table(
     "Motion",
-    Entry("load_case", "That runs; the first if left out.", Name(), title="Load case"),
+    Entry(
+        "load_case",
+        "That runs; the running one of the largest pull if left out.",
+        Name(),
+        title="Load case",
+    ),
     Entry(
         "conveyor_mass",
         "Belt, load and idlers, moving with the belt; without it the outer tensions are held.",

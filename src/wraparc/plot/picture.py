@@ -13,9 +13,11 @@ from wraparc.saving import save_file, saving_problems
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+    from matplotlib.transforms import Bbox
 
 SUFFIXES = (".svg", ".png", ".pdf")
 _DPI = 150
+_EDGE = 0.03  # around what is drawn beyond the figure [in]
 
 # Lines that are told apart by colour and by dashes; the colours are those of Okabe and Ito,
 # which also the colour-blind tell apart, and differ in lightness when printed grey.
@@ -115,8 +117,22 @@ class Picture:
         stamps = {"svg": {"Date": None}, "pdf": {"CreationDate": None}}
         data = io.BytesIO()
         with styled():
-            self.figure.savefig(data, format=kind, dpi=_DPI, metadata=stamps.get(kind))
+            bounds = _whole(self.figure)
+            self.figure.savefig(
+                data, format=kind, dpi=_DPI, metadata=stamps.get(kind), bbox_inches=bounds
+            )
         return data.getvalue()
 
     def _repr_svg_(self) -> str:
         return self.to_bytes("svg").decode("utf-8")
+
+
+def _whole(figure: "Figure") -> "Bbox | None":
+    """Return bounds that hold all that is drawn [in]; None where the figure itself does."""
+    from matplotlib.transforms import Bbox
+
+    figure.draw_without_rendering()  # lays it out
+    page, drawn = figure.bbox_inches, figure.get_tightbbox()
+    whole = Bbox.union([page, drawn])
+    grown = max(whole.width - page.width, whole.height - page.height)
+    return Bbox.union([page, drawn.padded(_EDGE)]) if grown > 0.0 else None

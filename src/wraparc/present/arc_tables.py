@@ -49,6 +49,10 @@ def answer_table(results: Results) -> Table:
     notes = [f"{share}, {named('creep_limit', limit)}"]
     notes += ["negative: with the belt"] if first.exit_creep < 0.0 else []
     notes += [told] if (told := creep_interval_text(first)) else []
+    level, sides = _creep_level(first), {r.within_creep_limit for r in results if r.status.solved}
+    if len(sides) > 1:
+        notes.append("the methods stand on different sides of it")
+        level = Level.ATTENTION if level is Level.OK else level
     where = f"at {named('peak_shear_position', first.peak_shear_position)} from the entry"
     pressure = Row(
         "Wrap pressure, entry to exit",
@@ -59,7 +63,7 @@ def answer_table(results: Results) -> Table:
         row(
             "exit_creep",
             "; ".join(notes),
-            _creep_level(first),
+            level,
         ),
         row("exit_slip"),
         row("peak_shear_angle", where),

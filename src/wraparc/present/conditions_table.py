@@ -69,8 +69,8 @@ def _told(check: Check) -> bool:
 #: Checks that no condition changes.
 _SAME = (
     "data", "sense", "usual_sizes", "balance", "condition", "fit", "belt_tension",
-    "momentary_tension", "face_pressure", "pulley_diameter", "sag", "tested_pressure_max",
-    "tested_pressure_min", "train_balance",
+    "momentary_tension", "belt_safety", "face_pressure", "pulley_diameter", "sag",
+    "tested_pressure_max", "tested_pressure_min", "train_balance",
 )  # fmt: skip
 
 

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
-from wraparc.checks.rules import tension_factor
 from wraparc.drive import CREEP_LIMIT, Drive
 from wraparc.drive.load_case import resultant
 from wraparc.present.arc_tables import (
@@ -81,16 +80,16 @@ def drive_sheet(
     return Sheet(
         title=first.drive.title or "Drive",
         subtitle=first.drive.description,
-        verdict=_with_sides(verdict(first), results),
+        verdict=with_sides(verdict(first), results),
         tables=tuple(tables),
         remarks=(*judge(first).data, *method_remarks(results)),
         sources=of.listed(),
     )
 
 
-def _with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
-    """Add where two methods stand on different sides of the creep limit."""
-    said = []
+def with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
+    """Add where two methods stand on different sides of a creep limit, each limit once."""
+    places: dict[float, list[str]] = {}
     for arcs in zip(*results, strict=True):
         one, other = arcs[0], arcs[-1]
         solved = one.status.solved and other.status.solved
@@ -100,17 +99,14 @@ def _with_sides(told: Verdict, results: Sequence[DriveResult]) -> Verdict:
             f"{named('exit_creep', abs(arc.exit_creep))} ({METHOD_TITLES[arc.method]})"
             for arc in (one, other)
         )
-        limit = named("creep_limit", one.arc.creep_limit)
-        whose = (
-            " The customary limit was set with the paper's."
-            if one.arc.creep_limit == CREEP_LIMIT
-            else ""
-        )
-        said.append(
-            f"The methods stand on different sides of the creep limit {limit} ({belongs(one)}): "
-            f"creep is {creeps}. The paper lumps the contraction of the belt over the arc that is "
-            f"left, the solver adds it up along the arc.{whose}"
-        )
+        places.setdefault(one.arc.creep_limit, []).append(f"{belongs(one)}, creeps {creeps}")
+    said = tuple(
+        f"The methods stand on different sides of the creep limit {named('creep_limit', limit)}: "
+        f"{'; '.join(there)}. The paper lumps the contraction of the belt over the arc that is "
+        "left, the solver adds it up along the arc."
+        + (" The customary limit was set with the paper's." if limit == CREEP_LIMIT else "")
+        for limit, there in places.items()
+    )
     kept = told.sentences if told.kept is None else told.kept
     return replace(told, sentences=(*said, *told.sentences), kept=(*said, *kept))
 
@@ -223,13 +219,7 @@ def loads_table(result: DriveResult) -> Table:
         note += "Safety factor of the belt: its strength is not given."
     else:
         given = quantity(strength, "force_per_width", GIVEN_DIGITS)
-        note += f"Safety factor: strength {given} over the larger tension"
-        if belt.rating is not None:
-            asked = strength / belt.rating
-            momentary = asked / tension_factor(belt, "starting")
-            note += f"; by the rating of the maker it is to be at least {asked:.3g} running and "
-            note += f"{momentary:.3g} starting and stopping"
-        note += "."
+        note += f"Safety factor: strength {given} over the larger tension; see the checks."
     heads = ("resultant", "direction", "belt", "with weight, most", "least")
     shown = heads[: 5 if weighed else 3]
     return Table("Loads of pulleys and belt", tuple(rows), shown, note, "loads")

@@ -66,7 +66,8 @@ def case_sentences(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[st
         yield _fight(case)
     if len(case.members) > 1:
         for m in case.members[1:]:
-            yield _speed_sentence(case, m)
+            if not idle(m.arc.arc):
+                yield _speed_sentence(case, m)
         yield from surface_speeds(case)
         yield from _matching(case, cases)
     loss = percent(case.loss_ratio)
@@ -203,7 +204,7 @@ def _matching(case: CaseResult, cases: Sequence[CaseResult]) -> Iterator[str]:
     own_way = case.case.on_motors
     for i, m in enumerate(case.members):
         slope = _steepest(case, cases, i)
-        if i == 0 or slope == 0.0:
+        if i == 0 or slope == 0.0 or idle(m.arc.arc):
             continue
         how = " with its motors as they are" if own_way else ""
         yield (

@@ -26,7 +26,7 @@ from wraparc.present.checks_table import check_table, checks_summary
 from wraparc.present.conditions_table import conditions_table
 from wraparc.present.conveyor_table import conveyor_tables
 from wraparc.present.design_values import comparison_table
-from wraparc.present.drive_sheet import loads_table, method_remarks
+from wraparc.present.drive_sheet import loads_table, method_remarks, with_sides
 from wraparc.present.input_tables import input_tables
 from wraparc.present.inputs import Input, drive_inputs
 from wraparc.present.least_tension import least_table, margins_table
@@ -257,7 +257,7 @@ def compose_note(
         title=head.title or first.drive.title or "Drive",
         subtitle=first.drive.description,
         belt=first.drive.belt.name,
-        told=told,
+        told=with_sides(told, results),
         judged=judged,
         summary=checks_summary(judged),
         about=tuple(_about(first.drive)),

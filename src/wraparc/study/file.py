@@ -187,7 +187,7 @@ def _free_name(path: str, taken: Mapping[str, Any]) -> str:
 def _load_cases(record: Record, drive: Drive, report: Report) -> tuple[str, ...]:
     there = [case.name for case in drive.load_cases]
     if "load_cases" not in record:
-        return (there[0],)
+        return (drive.load_case().name,)
     given = record["load_cases"]
     if given is None:
         return tuple(there)

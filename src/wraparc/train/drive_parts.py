@@ -33,10 +33,10 @@ def pulley_of(record: Record, drive: Drive, report: Report) -> str:
 
 
 def case_of(record: Record, drive: Drive, report: Report) -> str:
-    """Return the name under ``load_case``, the first of the drive if none is there."""
+    """Return the name under ``load_case``, that of the drive that is meant if none is there."""
     place = (*record.place, "load_case")
     found = report.tried(lambda: drive.load_case(record.get("load_case")), place)
-    return (found or drive.load_cases[0]).name
+    return (found or drive.load_case()).name
 
 
 def check_cases(names: Iterable[tuple[str, Place]], drive: Drive, report: Report) -> None:

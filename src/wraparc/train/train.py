@@ -26,6 +26,7 @@ from wraparc.drive import (
     repeated,
 )
 from wraparc.drive.drive import flying_problems, named, side_problems
+from wraparc.drive.load_case import heaviest
 from wraparc.errors import Problem, shown
 from wraparc.schema.limits import limit_problems, name_problems, raise_all
 from wraparc.train.motors import Motor, TorqueFollower
@@ -239,14 +240,16 @@ class Train:
         return self.nominal_diameters or tuple(p.diameter for p in self.pulleys)
 
     def case(self, name: str = "") -> TrainCase:
-        """Return the load case of a name, the first one without a name.
+        """Return the load case of a name, the running one of the largest pull without a name.
 
         Raises
         ------
         InputError
             If there is none, with those there are.
         """
-        return named("load case", name or None, self.cases, of="the train")
+        if not name:
+            return heaviest(self.cases, lambda case: case.entry_tension - case.exit_tension)
+        return named("load case", name, self.cases, of="the train")
 
     @property
     def conditions(self) -> tuple[str, ...]:

@@ -41,7 +41,7 @@ def held(result: TrainResult, case: str = "") -> tuple[Train, CaseResult]:
     InputError
         If the load case has no solution: there are no speeds to keep.
     """
-    found = result[case] if case else result.cases[0]
+    found = result[case or result.train.case().name]
     if not found.status.solved:
         message = f"load case {found.case.name} has no solution to start from: {found.reason}"
         raise InputError(Problem(key="load_case", message=message))

@@ -40,6 +40,7 @@ from wraparc.checks.numbers import (
     idles,
     largest,
     rise_alone,
+    safety_of,
     steepest,
     usual_sizes,
 )
@@ -326,6 +327,9 @@ def judged(
         creep=abs(summary.exit_creep),
         belt_tension=max(entry, leaving),
         momentary_tension=max(entry, leaving),
+        belt_safety=safety_of(
+            criteria.strength * arc.width, max(entry, leaving), criteria.belt_safety
+        ),
         face_pressure=pressure_of(arc, max(entry, leaving)),
         bond_stress=summary.peak_shear_stress,
         fatigue_stress=summary.peak_shear_stress,
@@ -431,6 +435,7 @@ def limits_of(
         creep=given.creep_limit,
         belt_tension=criteria.belt_tension * arc.width,
         momentary_tension=criteria.belt_tension * arc.width,
+        belt_safety=criteria.belt_safety,
         face_pressure=criteria.face_pressure,
         bond_stress=criteria.bond_strength,
         fatigue_stress=criteria.fatigue_limit,

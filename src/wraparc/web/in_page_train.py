@@ -11,7 +11,7 @@ from math import exp, nan
 from typing import NamedTuple
 
 from wraparc.arc.summary import geometry_of
-from wraparc.checks.numbers import rise_among, usual_motor
+from wraparc.checks.numbers import LARGE_MOTORS, rise_among, usual_motor
 from wraparc.friction.compact import CompactLaw
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located, away, locate
@@ -241,6 +241,11 @@ def fits(motor: Motor, radius: float, speed: float) -> bool:
     """Whether a motor is of usual size and its gear fits the belt speed [m, m/s]."""
     turns = motor.rated_speed / motor.gear_ratio
     return usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed)
+
+
+def oversized(rated: float, pull: float, speed: float) -> bool:
+    """Whether motors are far too large for the largest pull [W, N, m/s]."""
+    return rated > LARGE_MOTORS * pull * speed
 
 
 def borne(motor: Motor, momentary: bool) -> float:

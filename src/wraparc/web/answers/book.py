@@ -19,6 +19,7 @@ from wraparc.checks.check import Place
 from wraparc.checks.design_standard import MANUAL_WRAP_FACTORS, asked
 from wraparc.checks.least_tension import figures
 from wraparc.checks.of_arc import BALANCE, INTERVAL, held_words
+from wraparc.checks.rules import CUSTOMARY_SAFETY
 from wraparc.checks.usual import USUAL
 from wraparc.conveyor import EMPTIEST, FULLEST, GRAVITY, STEEPEST, USUAL_CONVEYOR
 from wraparc.drive import (
@@ -106,6 +107,7 @@ def _whole() -> Book:
         grounds=dict(of_data.GROUNDS),
         weak_kinds=list(of_data.WEAK_KINDS),
         more_creep=of_drive.MORE_CREEP,
+        customary_safety=CUSTOMARY_SAFETY,
         least_names={h: least_name(with_criteria(result, take_up=t)) for h, t in HELD.items()},
         held={key: held_words(take_up) for key, take_up in HELD.items()},
         heads=_heads(),

@@ -95,6 +95,7 @@ class Book(Plain):
     grounds: dict[str, str]
     weak_kinds: list[str]
     more_creep: dict[str, float]
+    customary_safety: dict[str, float]
     least_names: dict[str, str]
     held: dict[str, str]
     heads: Heads

@@ -84,6 +84,7 @@ def words_by_key() -> Found:
     yield from _creep(drive, arc)
     yield "cover_creep", _cover_creep(arc)
     yield from _belt_tension(drive, case)
+    yield from _belt_safety(drive, case)
     yield from _sizes(drive, case)
     yield from _stresses(drive, arc)
     yield from _tested(drive, case, arc)
@@ -191,6 +192,19 @@ def _belt_tension(drive: Drive, case: LoadCase) -> Found:
         of = replace(drive, belt=replace(drive.belt, **more)), replace(case, kind=kind)
         check = of_drive.belt_tension(*of, drive.pulleys[0])
         yield _key("belt_tension", kind, key), _some(check, factor="1.375")
+
+
+def _belt_safety(drive: Drive, case: LoadCase) -> Found:
+    belts: dict[str, dict[str, Any]] = {
+        "none": {"strength": None},
+        "unknown": {"strength": 1e6, "rating": None, "kind": ""},
+        "customary": {"strength": 1e6, "rating": None, "kind": "fabric"},
+        "rated": {"strength": 1e6},
+    }
+    kinds: Sequence[CaseKind] = get_args(CaseKind)[:2]
+    for kind, (key, more) in product(kinds, belts.items()):
+        of = replace(drive, belt=replace(drive.belt, **more)), replace(case, kind=kind)
+        yield _key("belt_safety", kind, key), _some(of_drive.belt_safety(*of, drive.pulleys[0]))
 
 
 def _sizes(drive: Drive, case: LoadCase) -> Found:

@@ -18,7 +18,7 @@ from wraparc.checks.numbers import Criteria
 from wraparc.checks.of_arc import BALANCE, FIRST, of_sliding
 from wraparc.checks.of_data import wet_factor
 from wraparc.checks.of_drive import sense
-from wraparc.checks.rules import start_factor, tension_factor
+from wraparc.checks.rules import asked_safety, start_factor, tension_factor
 from wraparc.checks.sliding import Sliding
 from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley
 from wraparc.present.least_tension import least_name
@@ -257,6 +257,7 @@ def _criteria(drive: Drive, case: LoadCase) -> Criteria:
         belt_tension=_number(allowed),
         rating=_number(belt.rating),
         strength=_number(belt.breaking_strength),
+        belt_safety=asked_safety(belt, case.kind),
         face_pressure=_number(belt.largest_wrap_pressure),
         bond_strength=_number(pulley.lagging.bond_strength),
         fatigue_limit=_number(pulley.lagging.fatigue_limit),

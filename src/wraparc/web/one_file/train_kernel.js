@@ -1148,6 +1148,7 @@ export class Node {
   }
 }
 
+const LARGE_MOTORS = 6.0;
 const SMALL_PULL = 0.001;
 const COVERS_APART = 0.004;
 const USUAL_OFFSET = 0.005;
@@ -1224,6 +1225,11 @@ const LOW_VOLTAGE = 0.81;
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
+}
+
+/** Whether motors are far too large for the largest pull [W, N, m/s]. */
+export function in_page_train__oversized(rated, pull, speed) {
+  return rated > LARGE_MOTORS * pull * speed;
 }
 
 /** Pull that powers of the drives make [N]. */
@@ -2450,7 +2456,7 @@ export function* train_words___matching(case_, cases) {
   for (const each1 of $enumerate(case_.members)) {
     [i, m] = each1;
     slope = train_words___steepest(case_, cases, i);
-    if (i === 0 || slope === 0.0) {
+    if (i === 0 || slope === 0.0 || rules__idle(m.arc.arc)) {
       continue;
     }
     how = own_way ? " with its motors as they are" : "";
@@ -2539,7 +2545,9 @@ export function* train_words__case_sentences(case_, cases) {
   if (case_.members.length > 1) {
     for (const each1 of case_.members.slice(1)) {
       m = each1;
-      yield train_words___speed_sentence(case_, m);
+      if (!rules__idle(m.arc.arc)) {
+        yield train_words___speed_sentence(case_, m);
+      }
     }
     yield* train_words__surface_speeds(case_);
     yield* train_words___matching(case_, cases);

@@ -169,6 +169,11 @@ export function trainOf(design, book, words) {
     }));
     cases.push({ ...one, told, arcs, adrift });
   }
+  const [{ motors }] = cases;
+  const rated = motors.reduce((sum, m) => sum + (m ? m.count * m.rated_power : 0), 0);
+  const most = Math.max(...cases.map(({ c }) => Math.abs(c.entry - c.exit)));
+  if (rated && K.in_page_train__oversized(rated, most, speed))
+    return { problems: [left(`Motors: ${NOT_HERE[3]}.`)] };
   const usual = saids.map((said) => lawOf(said));
   const at = Math.max(after, 0);
   const data = saids.map((said, i) => dataWords(said, /** @type {any} */ (usual[i]), book));

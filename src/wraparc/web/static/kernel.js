@@ -659,6 +659,7 @@ export class Compared {
     creep,
     belt_tension,
     momentary_tension,
+    belt_safety,
     face_pressure,
     bond_stress,
     fatigue_stress,
@@ -677,6 +678,7 @@ export class Compared {
     this.creep = creep;
     this.belt_tension = belt_tension;
     this.momentary_tension = momentary_tension;
+    this.belt_safety = belt_safety;
     this.face_pressure = face_pressure;
     this.bond_stress = bond_stress;
     this.fatigue_stress = fatigue_stress;
@@ -696,6 +698,7 @@ export class Compared {
     yield this.creep;
     yield this.belt_tension;
     yield this.momentary_tension;
+    yield this.belt_safety;
     yield this.face_pressure;
     yield this.bond_stress;
     yield this.fatigue_stress;
@@ -4298,6 +4301,7 @@ export function in_page__limits_of(given, arc, tested, criteria) {
     given.creep_limit,
     criteria.belt_tension * arc.width,
     criteria.belt_tension * arc.width,
+    criteria.belt_safety,
     criteria.face_pressure,
     criteria.bond_strength,
     criteria.fatigue_limit,
@@ -4548,6 +4552,20 @@ export function sliding__pull_at_sliding(of, line, begin) {
   return first.place === Infinity ? sliding__slide_place(of, line, 1.0, 0.0, 1.0) : first;
 }
 
+/** Whether two numbers are equal in the four digits they are compared in. */
+export function numbers__same_shown(value, limit) {
+  if (!(Number.isFinite(value) && Number.isFinite(limit))) {
+    return value === limit;
+  }
+  return value.toExponential(3) === limit.toExponential(3);
+}
+
+/** Breaking strength of a belt over its tension [-]. */
+export function numbers__safety_of(strength, tension, asked) {
+  let safety = strength / tension;
+  return safety < asked && numbers__same_shown(tension, strength / asked) ? asked : safety;
+}
+
 /** Largest magnitude in a column. */
 export function numbers__largest(column, count) {
   let i;
@@ -4773,6 +4791,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     Math.abs(summary.exit_creep),
     max(entry, leaving),
     max(entry, leaving),
+    numbers__safety_of(criteria.strength * arc.width, max(entry, leaving), criteria.belt_safety),
     summary__pressure_of(arc, max(entry, leaving)),
     summary.peak_shear_stress,
     summary.peak_shear_stress,
@@ -5038,14 +5057,6 @@ export function numbers__beyond(value, fails, at_most) {
 /** Whether one take-up can hold both tensions. */
 export function numbers__held_alike(least, most) {
   return most - least <= 0.1 * most;
-}
-
-/** Whether two numbers are equal in the four digits they are compared in. */
-export function numbers__same_shown(value, limit) {
-  if (!(Number.isFinite(value) && Number.isFinite(limit))) {
-    return value === limit;
-  }
-  return value.toExponential(3) === limit.toExponential(3);
 }
 
 /** Whether a value keeps its limit, compared in four digits; one that is not known does not. */

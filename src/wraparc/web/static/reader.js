@@ -2086,23 +2086,6 @@ let pairs, runs;
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
 return $call(TrainCase, [], [["name", case_.name], ["entry_tension", $at(pairs, 0).entry], ["exit_tension", $at(pairs, $neg(1)).exit], ["division", new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })()))], ["runs", ($truth($b.any(runs)) ? runs : [])], ["kind", case_.kind], ["condition", case_.condition]]);
 }
-function drive__named(what, name, among, of = "the drive") {
-let one;
-
-for (one of $iter(among)) {
-if (($in(name, [null, one.name]))) {
-return one;
-}
-}
-throw $call(errors__no_such, [what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()]], [["of", of]]);
-}
-function errors__no_such(what, name, known, of = "the drive") {
-let names, there;
-
-(names = $b.list(known));
-(there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
-return new InputError($call(Problem, [], [["message", ("" + $str(of) + " has no such " + $str(what))], ["remedy", $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there)))], ["value", $shown(name)]]));
-}
 function tension_rules__behind_take_up(now, first, after, before) {
 let lost, pull, pull_0;
 
@@ -2838,10 +2821,7 @@ get nominal() {
 const self = this; 
 return $or(self.nominal_diameters, () => $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.diameter; } })()));
 }
-case(name = "") {
-const self = this; 
-return $call(drive__named, ["load case", $or(name, () => null), $bound(self, "cases")], [["of", "the train"]]);
-}
+
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
@@ -5897,8 +5877,6 @@ $sig(_Pair, ["dimension"], false);
 $sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
 $sig(display__display, ["value", "dimension", "system", "digits"], false);
 $sig(tensions__resolve, ["given", "speed", "report", "sure"], false);
-$sig(drive__named, ["what", "name", "among", "of"], false);
-$sig(errors__no_such, ["what", "name", "known", "of"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };
 export { InputError as InputError };

@@ -365,6 +365,7 @@ export interface Book {
   grounds: Record<string, string>;
   weak_kinds: string[];
   more_creep: Record<string, number>;
+  customary_safety: Record<string, number>;
   least_names: Record<string, string>;
   held: Record<string, string>;
   heads: { checks: Table; least: Record<string, Table> };

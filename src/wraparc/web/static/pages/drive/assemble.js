@@ -247,6 +247,8 @@ export function caseOf(said, c, bookLaw, book) {
   const running = c.kind === "running";
   const share = Number.isNaN(sag?.share ?? none) ? usual.share : sag?.share;
   const factor = running || Number.isNaN(belt.factor) ? 1 : belt.factor;
+  const strength = orUsual(belt.strength, strengthIn(belt.name));
+  const customary = +(book.customary_safety[belt.kind] ?? none);
   const criteria = {
     safety: orUsual(safety[c.kind], usual[c.kind]),
     standard: standard.friction,
@@ -254,7 +256,8 @@ export function caseOf(said, c, bookLaw, book) {
     start: running ? orUsual(said.standard.start, usual.start_factor) : 1,
     belt_tension: factor * belt.rating,
     rating: belt.rating,
-    strength: orUsual(belt.strength, strengthIn(belt.name)),
+    strength,
+    belt_safety: (strength && orUsual(strength / belt.rating, customary)) / factor,
     face_pressure: belt.pressure,
     bond_strength: lagging.bond_strength,
     fatigue_limit: lagging.fatigue_limit,

@@ -32,7 +32,10 @@ const RAISING = [
   ...["gross_slip", "design_standard", "creep", "creep_interval", "tested_slip"],
   ...["tested_pressure_min", "sag"],
 ];
-const LOWERING = ["belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max"];
+const LOWERING = [
+  ...["belt_tension", "momentary_tension", "belt_safety"],
+  ...["face_pressure", "tested_pressure_max"],
+];
 /** Relative difference that counts as none. */
 const SAME = 1e-7;
 

@@ -44,6 +44,16 @@ function quality({ kind, rating, name, strength }, book) {
   if (over) return "more";
   return kind === "steel cord" && !strong ? "nameless" : "less";
 }
+/** What asks for a safety factor of the belt. @param {Said["belt"]} belt
+ * @param {Record<string, number>} criteria */
+const asked = ({ rating }, { strength, belt_safety }) =>
+  Number.isNaN(strength)
+    ? "none"
+    : Number.isNaN(belt_safety)
+      ? "unknown"
+      : Number.isNaN(rating)
+        ? "customary"
+        : "rated";
 /** @param {number} v */
 const given = (v) => (Number.isNaN(v) ? "none" : "given");
 
@@ -77,6 +87,7 @@ export function wordsOf({ said, c, law, standard, criteria, share, cover, book }
     `creep:${limit}`,
     ...(cover > 0 ? ["cover_creep"] : []),
     `belt_tension:${c.kind === "running" ? "running" : "starting"}:${rated}`,
+    `belt_safety:${c.kind === "running" ? "running" : "starting"}:${asked(belt, criteria)}`,
     `face_pressure:${given(belt.pressure)}`,
     `bond_stress:${given(criteria.bond_strength)}`,
     `fatigue_stress:${given(criteria.fatigue_limit)}:${moving}`,
