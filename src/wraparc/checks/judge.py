@@ -260,7 +260,10 @@ def _of_train(train: Train, case: CaseResult) -> Iterator[Check]:
         return
     if several:
         yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
-        yield from of_drive.unknown_trims(train.belt, train.pulleys, place)
+        driven = [
+            p for p, m in zip(train.pulleys, case.members, strict=True) if not idle(m.arc.arc)
+        ]
+        yield from of_drive.unknown_trims(train.belt, driven, place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
     division = case.case.division
     for member, motor in zip(
@@ -269,42 +272,6 @@ def _of_train(train: Train, case: CaseResult) -> Iterator[Check]:
         yield _motor(member, motor, case.case)
 
 
-<<<<<<< HEAD
-=======
-def _unknown_trims(case: CaseResult) -> Iterator[Check]:
-    """Yield what no trim between drums is known without: the thickness of the belt."""
-    first, *others = case.members
-    for m in others:
-        one, other = first.arc.arc, m.arc.arc
-        known = one.pitch_offset is not None and other.pitch_offset is not None
-        opposite = one.side_of_belt != other.side_of_belt
-        shift = 0.0 if known else trim_shift(one.diameter, other.diameter, opposite)
-        if shift > LEAST_SHIFT and not (idle(one) or idle(other)):
-            yield unknown_trim(first.name, shift, opposite, Place(m.name, case.case.name))
-
-
-def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
-    """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
-    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
-    if opposite:
-        why = (
-            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
-            "shift it by {shift} %."
-        )
-    return Check(
-        name="belt_thickness",
-        title="Trim by the thickness of the belt",
-        level=Level.ATTENTION,
-        place=place,
-        short="trim without belt thickness",
-        says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
-        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
-        more={"shift": (100.0 * shift, "number")},
-        binding=False,
-    )
-
-
->>>>>>> rest35
 def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:
     """Check the torque of the motors of a drum; a drive that follows another states no rating."""
     at, momentary = Place(member.name, case.name), case.kind != "running"

@@ -3,20 +3,12 @@
 from __future__ import annotations
 
 import math
-<<<<<<< HEAD
 from collections.abc import Iterator, Mapping, Sequence
-
-from wraparc.alike import falling
-from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, trim_shift
-=======
-from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import held_alike, idles, safety_of
->>>>>>> rest35
+from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, safety_of, trim_shift
 from wraparc.checks.rules import (
     RULES,
     Rule,
@@ -26,11 +18,7 @@ from wraparc.checks.rules import (
     wrap_pressure,
 )
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
-<<<<<<< HEAD
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
-=======
-from wraparc.drive.pitch import centrifugal_of
->>>>>>> rest35
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
@@ -46,12 +34,12 @@ def unknown_trims(belt: Belt, pulleys: Sequence[Pulley], at: Place) -> Iterator[
     Parameters
     ----------
     belt, pulleys
-        Of the train.
+        Of the train; those that are driven.
     at
         Load case or event.
     """
-    first = pulleys[0]
     for pulley in pulleys[1:]:
+        first = pulleys[0]
         shift = open_shift(belt, first, pulley)
         if shift > 0.0:
             place, opposite = at._replace(pulley=pulley.name), pulley.side != first.side

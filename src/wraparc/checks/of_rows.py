@@ -18,10 +18,6 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-<<<<<<< HEAD
-from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
-from wraparc.checks.of_drive import open_shift
-=======
 from wraparc.checks.numbers import (
     IDLE,
     NUMBERLESS,
@@ -30,7 +26,7 @@ from wraparc.checks.numbers import (
     compared_sizes,
     safety_of,
 )
->>>>>>> rest35
+from wraparc.checks.of_drive import open_shift
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
     NO_GRIP,
@@ -179,11 +175,7 @@ def held_by(
     numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
     (
         safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-<<<<<<< HEAD
-        misfit, open_trim, rating, strength, mass, cover, odd,
-=======
         misfit, rating, strength, mass, cover, odd, asked,
->>>>>>> rest35
     ) = (column[which] for column in numbers)  # fmt: skip
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
@@ -223,7 +215,7 @@ def held_by(
         diameter=least,
         scaled=scaled > 0.0,
         misfit=misfit > 0.0,
-        open_trim=open_trim > 0.0,
+        open_trim=_open_trims(drives, which, index, tensions),
         odd=odd,
         **dict.fromkeys(MOTORS, np.full(len(arcs), math.nan)),
     )
@@ -246,7 +238,6 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
         belt.least_pulley_diameter,
         float(SCALED in lagging.sources or WORN in lagging.sources),
         float(lagging.fit is not None and bool(lagging.fit.misfit)),
-        float(any(_open_shifts(drive, pulley))),
         belt.rating,
         belt.breaking_strength,
         belt.mass,
@@ -256,12 +247,22 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
     )
 
 
-def _open_shifts(drive: Drive, name: str) -> Iterator[float]:
-    """Yield how far the trims that a pulley takes part in are open [-]."""
-    first, *others = drive.pulleys
-    for other in others:
-        if name in (first.name, other.name):
-            yield open_shift(drive.belt, first, other)
+def _open_trims(
+    drives: Sequence[Drive], which: NDArray[np.int64], index: int, tensions: tuple[Array, Array]
+) -> Flags:
+    """Whether a trim that a pulley takes part in is open, that of the driven ones to the first."""
+    entry, leaving = tensions
+    driven = (np.abs(entry - leaving) > IDLE * entry).T
+    first = driven.argmax(axis=1)
+    shifts = np.array(
+        [
+            [[open_shift(d.belt, one, other) > 0.0 for other in d.pulleys] for one in d.pulleys]
+            for d in drives
+        ]
+    )
+    with_first = shifts[which, first] & driven
+    found = np.where(first == index, with_first.any(axis=1), with_first[:, index])
+    return np.asarray(found & driven[:, index])
 
 
 def _factors(

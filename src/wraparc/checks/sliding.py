@@ -43,6 +43,7 @@ EARLY = 0.8  # of `SLIDES`: where the tests end before, they come first
 ROUNDS, FARTHEST = 60, 200.0  # of a search, and how far it goes
 DIFFERENCE = 1e-3  # of a tension, for a slope
 _NEAR = 1e-8  # last step over the place
+LEAST_CARRIED = 1e-9  # ln(tight/slack) where an overrun takes all that friction could carry [-]
 
 
 class Loaded(NamedTuple):
@@ -189,7 +190,7 @@ def _spare(of: Loaded, line: Line, k: float, q: float, even: bool) -> tuple[floa
     there = plateau_capacity(of.law, tight * (1.0 + DIFFERENCE) / area, wrap)
     fall = (there - here) / (here * DIFFERENCE) * k * line.tight_rise / tight
     grows = k * (line.tight_rise / tight - line.slack_rise / slack) / asked
-    return log(k), log(q / asked), fall - grows
+    return log(k), log(max(q, LEAST_CARRIED) / asked), fall - grows
 
 
 def pull_at_sliding(of: Loaded, line: Line, begin: Sequence[AtLimit]) -> Sliding:

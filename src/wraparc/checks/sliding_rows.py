@@ -25,6 +25,7 @@ from wraparc.checks.sliding import (
     DIFFERENCE,
     EARLY,
     FARTHEST,
+    LEAST_CARRIED,
     MOST,
     ROUNDS,
     SLIDES,
@@ -315,6 +316,6 @@ def _spare(
     grows = k * (at.tight_rise / tight - at.slack_rise / slack) / asked
     return (
         np.where(even, k, np.log(k)),
-        np.where(even, slack - tight * kept, np.log(q / asked)),
+        np.where(even, slack - tight * kept, np.log(np.maximum(q, LEAST_CARRIED) / asked)),
         np.where(even, at.slack_rise - at.tight_rise * kept, fall - grows),
     )

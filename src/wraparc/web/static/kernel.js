@@ -1135,6 +1135,7 @@ const BY_SLIP = 4;
 const BY_LAW = 16;
 const MOST = 2;
 const DIFFERENCE = 0.001;
+const LEAST_CARRIED = 1e-9;
 const _NEAR = 1e-8;
 const NOT_CARRIED = 0.999;
 const GRAVITY = 9.80665;
@@ -4462,7 +4463,7 @@ export function sliding___spare(of, line, k, q, even) {
   let there = gross_slip__plateau_capacity(of.law, (tight * (1.0 + DIFFERENCE)) / area, wrap);
   let fall = (((there - here) / (here * DIFFERENCE)) * k * line.tight_rise) / tight;
   let grows = (k * (line.tight_rise / tight - line.slack_rise / slack)) / asked;
-  return [Math.log(k), Math.log(q / asked), fall - grows];
+  return [Math.log(k), Math.log(max(q, LEAST_CARRIED) / asked), fall - grows];
 }
 
 /** A step to `new`, kept between the ends. */
