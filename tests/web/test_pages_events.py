@@ -3,6 +3,7 @@
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from web.browser import PHONE, Calculator, Visitor
@@ -14,6 +15,13 @@ def short() -> str:
     text = next(e.text for e in examples() if e.name == "tandem-fabric")
     assert 'duration = "40 s"' in text
     return text.replace('duration = "40 s"', 'duration = "2 s"')
+
+
+def with_layers(text: str) -> str:
+    """Return a drive with the layers of a belt of 15 mm."""
+    layers = 'pulley_cover = "3 mm"\ncarry_cover = "6 mm"\ncarcass = "6 mm"\n'
+    assert "[belt]\n" in text
+    return text.replace("[belt]\n", f"[belt]\n{layers}")
 
 
 def minutes(page: Page) -> None:
@@ -35,7 +43,7 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
 
 
 def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:
-    page = opened(visitor, short(), tmp_path)
+    page = opened(visitor, with_layers(short()), tmp_path)
     page.click("#follow")
     # the answers stand first, and it plays by itself
     expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
@@ -44,6 +52,13 @@ def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> 
     expect(reading).to_contain_text(re.compile(r"^2\.0\d s: belt"))
     drum = page.locator("#events svg.pulley").first
     told, colours = drum.get_attribute("aria-label"), _colours(page)
+    outline = drum.locator(".belt").get_attribute("d") or ""
+    ends = [
+        complex(*map(float, place.split())) for place in re.findall(r"-?[\d.]+ -?[\d.]+", outline)
+    ]
+    # to scale: the drum of 800 mm is drawn with a radius of 100, its belt 15 mm thick
+    assert any(abs(end) == pytest.approx(100.0 + 15.0 / 4.0, abs=0.01) for end in ends)
+    assert not any(abs(end) == pytest.approx(105.0, abs=0.5) for end in ends)
     assert told is not None
     assert re.match(r"first: pulls [\d.]+ kN, creep at exit [\d.]+ mm", told)
     assert len(set(colours)) > 5

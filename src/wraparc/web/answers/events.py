@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from wraparc.drive.pitch import whole_thickness
 from wraparc.errors import InputError, Problem, shown
 from wraparc.motion import RunResult, simulate, stability, stability_map
 from wraparc.motion.file import Motion, motion_from_document
@@ -38,6 +39,7 @@ class DrumPlayed(Answer):
     name: str
     diameter: float
     wrap_angle: float
+    belt_thickness: float | None
     creep_limit: float
     entry_tension: Numbers
     exit_tension: Numbers
@@ -152,6 +154,7 @@ def played(run: RunResult) -> Played:
                 name=pulley.name,
                 diameter=pulley.diameter,
                 wrap_angle=pulley.wrap_angle,
+                belt_thickness=whole_thickness(train.belt),
                 creep_limit=train.creep_limit_of(pulley),
                 creep=rounded(drum.creep[frames][:, kept], 3),
                 shear=rounded(drum.shear[frames][:, kept], 3),

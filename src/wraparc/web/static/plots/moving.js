@@ -23,24 +23,27 @@ export class MovingPulley extends Pulley {
   marks = s("path", { class: "belt-marks", "stroke-dasharray": `16 ${MARKS - 16}` });
   spoke = s("path", { class: "spoke", d: `M0 -12V-${SHELL - 36}` });
 
-  /** @param {HTMLElement} box @param {number} radius of the drum [m] */
-  constructor(box, radius) {
+  /** @param {HTMLElement} box @param {number} radius of the drum [m]
+   * @param {number | null} thickness of the belt [m], drawn to scale where it is known */
+  constructor(box, radius, thickness) {
     super(box);
     this.scale = LAG / radius;
+    if (thickness) this.belted = LAG + this.scale * thickness;
     this.svg.append(this.spoke, this.marks);
     this.peak.remove();
   }
   /** @param {number} phi */
   frame(phi) {
     super.frame(phi);
-    const [a, b] = [this.place(0, LAG + 2.5), this.place(phi, LAG + 2.5)];
+    const middle = (LAG + this.belted) / 2;
+    const [a, b] = [this.place(0, middle), this.place(phi, middle)];
     const way = [
       [-Math.sin(this.half), -Math.cos(this.half)],
       [-Math.sin(this.half), Math.cos(this.half)],
     ];
     const far = (/** @type {Point} */ [x, y], /** @type {number[]} */ [u, v]) =>
       `${fixed(x + 150 * u)} ${fixed(y + 150 * v)}`;
-    const arc = this.arc(0, phi, LAG + 2.5).map(([x, y]) => `${fixed(x)} ${fixed(y)}`);
+    const arc = this.arc(0, phi, middle).map(([x, y]) => `${fixed(x)} ${fixed(y)}`);
     this.marks.setAttribute("d", `M${far(a, way[0])}L${arc.join("L")}L${far(b, way[1])}`);
   }
   /** Colours of the cells and heights of the ring, by the sign of the values.

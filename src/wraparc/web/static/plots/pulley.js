@@ -13,7 +13,6 @@ import { attr, each, fixed, fresh, hatches, put, s, say, warm } from "./svg.js";
 const CELLS = 90;
 const SHELL = 80;
 const LAG = 100;
-const BELT = 105;
 
 /** @param {Point} a @param {Point} b @param {number} f @returns {Point} */
 const add = ([x, y], [u, v], f) => [fixed(x + f * u), fixed(y + f * v)];
@@ -36,6 +35,7 @@ export class Pulley {
   hand = s("path", { class: "cursor" });
   phi = 0;
   half = 0;
+  belted = 105; // outside of the belt
   /** @type {Strand[]} */
   strands = [];
 
@@ -135,7 +135,11 @@ export class Pulley {
     /** @param {number} i @param {number} r */
     const far = (i, r) => add(this.place(i ? phi : 0, r), outs[i], 150);
     const edge = [far(0, LAG), ...this.arc(0, phi, LAG), far(1, LAG)];
-    const back = [far(1, BELT), ...this.arc(0, phi, BELT).reverse(), far(0, BELT)];
+    const back = [
+      far(1, this.belted),
+      ...this.arc(0, phi, this.belted).reverse(),
+      far(0, this.belted),
+    ];
     this.belt.setAttribute("d", `${poly([...edge, ...back])}z`);
     const ends = [0, phi].map((v) => this.place(v, 1));
     const nips = ends.map(([x, y]) => `M${x * SHELL} ${y * SHELL}L${x * LAG} ${y * LAG}`);
@@ -145,14 +149,14 @@ export class Pulley {
       [-LAG - 6, -LAG - 6],
       [LAG + 6, LAG + 6],
     ];
-    this.strands = outs.map((out, i) => this.strand(out, i, seen, far(i, BELT)));
+    this.strands = outs.map((out, i) => this.strand(out, i, seen, far(i, this.belted)));
     this.look(seen);
   }
   /** Arrow and words of one strand of the belt.
    * @param {Point} out @param {number} i @param {Point[]} seen @param {Point} far
    * @returns {Strand} */
   strand(out, i, seen, far) {
-    const nip = this.place(i ? this.phi : 0, BELT);
+    const nip = this.place(i ? this.phi : 0, this.belted);
     /** @type {Point} */
     let aside = [out[1], -out[0]];
     if (aside[0] * nip[0] + aside[1] * nip[1] < 0) aside = [-aside[0], -aside[1]];
@@ -183,7 +187,7 @@ export class Pulley {
   }
   /** Show the cursor at an angle from the entry nip. @param {number} theta */
   at(theta) {
-    const [a, b] = [this.place(theta, SHELL - 34), this.place(theta, BELT + 6)];
+    const [a, b] = [this.place(theta, SHELL - 34), this.place(theta, this.belted + 6)];
     attr(this.hand, { d: `M${a}L${b}` });
   }
 }

@@ -53,7 +53,12 @@ export class Player extends Component {
   componentDidMount() {
     const { run } = this.props;
     this.pulleys = run.drums.map(
-      (d, i) => new MovingPulley(/** @type {HTMLElement} */ (this.boxes[i]), d.diameter / 2),
+      (d, i) =>
+        new MovingPulley(
+          /** @type {HTMLElement} */ (this.boxes[i]),
+          d.diameter / 2,
+          d.belt_thickness,
+        ),
     );
     this.turned = run.drums.map((d) => angles(run, d));
     this.key();
