@@ -282,8 +282,10 @@ def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | 
     tensions = np.minimum(columns["entry_tension"], columns["exit_tension"])
     flying = np.flatnonzero((lift >= tensions) & (tensions > 0.0)).tolist()
     if flying:
-        value, name = display(float(lift[flying[0]]), "force"), "centrifugal_force"
-        more.append(row_problem(name, flying, value, "must be less than both tensions"))
+        told = display(float(lift[flying[0]]), "force")
+        more.append(
+            row_problem("centrifugal_force", flying, told, "must be less than both tensions")
+        )
     if problems or more:
         raise InputError(problems + more)
     return Arcs(laws=LawBank.of([lag.law for lag in some]), law=which, **columns)
