@@ -190,8 +190,8 @@ def test_many_bad_rows_are_told_in_one_sentence() -> None:
 
 def test_a_belt_that_presses_on_no_pulley_is_told_with_the_rest() -> None:
     """M v^2 of 70 kN where T2 is 60 kN; before anything is solved."""
-    table = {**designs(3, 19), "entry_tension": 150e3, "exit_tension": 60e3}
-    flung = {"centrifugal_force": [100.0, 70e3, 60e3], "belt_width": 0.0}
+    table: dict[str, Any] = {**designs(3, 19), "entry_tension": 150e3, "exit_tension": 60e3}
+    flung: dict[str, Any] = {"centrifugal_force": [100.0, 70e3, 60e3], "belt_width": 0.0}
     with pytest.raises(InputError) as error:
         solve_batch({**table, **flung}, RUBBER)
     told = [str(problem) for problem in error.value.problems]
