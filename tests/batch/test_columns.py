@@ -186,3 +186,17 @@ def test_many_bad_rows_are_told_in_one_sentence() -> None:
     wrap, width = error.value.problems
     assert str(wrap) == 'column "wrap_angle", row 3 = 0 deg: must be more than 0 and finite.'
     assert str(width).endswith("(20 rows are like this: 0, 2, 4, 6, 8, 10, 12, 14, 16, 18 ...).")
+
+
+def test_a_belt_that_presses_on_no_pulley_is_told_with_the_rest() -> None:
+    """M v^2 of 70 kN where T2 is 60 kN; before anything is solved."""
+    table: dict[str, Any] = {**designs(3, 19), "entry_tension": 150e3, "exit_tension": 60e3}
+    flung: dict[str, Any] = {"centrifugal_force": [100.0, 70e3, 60e3], "belt_width": 0.0}
+    with pytest.raises(InputError) as error:
+        solve_batch({**table, **flung}, RUBBER)
+    told = [str(problem) for problem in error.value.problems]
+    assert told == [
+        'column "belt_width" = 0 mm: must be more than 0 and finite.',
+        'column "centrifugal_force", row 1 = 70 kN: must be less than both tensions '
+        "(2 rows are like this: 1, 2).",
+    ]

@@ -213,7 +213,7 @@ def test_what_remains_identified_is_said_before_and_after(tmp_path: Path) -> Non
         (ASK, "errors: missing, and a speed ratio compares radii: 0.1 mm of one is 0.024 %"),
         (
             ASK + ZERO.replace("3.060", "2.950"),
-            "zero.belt_speed: puts the tension member -6.4",
+            'zero.belt_speed = "2.950 m/s": puts the tension member -6.4',
         ),
         (ASK + ZERO.replace("3.060", "3.600"), "a belt has it 0 to 60 mm above"),
         (ASK + ZERO.replace('exit_tension = "60 kN"', ""), "zero: needs the tensions of this"),
@@ -232,6 +232,34 @@ def test_what_remains_identified_is_said_before_and_after(tmp_path: Path) -> Non
 )
 def test_records_that_cannot_be(tmp_path: Path, text: str, sentence: str) -> None:
     assert sentence in faults(tmp_path, text)
+
+
+def test_all_faults_of_a_calibrate_file_are_told_at_once(tmp_path: Path) -> None:
+    """Keys, units, what does not go together, and a zero record below the lagging."""
+    text = (
+        ASK.replace('"0.01 %"', '"-0.01 %"')
+        + '[[number]]\nquantity = "exit_creep"\nvalue = "3 kN"\n'
+        + ZERO.replace("3.060", "2.950")
+        + '[errors]\nexit_tension = "-2 %"\ncover_sheer = "3 %"\n[prior.overrun]\nmean = "1 mm"\n'
+    )
+    told = faults(tmp_path, text)
+    for said in (
+        'number[1].sd = "-0.01 %": must be more than 0',
+        "number[2].sd: missing",
+        'number[2].value = "3 kN": a force, where a length is needed',
+        'errors.exit_tension = "-2 %": must be a percentage',
+        "errors.cover_sheer",
+        "prior.overrun.sd: missing",
+        "prior.overrun: is not among the parameters",
+    ):
+        assert said in told, told
+    without = text.replace('exit_tension = "-2 %"\ncover_sheer = "3 %"\n', 'diameter = "0 mm"\n')
+    for said in (
+        'zero.belt_speed = "2.950 m/s": puts the tension member',
+        "errors.diameter",
+        "number[1].sd",
+    ):
+        assert said in faults(tmp_path, without)
 
 
 def test_speeds_without_thickness_and_zero_are_asked_about(tmp_path: Path) -> None:

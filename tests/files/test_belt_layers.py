@@ -16,6 +16,8 @@ from wraparc.checks import Level, judge
 from wraparc.drive import Drive
 from wraparc.drive.pitch import cover_compliance, layers_of, pitch_offset
 from wraparc.files import drive_from_text, drive_text
+from wraparc.present.document import result_document
+from wraparc.present.inputs import drive_inputs
 from wraparc.train.file import train_from_text
 
 LAYERS = 'pulley_cover = "3 mm"\ncarry_cover = "7 mm"\ncarcass = "6 mm"\nmass = "20 kg/m"'
@@ -257,3 +259,17 @@ def test_odd_input_of_a_belt(belt: str, pulley: str, said: str) -> None:
         drive(belt, f'entry_tension = "150 kN"\n{pulley}')
     assert said in told(error)
     assert len(error.value.problems) == 1
+
+
+def test_the_inputs_of_an_answer_say_where_the_tension_member_runs() -> None:
+    """Carry cover and half of the carcass: 7 + 3 mm; of a side alone, that it is met."""
+    pulley = 'entry_tension = "150 kN"\nside = "carry"'
+    result = solve(drive(pulley=pulley))
+    (told_of,) = [i for i in drive_inputs(result.drive) if i.name == "pitch_offset"]
+    assert told_of.value == pytest.approx(10e-3)
+    assert told_of.remark == "carry side of the belt"
+    assert result_document([result])["drive"]["pulleys"][0]["side"] == "carry"
+    own = TEXT.replace('preset = "Plylon Plus 1000/4"', 'name = "own"\nmodulus = "12960 kN/m"')
+    result = solve(drive_from_text(own.format(belt="", pulley=pulley)))
+    told_so = {i.title: i.value for i in drive_inputs(result.drive)}
+    assert told_so["Meets the"] == "carry side of the belt"

@@ -15,7 +15,9 @@ LAYERS = ("--set", "belt.pulley_cover=4 mm", "--set", "belt.carcass=6 mm")
 
 @pytest.mark.parametrize("command", [("what-if", "--worn", "8 mm"), ("field", *LAYERS), ("check",)])
 def test_an_ok_names_its_data(command: tuple[str, ...]) -> None:
-    ran = wraparc(command[0], UPHILL, *command[1:])
+    # the alarm of the uphill conveyor is no OK: two load cases of it differ by their compression
+    of = example("downhill-braking") if command[0] == "field" else UPHILL
+    ran = wraparc(command[0], of, *command[1:])
     assert ran.code == 0, ran.err
     assert re.search(r"OK( dry only)?, on illustrative data", ran.words)
 

@@ -117,6 +117,14 @@ def test_what_cannot_be_is_told() -> None:
         tandem(replace(FABRIC, pulley_cover=3e-3, carcass=6e-3), True)
     with pytest.raises(InputError, match=r"presses on no pulley.*m v.2 = 90 kN"):
         tandem(replace(FABRIC, mass=10000.0))
+    # rows of 20 kg/m: 200 kN at 100 m/s, 0.18 kN at 3 m/s
+    of = tandem(replace(FABRIC, mass=20.0))
+    for column, said in (
+        ({"belt_speed": [3.0, 100.0]}, r'"belt_speed", row 1 = 100 m/s: .* m v.2 = 200 kN'),
+        ({"exit_tension": [45e3, 100.0]}, r'"exit_tension", row 1 = 0.1 kN: .* 0.18 kN'),
+    ):
+        with pytest.raises(InputError, match=said):
+            solve_train_batch(of, column, capacities=False)
 
 
 @pytest.mark.parametrize(

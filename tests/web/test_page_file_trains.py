@@ -116,6 +116,9 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     for system in ("si", "us"):
         page.get_by_label(system.upper(), exact=True).check(force=True)
         assert_says(page, answer, system)
+    drawn = page.locator("#train svg.chart").first.locator("text").all_text_contents()
+    both = ["pulley side", "carry side"] if CARRY in TRAINS[name] else []
+    assert [t for t in drawn if t.endswith(" side")] == both
     visitor.close()
     assert (visitor.wrong, visitor.elsewhere) == ([], [])
 

@@ -362,6 +362,21 @@ def circles(found: list[Any]) -> list[tuple[float, float]]:
     return [(e["cx"], e["cy"]) for e in found if e["tag"] == "circle" and e.get("class") == "shell"]
 
 
+def test_drums_say_which_side_of_the_belt_lies_on_them_where_they_differ() -> None:
+    one, both = drawn(
+        chain(*(drive(name, 120e3, 80e3, side="pulley") for name in "ab")),
+        chain(drive("a", 120e3, 80e3, side="pulley"), drive("b", 80e3, 40e3, side="carry")),
+    )
+    sides = [
+        [e["text"] for e in f if e["tag"] == "text" and "side" in e["text"]] for f in (one, both)
+    ]
+    assert sides == [[], ["pulley side", "carry side"]]
+    titles = [e["text"] for e in both if e["tag"] == "title"]
+    assert [t.rpartition(", ")[2] for t in titles] == [
+        "pulley side of the belt", "carry side of the belt",
+    ]  # fmt: skip
+
+
 def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
     # by hand: it comes at height 0, turns half about a drum of radius 50 below it, comes out 100
     # lower and back, and passes over the next drum in the other sense

@@ -26,6 +26,7 @@ from wraparc.drive.pitch import thin_belt
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
+from wraparc.units import display
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -277,6 +278,14 @@ def arcs_of_table(table: Mapping[str, ArrayLike], laggings: Sequence[Lagging] | 
         shape = column.value.shape
         value = column.value if shape in ((), (1,), (n,)) else np.array(nan)  # told already
         columns[name] = np.broadcast_to(value, (n,)).copy()
+    lift = columns["centrifugal_force"]
+    tensions = np.minimum(columns["entry_tension"], columns["exit_tension"])
+    flying = np.flatnonzero((lift >= tensions) & (tensions > 0.0)).tolist()
+    if flying:
+        told = display(float(lift[flying[0]]), "force")
+        more.append(
+            row_problem("centrifugal_force", flying, told, "must be less than both tensions")
+        )
     if problems or more:
         raise InputError(problems + more)
     return Arcs(laws=LawBank.of([lag.law for lag in some]), law=which, **columns)

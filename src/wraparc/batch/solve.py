@@ -55,8 +55,10 @@ def solve_batch(
         ``entry_tension``, ``exit_tension``, ``diameter``, ``wrap_angle``, ``belt_width``,
         ``belt_modulus``; if they are not to come from the lagging ``lagging_thickness``,
         ``shear_modulus``, ``compression_modulus``, ``wear_coefficient``; and ``overrun`` (nan: by
-        formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``. With more than one
-        lagging also ``lagging``: names, or places in `laggings`. A pandas DataFrame will do.
+        formula), ``recovery`` (1 or 0), ``creep_limit``, ``belt_speed``, and of the belt
+        ``pitch_offset`` (e), ``cover_compliance`` (h_b/G_b [m/Pa]), ``centrifugal_force``
+        (m v^2), each 0 if left out. With more than one lagging also ``lagging``: names, or places
+        in `laggings`. A pandas DataFrame will do.
     laggings
         The laggings.
     setting, capacities, threads, progress

@@ -26,9 +26,9 @@ from wraparc.provenance import Kind, Provenance
 from wraparc.schema.kinds import ByName, Choice, Name, Percent, Quantity, Rows, Text
 from wraparc.schema.origins import own_provenance
 from wraparc.schema.overrides import Overrides, load
-from wraparc.schema.problems import Place, Report
+from wraparc.schema.problems import NOTHING, Place, Report
 from wraparc.schema.shared_keys import FORMAT_ENTRY, PROVENANCE
-from wraparc.schema.source import Document, read_whole
+from wraparc.schema.source import Document, read_tables
 from wraparc.schema.tables import Entry, Record, Table, need
 from wraparc.shear_test import DELIMITER_NAMES
 from wraparc.shear_test.plan_keys import Column
@@ -154,11 +154,16 @@ def load_measured(path: str | os.PathLike[str], *, overrides: Overrides = ()) ->
 
 def measured_from_document(document: Document, *, file: str = "", folder: str = "") -> Measured:
     """Return what a calibrate file says that is already parsed."""
-    record, report = read_whole(CALIBRATE, document, file)
-    drive = report.sure(lambda: drive_of(record, folder, report))
+    record, report = read_tables(CALIBRATE, document, file)
+    drive = drive_of(record, folder, report) if "drive" in record else None
+    if drive is None:
+        report.raise_all()
+    assert drive is not None  # noqa: S101 - else it was reported
     pulley = pulley_of(record, drive, report)
-    numbers = [_number(r, drive, pulley, report) for r in record.get("number", ())]
-    folded = [_folded(r, drive, pulley, folder, report) for r in record.get("record", ())]
+    numbers = [_number(r, drive, pulley, report) for r in _tables(record, "number")]
+    folded = [
+        _folded(r, drive, pulley, folder, report) for r in _tables(record, "record") if r.sound()
+    ]
     priors = _priors(record, report)
     zero = _zero(record.get("zero"), drive, pulley, report)
     errors = _errors(record, drive, pulley, zero, report)
@@ -195,6 +200,11 @@ def measured_from_document(document: Document, *, file: str = "", folder: str = 
     )
 
 
+def _tables(record: Record, key: str) -> list[Record]:
+    """Return the tables of a key that could be read, with what of them could be."""
+    return [item for item in record.get(key, ()) if isinstance(item, Record)]
+
+
 def _method(name: str) -> Method:
     return PaperMarch() if name == "paper" else usual_method()
 
@@ -221,23 +231,32 @@ def _si(text: str, dimension: Dimension, place: Place, report: Report) -> float 
 
 
 def _number(record: Record, drive: Drive, pulley: str, report: Report) -> Number | None:
-    quantity = record["quantity"]
+    quantity, case = record.get("quantity"), case_of(record, drive, report)
+    if quantity is None:
+        return None
     dimension = GLOSSARY[quantity].dimension
-    case = case_of(record, drive, report)
-    sd = _si(record["sd"], dimension, (*record.place, "sd"), report)
+    sd = _deviation(record, dimension, report)
     value, apparent = None, False
     if "value" in record:
         value = _si(record["value"], dimension, (*record.place, "value"), report)
     elif all(key in record for key in _SPEED_RATIO) and quantity.endswith("creep_ratio"):
         value, apparent = _shown(record), True
-    else:
+    elif record.sound("value", *_SPEED_RATIO):
         report.add(record.place, "no value", "Write value, or drum_speed and belt_speed.")
-    if sd is not None and not sd > 0.0:
-        report.add((*record.place, "sd"), "must be more than 0", value=record["sd"])
-        return None
     if value is None or sd is None:
         return None
     return Number(quantity=quantity, value=value, sd=sd, load_case=case, apparent=apparent)
+
+
+def _deviation(record: Record, dimension: Dimension, report: Report) -> float | None:
+    """Return the standard deviation of a measured number [SI], or None after reporting."""
+    if "sd" not in record:
+        return None
+    sd = _si(record["sd"], dimension, (*record.place, "sd"), report)
+    if sd is not None and not sd > 0.0:
+        report.add((*record.place, "sd"), "must be more than 0", value=record["sd"])
+        return None
+    return sd
 
 
 def _shown(record: Record) -> float:
@@ -247,34 +266,30 @@ def _shown(record: Record) -> float:
 
 def _zero(record: Any, drive: Drive, pulley: str, report: Report) -> Number | None:
     """Return the record that zeroes the speed ratio, or None after reporting what is wrong."""
-    if not isinstance(record, Record) or not record.sound():
+    if not isinstance(record, Record):
         return None
-    sd = _si(record["sd"], "number", (*record.place, "sd"), report)
-    if sd is not None and not sd > 0.0:
-        report.add((*record.place, "sd"), "must be more than 0", value=record["sd"])
-    given = [key for key in ("entry_tension", "exit_tension") if key in record]
+    sd, both = _deviation(record, "number", report), ("entry_tension", "exit_tension")
+    given = [key for key in both if key in record]
     if given and "load_case" in record:
         report.add((*record.place, "load_case"), "given, and tensions as well", "Keep one.")
         return None
-    if len(given) != 2 and "load_case" not in record:
+    if len(given) != 2 and "load_case" not in record and record.sound(*both, "load_case"):
         message = "needs the tensions of this record"
         remedy = "Write entry_tension and exit_tension, or load_case of the drive file."
         report.add(record.place, message, remedy)
         return None
+    if sd is None or not record.sound():
+        return None
     tensions = None
     if given:
         tensions = Tensions(entry=record["entry_tension"], exit=record["exit_tension"])
-    return (
-        None
-        if sd is None
-        else Number(
-            quantity=f"{record.get('nip', 'exit')}_creep_ratio",
-            value=_shown(record),
-            sd=sd,
-            load_case=case_of(record, drive, report),
-            apparent=True,
-            tensions=tensions,
-        )
+    return Number(
+        quantity=f"{record.get('nip', 'exit')}_creep_ratio",
+        value=_shown(record),
+        sd=sd,
+        load_case=case_of(record, drive, report),
+        apparent=True,
+        tensions=tensions,
     )
 
 
@@ -303,12 +318,12 @@ def _errors(
         if not value > 0.0:
             report.add(("errors", key), "must be more than 0", "Leave it out where it is exact.")
     errors = {key: stated[key] for key in ERRORS if key in stated}
-    on, speeds = drive.pulley(pulley), [r for r in record.get("number", ()) if "drum_speed" in r]
+    on, speeds = drive.pulley(pulley), [r for r in _tables(record, "number") if "drum_speed" in r]
     e = pitch_offset(drive.belt, on.side)
     radius = 0.5 * on.diameter + (e or 0.0)
     lengths = stated.get("pitch_offset", 0.0), 0.5 * stated.get("diameter", 0.0)
     by_zero = math.hypot(stated.get("belt_speed", 0.0), *(length / radius for length in lengths))
-    if zero is None and not speeds:
+    if zero is None and not (speeds and record.sound("zero", "errors")):
         return errors
     if not record.get("parameters"):  # nothing is found, only laid beside the prediction
         return errors
@@ -330,7 +345,9 @@ def _errors(
     known = by_zero and e is not None
     errors = {"speed_zero": by_zero if known else OPEN_ZERO, **errors}
     if zero is not None:
-        _check_zero(zero, drive, pulley, errors["speed_zero"] if known else by_zero, report)
+        _check_zero(
+            record["zero"], zero, drive, pulley, errors["speed_zero"] if known else by_zero, report
+        )
     return errors
 
 
@@ -339,7 +356,9 @@ def _percent_of(length: float, radius: float) -> str:
     return f"{100.0 * length / radius:.2g} %"
 
 
-def _check_zero(zero: Number, drive: Drive, pulley: str, sd: float, report: Report) -> None:
+def _check_zero(
+    record: Record, zero: Number, drive: Drive, pulley: str, sd: float, report: Report
+) -> None:
     """Report a zero record that no belt shows: its tension member below the lagging's surface."""
     arc = arc_of(drive, pulley, zero.state, {})
     pull = (arc.entry_tension - arc.exit_tension) * arc.compliance
@@ -355,6 +374,7 @@ def _check_zero(zero: Number, drive: Drive, pulley: str, sd: float, report: Repo
             f"0 to {1e3 * MOST_THICKNESS:g} mm above",
             "Are drum and belt speed mixed up, or is the diameter that of the bare drum? Check the "
             "radius of the wheel; where it is not well known, give belt_speed in [errors].",
+            record.raw.get("belt_speed", NOTHING),
         )
 
 
@@ -385,8 +405,10 @@ def _priors(record: Record, report: Report) -> dict[str, Prior]:
     priors = {}
     for name, table in record.get("prior", {}).items():
         place = ("prior", name)
-        if name not in record.get("parameters", ()):
+        if name not in record.get("parameters", ()) and record.sound("parameters"):
             report.add(place, "is not among the parameters", "Add it to parameters.")
+            continue
+        if not isinstance(table, Record) or not table.sound() or name not in _DIMENSIONS:
             continue
         mean, sd = (
             _si(table[key], _DIMENSIONS[name], (*place, key), report) for key in ("mean", "sd")

@@ -193,6 +193,7 @@ def _drive_data(drive: Drive, file: str) -> Data:
                 "name": pulley.name,
                 "diameter": pulley.diameter,
                 "wrap_angle": pulley.wrap_angle,
+                "side": pulley.side,
                 "lagging": lagging_data(pulley.lagging),
             }
             for pulley in drive.pulleys

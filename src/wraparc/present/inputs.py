@@ -12,7 +12,7 @@ from wraparc.arc import WrapArc
 from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
 from wraparc.drive.belt import COVER_SHEAR_MODULUS, LAYERS, THICKNESS
 from wraparc.drive.conditions import SCALED
-from wraparc.drive.pitch import ESTIMATED_COVER, covered
+from wraparc.drive.pitch import ESTIMATED_COVER, covered, pitch_offset
 from wraparc.glossary import GLOSSARY
 from wraparc.present.sheet import percent, quantity
 from wraparc.present.sources import Sources
@@ -169,6 +169,11 @@ def _pulley(
 
     yield _named(group, "diameter", pulley.diameter, origin("diameter"))
     yield _named(group, "wrap_angle", pulley.wrap_angle, origin("wrap_angle"))
+    offset, side = pitch_offset(drive.belt, pulley.side), f"{pulley.side} side of the belt"
+    if offset is not None:
+        yield _named(group, "pitch_offset", offset, None, side)
+    elif pulley.side != "pulley":
+        yield Input(group, "Meets the", side, origin=origin("side"))
     if pulley.mass is not None:
         yield _named(group, "pulley_mass", pulley.mass, origin("mass"))
     if pulley.overrun is not None:

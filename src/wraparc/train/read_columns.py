@@ -175,6 +175,7 @@ class _Reader:
             drums=drums,
             bank=LawBank.of([p.lagging.law for p in self.train.pulleys]),
         )
+        self._say_flying(rows)
         rows = self._divided(rows)
         bad = np.flatnonzero(~self.good)
         if len(bad):
@@ -261,6 +262,19 @@ class _Reader:
             self.problems.append(row_problem("effective_tension", rows.tolist(), told, message))
         self.good &= ~bad
 
+    def _say_flying(self, rows: TrainRows) -> None:
+        """Say where the belt is so fast for its mass that it presses on no pulley."""
+        whole, lift = rows.whole, rows.lift
+        least = np.minimum(whole["entry_tension"], whole["exit_tension"])
+        bad = np.flatnonzero(self.good & (least <= lift))
+        if len(bad):
+            name = "belt_speed" if (-1, "belt_speed") in self.columns else "exit_tension"
+            told = display(float(whole[name][bad[0]]), OF_TRAIN[name].dimension)
+            flung, there = (display(float(value[bad[0]]), "force") for value in (lift, least))
+            message = f"the belt presses on no pulley: m v^2 = {flung}, its least tension {there}"
+            self.problems.append(row_problem(name, bad.tolist(), told, message))
+            self.good[bad] = False
+
     def _say(self, key: str, bad: Flags, message: str, value: Array) -> None:
         """Say what is wrong with a column of drums, and mark its rows."""
         dimension = OF_DRUM[key].dimension
@@ -289,7 +303,7 @@ class _Reader:
             pulls = np.array(division.effective_tensions) * scale[:, None]
         leaving = rows.whole["entry_tension"][:, None] - np.cumsum(pulls, axis=1)
         leaving += np.cumsum(rows.drums["run"], axis=1)
-        rows_ = np.flatnonzero(self.good & (leaving[:, :-1] <= 0.0).any(axis=1))
+        rows_ = np.flatnonzero(self.good & (leaving[:, :-1] <= rows.lift[:, None]).any(axis=1))
         if len(rows_):
             least = display(float(leaving[rows_[0]].min()), "force")
             message = "the pulls leave no tension in the belt, and a belt cannot push"

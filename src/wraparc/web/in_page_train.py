@@ -92,7 +92,7 @@ def belt_of(given: Given, entry: float, exit_: float) -> Belt:
 
 
 def system_of(
-    members: Sequence[Member], lines: Sequence[Line], belt: Belt, runs: Sequence[float]
+    members: tuple[Member, ...], lines: tuple[Line, ...], belt: Belt, runs: tuple[float, ...]
 ) -> System:
     """The equations of a train, whose tensions are those above m v^2."""
     return System(members, lines, belt.entry - belt.lift, belt.exit - belt.lift, runs)

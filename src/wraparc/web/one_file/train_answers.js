@@ -96,7 +96,7 @@ function ofTrain({ c, told, divided, adrift, motors, arcs }, words, levels) {
 /** A case as the words of Python read one. @param {any} one @param {any[]} numbers */
 function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
   const members = arcs.map(
-    (/** @type {any} */ { pulley, prepared, offset }, /** @type {number} */ i) => {
+    (/** @type {any} */ { pulley, side, prepared, offset }, /** @type {number} */ i) => {
       const { summary, solved } = quicks[i];
       const limit = +prepared.given.creep_limit;
       const wrap_angle = +prepared.given.wrap_angle;
@@ -108,7 +108,7 @@ function resultOf({ c, system, told, arcs, quicks, divided }, numbers) {
         within_creep_limit: solved && Math.abs(exit_creep) <= limit,
         arc: {
           ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
-          ...{ diameter: +prepared.given.diameter, pitch_offset: offset },
+          ...{ diameter: +prepared.given.diameter, pitch_offset: offset, side_of_belt: side },
         },
         status: solved ? "solved" : "breakaway",
         energy: { power_loss: summary.power_loss },
@@ -188,6 +188,7 @@ const caseData = (r) => ({
   drives: r.members.map((/** @type {any} */ { arc, motor, ...turning }) => ({
     pulley: arc.arc.pulley,
     status: arc.status,
+    side: arc.arc.side_of_belt,
     wrap_angle: arc.arc.wrap_angle,
     ...finite({ ...turning, entry_tension: arc.entry_tension, exit_tension: arc.exit_tension }),
     ...finite({ exit_creep: arc.exit_creep }),

@@ -2,7 +2,8 @@
 
 /**
  * @typedef {{name: string, diameter: number, wrap_angle: number, creep_limit: number,
- *   belt_thickness: number | null, entry_tension: number[], exit_tension: number[], speed: number[], torque: number[],
+ *   belt_thickness: number | null, entry_tension: number[], exit_tension: number[],
+ *   speed: number[], torque: number[],
  *   share: (number | null)[], exit_creep: number[], peak_shear: number[],
  *   creep: number[][], shear: number[][]}} Drum
  * @typedef {{event: string, outcome: string, duration: number, time: number[], travel: number[],

@@ -61,7 +61,10 @@ export function chain(c) {
   ]);
   const id = fresh("belt");
   const runs = drums.some((d, i) => drums[i + 1] && changes(d.m, drums[i + 1].m));
-  const told = drums.map((d) => `${d.m.pulley}: ${words(d.m)}`).join("; ");
+  const both = new Set(drums.map((d) => d.m.side)).size > 1; // sides of the belt
+  const told = drums
+    .map((d) => `${d.m.pulley}: ${words(d.m)}${both ? sideOf(d.m) : ""}`)
+    .join("; ");
   return h(
     "svg",
     { ...size(box), class: "chart", role: "img", "aria-label": `The belt over its drums. ${told}` },
@@ -73,7 +76,7 @@ export function chain(c) {
     span(last.end, gone, wide(last.m.exit_tension), false),
     text([left, -13], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
     label(gone, last, [...(runs ? [] : ["return strand"]), force(last.m.exit_tension)]),
-    drums.map(named),
+    drums.map((d, i) => named(d, i, both)),
   );
 }
 /** @param {number} t */
@@ -89,6 +92,8 @@ function words(m) {
   const creep = shown("exit_creep", m.exit_creep);
   return `share ${percent(m.share)}${m.share < 0 ? ", brakes" : ""}, creep ${creep}`;
 }
+/** @param {any} m */
+const sideOf = (m) => `, ${m.side} side of the belt`;
 /** @param {Drum} d @returns {Point[]} */
 const corners = ({ centre: [x, y] }) => [
   [x - R, y - R],
@@ -206,8 +211,9 @@ function label([x, y], { leaving }, lines) {
   const cls = right ? "tr" : "ty";
   return lines.map((told, k) => text([x + (right ? 8 : -8), y + 4 + 13 * k], cls, told));
 }
-/** Name, share and wrap angle in a drum. @param {Drum} d @param {number} i */
-function named({ m, centre: [x, y] }, i) {
+/** Name, share and wrap angle in a drum, and the side of the belt where they differ.
+ * @param {Drum} d @param {number} i @param {boolean} both */
+function named({ m, centre: [x, y] }, i, both) {
   const name = m.pulley.length > 10 ? `${m.pulley.slice(0, 9)}…` : m.pulley;
   const said = slips(m) ? "slips" : percent(m.share, 3);
   const wrap = m.wrap_angle == null ? "" : `${Math.round((180 * m.wrap_angle) / PI)}°`;
@@ -215,7 +221,8 @@ function named({ m, centre: [x, y] }, i) {
   return h(
     "g",
     { key: `named ${m.pulley}` },
-    h("title", {}, `${m.pulley}: ${words(m)}`),
+    h("title", {}, `${m.pulley}: ${words(m)}${both ? sideOf(m) : ""}`),
+    both && text([x, y - 24], "tn", `${m.side} side`),
     text([x, y - 13], "tx", name),
     text([x, y + 2], "t1", said),
     text([x, y + 20], "tn", `${wrap} ${does}`),
