@@ -78,7 +78,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     "Trim": {"gain": (0.01, 20.0)},
     "Follower": {"ratio": (0.1, 5.0)},
     "LoadStep": {"factor": (-2.0, 4.0)},
-    "OnBelt": {"friction": (0.02, 2.0), "compliance": (0.2, 5.0)},
+    "OnBelt": {"friction": (0.02, 1.0), "compliance": (0.2, 5.0)},
     "motion": {
         "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
         "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
