@@ -266,7 +266,7 @@ def _qualifies(drive: Drive, limit: float) -> str:
         return ""
     least = MORE_CREEP.get(belt.kind)
     if least is None or belt.rating is None:
-        return " Whether this belt may creep more is not known: its carcass or rating is not given."
+        return "Whether this belt may creep more is not known: its carcass or rating is not given."
     strong = belt.breaking_strength or 0.0
     over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
     if over:
