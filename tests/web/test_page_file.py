@@ -70,7 +70,8 @@ DRIVES: dict[str, tuple[str, str]] = {
 }
 DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
 _COVERS = (
-    '[belt]\nstrength = "1000 kN/m"\npulley_cover = "4 mm"\ncarry_cover = "8 mm"\nmass = "20 kg/m"\n'
+    '[belt]\nstrength = "1000 kN/m"\n'
+    'pulley_cover = "4 mm"\ncarry_cover = "8 mm"\nmass = "20 kg/m"\n'
     'cover_shear_modulus = "0.9 MPa"\n'
 )
 DRIVES["carry side, covers, bond strength"] = (
