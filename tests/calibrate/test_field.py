@@ -107,6 +107,8 @@ def test_the_command(tmp_path: Path) -> None:
         (["--hours", "design=6000", "--hours", "empty=3000"], "9000 in all, and a year has 8784"),
         (["--measured-wear", "4 mm"], "needed with a measured wear: the hours that it took"),
         (["--measured-wear", "4", "--wear-hours", "design=1"], "no unit"),
+        (["--depth", "30 mm"], "more than the lagging has, 12 mm"),
+        (["--measured-wear", "13 mm", "--wear-hours", "design=1"], "more than the lagging has"),
         (["--depth", "-1 mm"], "must be more than 0"),
         (["--pulley", "tail"], "the drive has no such pulley"),
     ],

@@ -476,6 +476,7 @@ TENFOLD = (
     "train.motor.one.gear_ratio", "train.motor.one.setting",
     "train.motor.one.gear_efficiency", "train.motor.one.motor_efficiency",
     "train.motor.one.torque_limit", "train.motor.one.breakdown_ratio",
+    "conveyor.belt_mass", "conveyor.carry_idler_mass", "conveyor.return_idler_mass",
     "conveyor.friction_factor", "conveyor.length_coefficient", "conveyor.start_factor",
     "motion.drum.two.control.coupling_slip", "motion.drum.two.control.starting_ratio",
     "motion.event.happens.friction", "motion.event.happens.factor",
@@ -486,3 +487,10 @@ TENFOLD = (
 def test_ten_times_as_much_is_refused_or_asked_about(key: str) -> None:
     name, path = CASES[key, 1e3]
     assert asked(scaled(DOCUMENTS[name], path, 10.0))
+
+
+@pytest.mark.parametrize("key", ["belt_mass", "carry_idler_mass", "return_idler_mass"])
+def test_a_tenth_of_the_masses_of_a_conveyor_is_asked_about(key: str) -> None:
+    """2.2 kg/m of belt, 1.2 m wide, is less than the lightest cover: T1 would come out too low."""
+    name, path = CASES[f"conveyor.{key}", 1e-3]
+    assert asked(scaled(DOCUMENTS[name], path, 0.1))

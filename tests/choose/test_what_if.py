@@ -114,6 +114,7 @@ def test_the_command_tells_the_reasons(tmp_path: Path) -> None:
         (["--wet", "ISO"], "no design values of surface"),
         (["--wet", "80"], '--wet = "80": must be more than 0 and at most 2.'),
         (["--wet", "1e99"], '--wet = "1e99": must be more than 0 and at most 2.'),
+        (["--wet", "1.3"], "more friction wet than dry"),
         (["--load-case", "x", "--worn", "6 mm"], "the drive has no such load case"),
         (["--pulley", "x", "--worn", "6 mm"], "no such pulley"),
     ],

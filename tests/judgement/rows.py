@@ -201,6 +201,23 @@ def event(happens: str, duration: str = "4 s") -> tuple[tuple[str, str], ...]:
     return ((HAPPENS, happens), ('"4 s"', f'"{duration}"'))
 
 
+#: An empty belt as the first load case, a full one behind it.
+EMPTY_FIRST = (
+    (PLAIN_TENSIONS, ""),
+    ("", "".join(
+        f'[[load_case]]\nname = "{name}"\npulley.head.entry_tension = "{entry}"\n'
+        'pulley.head.exit_tension = "75 kN"\n'
+        for name, entry in (("empty", "90 kN"), ("full", "170 kN"))
+    )),
+)  # fmt: skip
+EMPTY_FIRST_TRAIN = (
+    ('exit_tension = "70 kN"\neffective_tension = "60 kN"\n', ""),
+    ("[motion]\n", "".join(
+        f'[[load_case]]\nname = "{name}"\ntrain.exit_tension = "70 kN"\n'
+        f'train.effective_tension = "{pull}"\n'
+        for name, pull in (("empty", "15 kN"), ("full", "130 kN"))
+    ) + "[motion]\n"),
+)  # fmt: skip
 ROWS = (
     Row("keeps its checks, computed dry", (), ("OK dry only", "wet it creeps 3.59 mm"),
         ("beyond its limit",), ALIKE, level="OK"),
@@ -264,6 +281,27 @@ ROWS = (
           "diameter = \"500 mm\"\nwrap_angle = \"30 deg\"\nlagging = \"diamond-rubber\"\n"
           "entry_tension = \"75 kN\"\nexit_tension = \"75 kN\"\n")),
         ("OK dry only",), ("snub",), ("solve", "note"), level="OK"),
+    Row("the empty belt stands first, what-if", EMPTY_FIRST,
+        ("load case full", "7.24 mm"), ("0.850 mm",), ("what-if",), level="ATTENTION"),
+    Row("a start creeps too much, what-if",
+        ((PLAIN_TENSIONS, PLAIN_TENSIONS.replace("120 kN", "110 kN")),
+         ("[design_standard]", START.format("165 kN"))),
+        ("load case start", "6.77 mm"), ("2.64 mm",), ("what-if",), level="ATTENTION"),
+    Row("the empty belt stands first, trim", EMPTY_FIRST_TRAIN,
+        ("99.574 %", "load case full"), ("99.946",), ("trim",), base=MOTION),
+    Row("the empty belt stands first, run",
+        (*EMPTY_FIRST_TRAIN, *event('kind = "start", time = "40 s"', "45 s")),
+        ("more than the belt allows, 210 kN",), ("OK",), ("run",), base=MOTION, level="FAILS"),
+    Row("a wet patch that grips better than the dry belt",
+        event('kind = "wet-patch", length = "3 m", friction = 1.5'),
+        ("friction", "1.5", "outside the usual"), ("OK",), ("run",), base=MOTION,
+        level="ATTENTION"),
+    Row("a belt of a tenth of its mass", (("22 kg/m", "2.2 kg/m"),),
+        ("belt mass of the conveyor, 2.2 kg/m", "outside the usual"), ("OK",), ("solve", "note"),
+        base=CONVEYOR, level="ATTENTION"),
+    Row("motors ten times too large", (("110 kW", "1100 kW"),),
+        ("rated power of the motors", "Is 1.22 meant?"), ("OK",), ("solve", "note"),
+        base=MOTORS, level="ATTENTION"),
     Row("drives that fight", (("50 %\", \"50 %", "130 %\", \"-30 %"),),
         ("work against each other",), ("OK",), ("solve",), base=TANDEM, level="ATTENTION"),
     Row("a tandem too slack", (("70 kN", "20 kN"), ("60 kN", "90 kN")),

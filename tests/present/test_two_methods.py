@@ -24,7 +24,7 @@ def test_methods_on_different_sides_of_the_creep_limit_are_told() -> None:
     assert "(distributed) and " in said.sentences[0]
     assert "(paper's march)" in said.sentences[0]
     assert make_note(results, NoteHead()).told.sentences[0] == said.sentences[0]
-    (creep, *_) = answer_table([result.arcs[0] for result in results]).rows
+    (creep, *_) = answer_table(tuple(result.arcs[0] for result in results)).rows
     assert creep.level is Level.ATTENTION  # the colour of both numbers
     agreed = shown(drive_sheet([mine, paper]), "si").verdict
     assert agreed is not None

@@ -140,7 +140,22 @@ def test_the_examples_can_be_read(name: str) -> None:
 
 def test_what_changes_the_verdict_alone_may_be_varied() -> None:
     axis = {"field": "belt.rating", "values": ["90 kN/m", "200 kN/m"]}
-    columns = study_of(axis).study.solve(0, 2)
+    columns = study_of(axis, load_cases=["design"]).study.solve(0, 2)
     assert [JUDGED["verdict"][code] for code in columns["verdict"]] == ["FAILS", "OK"]
     assert JUDGED["governing"][columns["governing"][0]] == "belt_tension"
     assert columns["exit_creep"][0] == columns["exit_creep"][1]
+
+
+@pytest.mark.parametrize(
+    ("field", "cases"),
+    [
+        ("belt.width", ("start",)),  # 186 kN - 60 kN, where the design pulls 90 kN
+        ("pulley.head.exit_tension", ("design",)),  # only there
+        ("load_case.start.pulley.head.exit_tension", ("start",)),
+    ],
+)
+def test_without_a_load_case_a_study_is_of_the_largest_pull(
+    field: str, cases: tuple[str, ...]
+) -> None:
+    values = ["1200 mm", "1300 mm"] if field == "belt.width" else ["60 kN", "70 kN"]
+    assert study_of({"field": field, "values": values}).study.load_cases == cases

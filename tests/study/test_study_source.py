@@ -194,7 +194,7 @@ def test_factors_scale_the_law_as_a_law_of_its_own_would() -> None:
     found = study.solve(0, 4)
     values = study.plan.values(0, 4)
     drive = drive_from_document(parse(read_text(Path(FOLDER) / "head-drive.toml"), ""))
-    base = WrapArc.of(drive, drive.pulleys[0], drive.load_cases[0])
+    base = WrapArc.of(drive, drive.pulleys[0], drive.load_case())
     for i in range(4):
         f, s = (float(column[i]) for column in values.values())
         arc = replace(base, law=base.law.scaled(0.9 * f, s))

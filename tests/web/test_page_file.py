@@ -70,7 +70,8 @@ DRIVES: dict[str, tuple[str, str]] = {
 }
 DRIVES["own lagging, dusty"] = OWN, "ATTENTION"
 _COVERS = (
-    '[belt]\npulley_cover = "4 mm"\ncarry_cover = "8 mm"\nmass = "20 kg/m"\n'
+    '[belt]\nstrength = "1000 kN/m"\n'
+    'pulley_cover = "4 mm"\ncarry_cover = "8 mm"\nmass = "20 kg/m"\n'
     'cover_shear_modulus = "0.9 MPa"\n'
 )
 DRIVES["carry side, covers, bond strength"] = (
@@ -79,6 +80,13 @@ DRIVES["carry side, covers, bond strength"] = (
         'side = "carry"\nlagging = { preset = "diamond-rubber", bond_strength = "0.1 MPa", '
         'fatigue_limit = "0.2 MPa" }',
     ),
+    "ATTENTION",
+)
+DRIVES["steel cord of no rating"] = (
+    HEAD.replace(
+        'preset = "Plylon Plus 1000/4"',
+        'name = "ST1000"\nkind = "steel cord"\nmodulus = "72000 kN/m"',
+    ).replace('"60 kN"', '"120 kN"'),
     "ATTENTION",
 )
 FITTED = (

@@ -16,7 +16,7 @@ from wraparc.drive import Drive
 from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem, placed, shown
 from wraparc.train.whole import Whole, by_pulley
-from wraparc.units import Dimension, parse_quantity
+from wraparc.units import Dimension, display, parse_quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -58,8 +58,8 @@ def on_site(whole: Whole, pulley: str, asked: OnSite) -> tuple[FieldNumbers | No
         return None, ""
     limits = {case: at for case, r in results.items() if (at := at_creep_limit(r)) is not None}
     coefficient, source = _coefficient(drive, pulley, results, asked)
-    half = 0.5 * drive.pulley(pulley).lagging.thickness
-    depth = _quantity(asked.depth, "length", "depth") if asked.depth else half
+    thickness = drive.pulley(pulley).lagging.thickness
+    depth = _depth(asked.depth, "depth", thickness) if asked.depth else 0.5 * thickness
     found = field_numbers(results, limits, asked.hours, coefficient=coefficient, depth=depth)
     return found, source
 
@@ -69,7 +69,8 @@ def _coefficient(
 ) -> tuple[float | None, str]:
     """Return the wear coefficient and where it came from; calibrated from a wear before all."""
     if asked.measured_wear:
-        worn = _quantity(asked.measured_wear, "length", "measured_wear")
+        thickness = drive.pulley(pulley).lagging.thickness
+        worn = _depth(asked.measured_wear, "measured_wear", thickness)
         value = wear_coefficient(worn, _energy(results, asked.wear_hours))
         return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
     if asked.wear_coefficient:
@@ -97,6 +98,15 @@ def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> flo
         turns = share * turns_an_hour(arc.belt_speed or 0.0, arc.radius + arc.offset)
         energy += turns * abs(result.energy.frictional_energy)
     return energy
+
+
+def _depth(text: str, key: str, thickness: float) -> float:
+    """Return a depth of wear [m], of a lagging that is so thick [m]."""
+    depth = _quantity(text, "length", key)
+    if depth > thickness:
+        told = f"more than the lagging has, {display(thickness, 'length')}"
+        raise InputError(Problem(key=key, value=shown(text), message=told))
+    return depth
 
 
 def _quantity(text: str, dimension: Dimension, key: str) -> float:

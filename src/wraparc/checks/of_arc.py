@@ -268,16 +268,17 @@ def _qualifies(drive: Drive, limit: float) -> str:
     if limit != CREEP_LIMIT:
         return ""
     least = MORE_CREEP.get(belt.kind)
-    if least is None or belt.rating is None:
-        return " Whether this belt may creep more is not known: its carcass or rating is not given."
+    steel, rating = belt.kind == "steel cord", belt.rating
+    if least is None or (rating is None and not steel):
+        return "Whether this belt may creep more is not known: its carcass or rating is not given."
     strong = belt.breaking_strength or 0.0
-    over = strong > least if belt.kind == "steel cord" else belt.rating > least * (1.0 + 1e-9)
+    over = strong > least if steel else (rating or 0.0) > least * (1.0 + 1e-9)
     if over:
         return (
             "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and "
             "fabric above {fabric} (B. DeVries)."
         )
-    if belt.kind == "steel cord" and not strong:
+    if steel and not strong:
         return "Steel cord above ST1600 may creep more; the name does not tell its strength."
     return (
         "This belt does not qualify for more, as steel cord above ST1600 and fabric above "

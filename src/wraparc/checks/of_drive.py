@@ -163,17 +163,18 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
     """Check the diameter of a pulley against the least that its belt may bend over."""
     belt, title, why = drive.belt, "Pulley diameter, least for the belt", ""
     ends = [case.tensions[pulley.name] for case in drive.load_cases]
-    if belt.least_pulley_diameter is None:
+    least = belt.least_pulley_diameter
+    if least is None:
         why = "the least pulley of the belt is not given"
     elif all(idles(at.entry, at.exit) for at in ends):
         why = "that of the belt is the least drive pulley, and this one pulls nothing"
-    if why:
+    if why or least is None:
         return not_checked("pulley_diameter", title, why, Place(pulley.name))
     return judged(
         RULES["pulley_diameter"],
         title,
         pulley.diameter,
-        belt.least_pulley_diameter,
+        least,
         "length",
         place=Place(pulley.name),
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),

@@ -25,7 +25,14 @@ from wraparc.checks.numbers import (
     usual,
 )
 from wraparc.checks.rules import RULES
-from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR, Conveyor
+from wraparc.conveyor import (
+    EMPTIEST,
+    FULLEST,
+    OVER_WIDTH,
+    STEEPEST,
+    USUAL_CONVEYOR,
+    Conveyor,
+)
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
@@ -36,7 +43,7 @@ Ends = tuple[float, float]
 #: Least and most of a field by its class, or of that name in any of `motion` [SI]; 0 is none.
 USUAL: dict[str, dict[str, Ends]] = {
     "Belt": {
-        "momentary_factor": (1.0, 3.0), "in_plane_shear_stiffness": (5e3, 5e6),
+        "momentary_factor": (1.0, 2.0), "in_plane_shear_stiffness": (5e3, 5e6),
         "pulley_cover": (0.4e-3, 25e-3), "carry_cover": (0.4e-3, 35e-3),
         "carcass": (0.4e-3, 30e-3), "thickness": (1.5e-3, 60e-3),
         "cover_shear_modulus": (0.3e6, 5e6),
@@ -71,7 +78,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     "Trim": {"gain": (0.01, 20.0)},
     "Follower": {"ratio": (0.1, 5.0)},
     "LoadStep": {"factor": (-2.0, 4.0)},
-    "OnBelt": {"friction": (0.02, 2.0), "compliance": (0.2, 5.0)},
+    "OnBelt": {"friction": (0.02, 1.0), "compliance": (0.2, 5.0)},
     "motion": {
         "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
         "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
@@ -306,16 +313,17 @@ _MOTOR_NAMES: tuple[tuple[str, Dimension], ...] = (
 def _conveyor_sizes(of: Conveyor, width: float) -> Iterator[Check]:
     """Yield what is unusual of a conveyor; what is made of its sizes only where they are usual."""
     odd = False
-    for value, (key, least, most) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+    for value, (key, *ends) in zip(of.sizes(), USUAL_CONVEYOR, strict=True):
+        least, most = (end * (width if key in OVER_WIDTH else 1.0) for end in ends)
         if not usual(value, least, most):
             odd = True
             name = f"{key.replace('_', ' ')} of the conveyor"
             dimension = Conveyor.LIMITS[key].dimension
             yield unusual(name, dimension, NOWHERE, value, (least, most))
-    ends, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
-    if not (odd or usual(of.material, *ends)):
+    load, slope = (EMPTIEST * width**2, FULLEST * width**2), of.lift / of.length
+    if not (odd or usual(of.material, *load)):
         name = "load per length of the full belt (capacity, speed and width)"
-        yield unusual(name, "mass_per_length", NOWHERE, of.material, ends)
+        yield unusual(name, "mass_per_length", NOWHERE, of.material, load)
     if not (odd or usual(slope, -STEEPEST, STEEPEST)):
         name = "lift over length of the conveyor"
         yield unusual(name, "number", NOWHERE, slope, (-STEEPEST, STEEPEST))

@@ -103,9 +103,11 @@ def _changes(drive: Drive, pulley: str, asked: Named, allow_paths: bool) -> Iter
 def _wet(drive: Drive, pulley: str, text: str) -> _Changed:
     if text[:1].isdigit() or text[:1] == ".":
         factor = parse_number(text)
-        if message := Condition.LIMITS["factor"].refusal(factor):
-            raise InputError(Problem(value=shown(text), message=message))
-        condition = Condition(name="wet", factor=factor)
+        try:
+            condition = Condition(name="wet", factor=factor)
+        except InputError as error:
+            told = (Problem(value=shown(text), message=p.message) for p in error.problems)
+            raise InputError([*told]) from error
     else:
         condition = Condition(name="wet", standard=text)
     lagging = drive.pulley(pulley).lagging

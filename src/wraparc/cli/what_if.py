@@ -1,6 +1,7 @@
 """``wraparc what-if``: a drive before and after changes, in one table."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
@@ -46,8 +47,10 @@ def what_if(
     """Compare a pulley of a drive FILE before and after changes, with the reason for each.
 
     Every change is one column, made to the drive as it is in the file. Verdicts are for the whole
-    drive, as in wraparc solve; the exit code is that of the drive as it is.
+    drive, as in wraparc solve; the exit code is that of the drive as it is. Where a check of the
+    pulley is missed, its load case is shown unless one is named.
     """
+    from wraparc.checks import judge
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.cli.solve import exit_code
@@ -74,6 +77,11 @@ def what_if(
             )
         )
     found = solve_both(read, name, case, changes)
+    worst = judge(found.wholes[0]).governing
+    if load_case is None and worst is not None and worst.missed and worst.place.pulley == name:
+        at = worst.place.load_case
+        if all(at in {c.name for c in whole.drive.load_cases} for whole in found.drives):
+            found = replace(found, load_case=at)
     title = drive.title or "What if"
     answer.give(lambda: what_if_sheet(found, title), lambda: what_if_document(found))
     return exit_code(found.wholes[0])

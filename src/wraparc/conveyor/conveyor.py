@@ -27,13 +27,15 @@ from wraparc.units import display
 DRIVES_AT = ("head", "tail")
 #: Friction factors f of conveyors that are driven [-] (DIN 22101:2002-08, 6.2.3; ISO 5048).
 USUAL_FRICTION = (0.016, 0.030)
+#: Of these masses the sizes below are those over the width of the belt [kg/m2].
+OVER_WIDTH = ("belt_mass", "carry_idler_mass", "return_idler_mass")
 #: Sizes that conveyors have, least and most, in the order of `Conveyor.sizes` [SI].
 USUAL_CONVEYOR = (
     ("length", 3.0, 30e3),
     ("lift", -1500.0, 1500.0),
-    ("belt_mass", 1.0, 200.0),
-    ("carry_idler_mass", 0.5, 200.0),
-    ("return_idler_mass", 0.2, 100.0),
+    ("belt_mass", 3.0, 100.0),
+    ("carry_idler_mass", 2.0, 60.0),
+    ("return_idler_mass", 0.7, 30.0),
     ("material_mass", 0.5, 4000.0),
     ("capacity", 0.1, 15e3),
     ("friction_factor", 0.01, 0.04),

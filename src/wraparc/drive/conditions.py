@@ -54,7 +54,19 @@ class Condition:
     source: Provenance = field(default_factory=Provenance)
 
     def __post_init__(self) -> None:
-        raise_all(limit_problems(self, self.LIMITS))
+        raise_all(limit_problems(self, self.LIMITS) + self._wetter())
+
+    def _wetter(self) -> list[Problem]:
+        """Return a problem for a wet friction above the dry one."""
+        factors = {"factor": self.factor, **self.factors}
+        if "wet" not in self.name.lower().split():
+            return []
+        message, remedy = "more friction wet than dry", "Give friction when wet over dry, 0.8 say."
+        return [
+            Problem(key=key, value=f"{factor:g}", message=message, remedy=remedy)
+            for key, factor in factors.items()
+            if factor is not None and factor > 1.0
+        ]
 
     def lagging(self, lagging: Lagging) -> Lagging:
         """Return a lagging in this condition.

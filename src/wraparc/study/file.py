@@ -15,10 +15,10 @@ from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
 from wraparc.checks.of_data import wet_factor
 from wraparc.checks.of_rows import MOTORS
-from wraparc.drive import Drive, Lagging
+from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
-from wraparc.files.drive_keys import DRIVE
+from wraparc.files.drive_keys import DRIVE, TENSIONS
 from wraparc.files.lagging_file import is_path, load_lagging
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -50,6 +50,8 @@ from wraparc.train.file import any_drive_from_document
 SENSITIVE = ("creep_limit_margin", "exit_creep")
 #: How near tensions come where the load of a train divides row by row.
 _DIVIDED = 1e-4
+#: Keys of a pulley that its own load case has.
+_PULLS = {entry.key for entry in TENSIONS}
 _NO_OUTPUTS = ("status", "identity_error")
 
 
@@ -187,7 +189,11 @@ def _free_name(path: str, taken: Mapping[str, Any]) -> str:
 def _load_cases(record: Record, drive: Drive, report: Report) -> tuple[str, ...]:
     there = [case.name for case in drive.load_cases]
     if "load_cases" not in record:
-        return (drive.load_case().name,)
+        fields = [str(r.get("field", "")) for r in record["axis"] if isinstance(r, Record)]
+        pulls = any(f.startswith("pulley.") and f.rpartition(".")[2] in _PULLS for f in fields)
+        own = [n for n in there if any(f.startswith(f"load_case.{n}.") for f in fields)]
+        own += [DESIGN] if pulls and DESIGN in there else []
+        return (own[0] if own else drive.load_case().name,)
     given = record["load_cases"]
     if given is None:
         return tuple(there)

@@ -114,8 +114,8 @@ STUDY = Table(
     Entry("pulley", "Which pulley, where the drive has several.", Name()),
     Entry(
         "load_cases",
-        "Every design is solved in each: names, or all; the running one of the largest pull if "
-        "left out.",
+        "Every design is solved in each: names, or all; if left out the one whose tensions are "
+        "varied, else the running one of the largest pull.",
         WordOr("all", Rows(Name(), 1, 50)),
     ),
     Entry("setting", "How accurately.", Choice(tuple(s.value for s in Setting))),

@@ -40,7 +40,6 @@ Line = Annotated[str, Field(max_length=200), AfterValidator(_printable)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_printable)]
 Lines = Annotated[str, Field(max_length=5000), AfterValidator(_printable)]
 Head = Annotated[str, Field(max_length=120)]
-_CASE = "The running one of the largest pull if left out."
 Short = Annotated[str, Field(max_length=60)]
 
 
@@ -55,7 +54,7 @@ class FastRequest(Request):
 
     document: Document
     pulley: Line | None = Field(None, description="The first if left out.")
-    load_case: Line | None = Field(None, description=_CASE)
+    load_case: Line | None = Field(None, description="The first if left out.")
     points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
     tables: bool = Field(False, description="Whether to send tables as well.")
     prepared: bool = Field(
@@ -228,7 +227,7 @@ class AcrossRequest(Request):
 
     document: Document
     pulley: Line | None = Field(None, description="The first if left out.")
-    load_case: Line | None = Field(None, description=_CASE)
+    load_case: Line | None = Field(None, description="The first if left out.")
 
 
 class AcrossWearRequest(AcrossRequest):

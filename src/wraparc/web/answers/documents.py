@@ -110,4 +110,4 @@ def asked_for(drive: Drive, pulley: str | None, case: str | None) -> tuple[Pulle
     with placed("pulley"):
         found = drive.pulley(pulley)
     with placed("load_case"):
-        return found, drive.load_case(case)
+        return found, drive.load_cases[0] if case is None else drive.load_case(case)

@@ -2514,7 +2514,17 @@ return new Record(values, $bound(given, "place"), $bound(given, "raw"), $bound(g
 class Condition extends $Object {
 $init(name, factor = null, factors = new Map(), standard = "", source = new Provenance()) { this.name = name; this.factor = factor; this.factors = factors; this.standard = standard; this.source = source; this.__post_init__?.(); }
 __post_init__() {
-const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), self._wetter()));
+}
+_wetter() {
+const self = this; let factors, message, remedy;
+
+(factors = $map([["factor", self.factor], ...self.factors]));
+if ((!$in("wet", $m.split($m.lower(self.name))))) {
+return [];
+}
+([message, remedy] = ["more friction wet than dry", "Give friction when wet over dry, 0.8 say."]);
+return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(factor, ("" + "g")))], ["message", message], ["remedy", remedy]]); } })()];
 }
 lagging(lagging) {
 const self = this; let factor, source;

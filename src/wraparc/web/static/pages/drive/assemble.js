@@ -194,7 +194,8 @@ export function oddOf({ belt, criteria, conveyor, pulleys }, book) {
   const all = [...Object.entries(parts), ["Sag", sag], ["Conveyor", conveyor], ...laggings];
   for (const [name, of] of all)
     for (const [key, [low, high]] of Object.entries(book.sizes[name])) {
-      const v = of?.[key];
+      const over = name === "Conveyor" && /^(belt|.*idler)_mass/.test(key) ? belt.width : 1;
+      const v = of?.[key] / over;
       if (v && (v < low || (v > high && v < Number.POSITIVE_INFINITY)))
         return left(NOT_HERE[3], key);
     }

@@ -38,11 +38,12 @@ export const named = ({ name, lagging, belt }) => ({
  * @param {Said["belt"]} belt @param {Book} book */
 function quality({ kind, rating, name, strength }, book) {
   const least = +book.more_creep[kind];
-  if (Number.isNaN(least) || Number.isNaN(rating)) return "unknown";
+  const steel = kind === "steel cord";
+  if (Number.isNaN(least) || (Number.isNaN(rating) && !steel)) return "unknown";
   const strong = orUsual(orUsual(strength, strengthIn(name)), 0);
-  const over = kind === "steel cord" ? strong > least : rating > least * (1 + 1e-9);
+  const over = steel ? strong > least : rating > least * (1 + 1e-9);
   if (over) return "more";
-  return kind === "steel cord" && !strong ? "nameless" : "less";
+  return steel && !strong ? "nameless" : "less";
 }
 /** What asks for a safety factor of the belt. @param {Said["belt"]} belt
  * @param {Record<string, number>} criteria */
