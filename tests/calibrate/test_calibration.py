@@ -352,7 +352,12 @@ def test_no_point_of_a_usual_fit_is_solved_twice(
 ) -> None:
     """Its start and its best are asked for by the fit and by what is told of it."""
     solved, points = Fit._solved, []
-    monkeypatch.setattr(Fit, "_solved", lambda f, x: points.append(x.tobytes()) or solved(f, x))
+
+    def once(fit: Fit, x: np.ndarray) -> Any:
+        points.append(x.tobytes())
+        return solved(fit, x)
+
+    monkeypatch.setattr(Fit, "_solved", once)
     calibrated(0, kinds(courses)["creep alone"])
     assert len(points) == len(set(points))
 

@@ -25,6 +25,8 @@ from wraparc.report import markdown, workbook
 from wraparc.web.answers.drives import solve_all
 from wraparc.web.asked import SolveRequest
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 ORDER = ["NOT CHECKED", "OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"]
 OPENED = range(0, 300, 30)
 

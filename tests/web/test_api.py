@@ -20,6 +20,8 @@ from wraparc.files import drive_from_document, load_lagging
 from wraparc.train.file import train_from_document
 from wraparc.web.examples import examples
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 
 @pytest.fixture(scope="module")
 def api() -> Iterator[TestClient]:

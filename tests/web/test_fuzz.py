@@ -21,6 +21,8 @@ from wraparc.web.asked import ReportRequest
 from wraparc.web.routes import reports
 from wraparc.web.settings import Settings
 
+pytestmark = pytest.mark.usefixtures("solved_once")
+
 _HOST = {"host": "127.0.0.1:8765"}
 _folder = tempfile.TemporaryDirectory(prefix="wraparc-fuzz-")
 _APP = create_app(Settings(workers=0, database=f"sqlite:///{_folder.name}/designs.sqlite"))

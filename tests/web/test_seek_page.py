@@ -10,6 +10,7 @@ from cli.running import wraparc
 from web.browser import Visitor
 from web.calculators import API, client, document
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = str(EXAMPLES / "head-drive-fabric.toml")
 

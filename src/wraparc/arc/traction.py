@@ -87,7 +87,7 @@ HELD = Piece(0.0, -1)
 
 
 def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Traction:
-    """Traction at a creep of either sign.
+    """Traction at a creep of either sign. Most of the time of a solve is spent here and in `_rise`.
 
     Parameters
     ----------
@@ -100,8 +100,9 @@ def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Tr
     creep
         u [m].
     """
-    size = max(abs(creep), LEAST_CREEP)
     sign = 1.0 if creep >= 0.0 else -1.0
+    whole = sign * creep
+    size = LEAST_CREEP if whole < LEAST_CREEP else whole
     segment, ease, slip = segment_of(law, pressure), shear * pressure, -1.0
     mu, mu_x, mu_p = 0.0, 0.0, 0.0
     if law.kind == KNOTS and 0 <= segment < len(law.edges) - 1:
@@ -113,7 +114,9 @@ def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Tr
         mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3))
         if size - slip_pk - ease * mu_pk <= 0.0:
             slip = slip_pk * _rise(ease * mu_pk / slip_pk, size / slip_pk)
-            r = max(slip / slip_pk, SMALLEST)
+            r = slip / slip_pk
+            if r < SMALLEST:
+                r = SMALLEST
             lr = log(r)
             form, mu_x = r - r * lr, -mu_pk * lr / slip_pk
             mu, mu_p = mu_pk * form, (m1 + t * (2.0 * m2 + 3.0 * t * m3)) * form
@@ -124,7 +127,7 @@ def traction(law: CompactLaw, shear: float, pressure: float, creep: float) -> Tr
             return Traction(creep / shear, 1.0 / shear, 0.0, 0.0)
         mu, mu_x, mu_p = friction_at(law, segment, branch, slip, pressure)
     stiff = 1.0 / (1.0 + ease * mu_x)
-    scale = abs(creep) / size  # 1 but next to no creep, where traction is a straight line
+    scale = whole / size  # 1 but next to no creep, where traction is a straight line
     return Traction(
         sign * mu * pressure * scale,
         pressure * mu_x * stiff,
@@ -187,8 +190,12 @@ def _rise(k: float, w: float) -> float:
         lr = log(r)
         miss, slope = r + k * r * (1.0 - lr) - w, 1.0 - k * lr
         change = miss / (slope + 0.5 * miss * k / (r * slope))
-        r = min(max(r - change, LEAST_SHARE), 1.0)
-        if abs(change) <= NEAR * r:
+        r -= change
+        if r < LEAST_SHARE:
+            r = LEAST_SHARE
+        elif r > 1.0:
+            r = 1.0
+        if -NEAR * r <= change <= NEAR * r:
             break
     return r
 

@@ -1734,8 +1734,13 @@ export function traction___rise(k, w) {
     miss = r + k * r * (1.0 - lr) - w;
     slope = 1.0 - k * lr;
     change = miss / (slope + (0.5 * miss * k) / (r * slope));
-    r = min(max(r - change, LEAST_SHARE), 1.0);
-    if (Math.abs(change) <= NEAR * r) {
+    r -= change;
+    if (r < LEAST_SHARE) {
+      r = LEAST_SHARE;
+    } else if (r > 1.0) {
+      r = 1.0;
+    }
+    if (-NEAR * r <= change && change <= NEAR * r) {
       break;
     }
   }
@@ -1872,11 +1877,12 @@ export function traction__piece_at(law, segment, shear, pressure, creep) {
   return new Piece(creep - ease * residual, RESIDUAL);
 }
 
-/** Traction at a creep of either sign. */
+/** Traction at a creep of either sign. Most of the time of a solve is spent here and in `_rise`. */
 export function traction__traction(law, shear, pressure, creep) {
   let branch, c, form, lr, m1, m2, m3, mu_pk, o, r, slip_pk, t, x1, x2, x3;
-  let size = max(Math.abs(creep), LEAST_CREEP);
   let sign = creep >= 0.0 ? 1.0 : -1.0;
+  let whole = sign * creep;
+  let size = whole < LEAST_CREEP ? LEAST_CREEP : whole;
   let segment = compact__segment_of(law, pressure);
   let ease = shear * pressure;
   let slip = -1.0;
@@ -1897,7 +1903,10 @@ export function traction__traction(law, shear, pressure, creep) {
     mu_pk = c[o + 4] + t * (m1 + t * (m2 + t * m3));
     if (size - slip_pk - ease * mu_pk <= 0.0) {
       slip = slip_pk * traction___rise((ease * mu_pk) / slip_pk, size / slip_pk);
-      r = max(slip / slip_pk, SMALLEST);
+      r = slip / slip_pk;
+      if (r < SMALLEST) {
+        r = SMALLEST;
+      }
       lr = Math.log(r);
       form = r - r * lr;
       mu_x = (-mu_pk * lr) / slip_pk;
@@ -1919,7 +1928,7 @@ export function traction__traction(law, shear, pressure, creep) {
     mu_p = found2[2];
   }
   let stiff = 1.0 / (1.0 + ease * mu_x);
-  let scale = Math.abs(creep) / size;
+  let scale = whole / size;
   return new Traction(
     sign * mu * pressure * scale,
     pressure * mu_x * stiff,
