@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from wraparc.arc import ArcResult, DriveResult, Method
+from wraparc.checks import judge
 from wraparc.drive import Drive
 from wraparc.train import Train
 from wraparc.train.whole import Described, Whole, by_pulley, solved
@@ -84,12 +85,14 @@ def redivided(train: Train, changed: Drive) -> Train:
 def what_if(
     drive: Described,
     pulley: str,
-    load_case: str,
+    load_case: str | None,
     changes: Sequence[Change],
     *,
     method: Method | None = None,
 ) -> WhatIf:
     """Solve a drive in all its load cases before and after each change, to compare one arc.
+
+    Where no load case is named it is that of the check that is missed, if it is of the pulley.
 
     Raises
     ------
@@ -97,8 +100,20 @@ def what_if(
         If the drive has no such pulley or load case, or a law is unfit for an arc.
     """
     wholes = (solved(one, method) for one in (drive, *(change.drive for change in changes)))
-    found = WhatIf(pulley, load_case, tuple(wholes), tuple(changes))
+    found = WhatIf(pulley, load_case or "", tuple(wholes), tuple(changes))
+    if load_case is None:
+        found = replace(found, load_case=_missed(found))
     for whole in found.drives:
         whole.drive.pulley(pulley)
-        whole.drive.load_case(load_case)
+        whole.drive.load_case(found.load_case)
     return found
+
+
+def _missed(found: WhatIf) -> str:
+    """Load case of the check that is missed at the pulley, in all drives; else the usual one."""
+    worst = judge(found.wholes[0]).governing
+    if worst is not None and worst.missed and worst.place.pulley == found.pulley:
+        case = worst.place.load_case
+        if all(case in {c.name for c in whole.drive.load_cases} for whole in found.drives):
+            return case
+    return found.drives[0].drive.load_case(None).name

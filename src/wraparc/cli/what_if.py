@@ -1,7 +1,6 @@
 """``wraparc what-if``: a drive before and after changes, in one table."""
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import click
@@ -50,7 +49,6 @@ def what_if(
     drive, as in wraparc solve; the exit code is that of the drive as it is. Where a check of the
     pulley is missed, its load case is shown unless one is named.
     """
-    from wraparc.checks import judge
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.cli.solve import exit_code
@@ -64,7 +62,7 @@ def what_if(
     with placed("--pulley", file):
         name = drive.pulley(pulley).name
     with placed("--load-case", file):
-        case = drive.load_case(load_case).name
+        drive.load_case(load_case)
     with options():
         changes = list(changes_of(read, drive, name, _named(said)))
     changes += _settings(file, said)
@@ -76,12 +74,7 @@ def what_if(
                 "--wet, --bare or --change.",
             )
         )
-    found = solve_both(read, name, case, changes)
-    worst = judge(found.wholes[0]).governing
-    if load_case is None and worst is not None and worst.missed and worst.place.pulley == name:
-        at = worst.place.load_case
-        if all(at in {c.name for c in whole.drive.load_cases} for whole in found.drives):
-            found = replace(found, load_case=at)
+    found = solve_both(read, name, load_case, changes)
     title = drive.title or "What if"
     answer.give(lambda: what_if_sheet(found, title), lambda: what_if_document(found))
     return exit_code(found.wholes[0])

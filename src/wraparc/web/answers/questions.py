@@ -22,7 +22,7 @@ def changed(asked: WhatIfRequest) -> Sheet:
     thing = read(asked.document)
     drive = thing if isinstance(thing, Drive) else nearest_drive(thing)
     refuse_several(drive, "what-if changes")
-    pulley, case = asked_for(drive, asked.pulley, asked.load_case)
+    pulley, _ = asked_for(drive, asked.pulley, asked.load_case)
     named = Named(
         other_carcass=asked.other_carcass,
         belts=tuple(asked.belts),
@@ -35,7 +35,7 @@ def changed(asked: WhatIfRequest) -> Sheet:
     changes = list(changes_of(thing, drive, pulley.name, named, allow_paths=False))
     if not changes:
         raise InputError(Problem(message="nothing is to be changed", remedy="Name a change."))
-    found = what_if(thing, pulley.name, case.name, changes, method=Distributed())
+    found = what_if(thing, pulley.name, asked.load_case, changes, method=Distributed())
     title = drive.title or "What if"
     return Sheet(**sheet(what_if_sheet(found, title)))
 
