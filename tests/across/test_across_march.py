@@ -30,9 +30,9 @@ def marched(wide: WideArc, entry: Array, drum: float) -> Array:
     k = np.arange(1, n)[:, None]
     cosine = np.sqrt(2.0 / n) * np.cos(np.pi * k * (np.arange(n) + 0.5) / n)
     give = wide.thickness / (arc.radius**2 * wide.compression_modulus)
-    kick = np.full(n, arc.overrun if arc.overrun is not None else 0.0)
+    overrun = np.full(n, arc.overrun if arc.overrun is not None else 0.0)
     if arc.overrun is None:
-        kick = 1.25 * (give * arc.radius * entry) ** 1.5 / np.sqrt(arc.radius)
+        overrun = 1.25 * (give * arc.radius * entry) ** 1.5 / np.sqrt(arc.radius)
     lag1 = (cosine @ wide.entry_misfit) + wide.length_before / m * (
         cosine @ (wide.entry_profile - entry)
     )
@@ -42,12 +42,12 @@ def marched(wide: WideArc, entry: Array, drum: float) -> Array:
     def rates(_: float, y: Array) -> Array:
         t, u = y[:n], y[n:]
         tau = stress(arc.law, shear, u, t / arc.radius)
-        lag = lag1 + cosine @ (u - kick)
+        lag = lag1 + cosine @ (u - overrun)
         given = give * (t if arc.recovery else entry)
         rate = drum + wide.radius_deviation / arc.radius - t / m - given
         return np.concatenate([-tau - cosine.T @ (bend * lag), rate])
 
-    start, unit = np.concatenate([entry, kick]), np.repeat([1e-3, 1e-11], n)
+    start, unit = np.concatenate([entry, overrun]), np.repeat([1e-3, 1e-11], n)
     found = solve_ivp(rates, (0.0, arc.length), start, "DOP853", rtol=1e-9, atol=unit)
     return np.asarray(found.y[:, -1].reshape(2, n))
 
@@ -75,7 +75,7 @@ def test_where_newton_fails_at_once_it_is_led_there() -> None:
         (replace(FABRIC, law=LAWS["constant"]), 2e-6),
         (replace(FABRIC, exit_tension=149.9e3, law=RUBBER), 1e-6),
     ],
-    ids=["cord with a kick", "softening, braking", "table", "constant", "idling"],
+    ids=["cord with an overrun", "softening, braking", "table", "constant", "idling"],
 )
 def test_strips_marched_from_their_entry_end_as_found(arc: object, miss: float) -> None:
     """Source: SciPy's march of order 8; and the conditions at the ends, of the page on it."""

@@ -306,7 +306,7 @@ CASES: list[tuple[str, WrapArc, float]] = [
     ("driving", FABRIC, 1e-9),
     ("braking", braking(FABRIC), 1e-9),
     ("idling", replace(FABRIC, exit_tension=149.9e3), 1e-9),
-    ("kick, no recovery", replace(CORD, overrun=None, recovery=False), 1e-9),
+    ("overrun, no recovery", replace(CORD, overrun=None, recovery=False), 1e-9),
 ]
 
 

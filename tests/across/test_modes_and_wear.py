@@ -43,7 +43,7 @@ def _deviating(given: WideArc, cause: str, profile: Array) -> WideArc:
         (braking(FABRIC), 1e-5),
         (replace(FABRIC, recovery=False), 1e-5),
     ],
-    ids=["cord with a kick", "braking", "no recovery"],
+    ids=["cord with an overrun", "braking", "no recovery"],
 )
 def test_small_deviations_are_the_modes(arc: WrapArc, amplitude: float) -> None:
     """Source: the scalar equations of a mode, against all strips."""

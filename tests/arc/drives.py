@@ -100,7 +100,7 @@ def integral_log(
     )
 
 
-#: a fabric belt on a driving pulley, without a kick
+#: a fabric belt on a driving pulley, without an overrun
 ARC = WrapArc(
     law=Constant(friction_coefficient=0.4),
     entry_tension=150e3,
@@ -117,7 +117,7 @@ ARC = WrapArc(
 
 
 def random_arc(law: FrictionLaw, rng: np.random.Generator) -> WrapArc:
-    """A plausible drive: fabric or steel cord, driving, idling or braking, with and without a kick.
+    """A plausible drive: fabric or steel cord, driving, idling or braking, also without overrun.
 
     Of 100 drives about 55 drive, 30 brake, and 15 idle: their tensions differ by bearing friction.
     """

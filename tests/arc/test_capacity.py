@@ -48,7 +48,7 @@ def drives(name: str, count: int, braking: bool) -> list[WrapArc]:
         arc = random_arc(LAWS[name], rng)
         ratio = max(arc.entry_tension, arc.exit_tension) / min(arc.entry_tension, arc.exit_tension)
         if (arc.side < 0) == braking and ratio > 1.01:
-            # a kick is refused where a law holds the belt against it, as at low tensions
+            # an overrun is refused where a law holds the belt against it, as at low tensions
             found.append(replace(arc, overrun=0.0) if name in JUMPS else arc)
     return found
 
@@ -204,11 +204,11 @@ def carried_by_what_is_left(arc: WrapArc) -> float:
 
 
 @pytest.mark.parametrize("law", [BRITTLE, SOFTENING])
-@pytest.mark.parametrize(("kick", "tight"), [(0.0, 60e3), (2e-5, 200e3)])
+@pytest.mark.parametrize(("overrun", "tight"), [(0.0, 60e3), (2e-5, 200e3)])
 def test_gross_slip_of_a_softening_law_is_the_largest_ratio_there_is(
-    law: FrictionLaw, kick: float, tight: float
+    law: FrictionLaw, overrun: float, tight: float
 ) -> None:
-    arc = replace(ARC, law=law, overrun=kick, entry_tension=tight, exit_tension=0.7 * tight)
+    arc = replace(ARC, law=law, overrun=overrun, entry_tension=tight, exit_tension=0.7 * tight)
     ratio, creep = largest_by_scan(arc)
     left = carried_by_what_is_left(arc)
     c = capacities(arc)

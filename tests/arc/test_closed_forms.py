@@ -123,28 +123,28 @@ def test_published_flat_belt_drive() -> None:
     assert result.exit_creep == pytest.approx(9.05e-3, rel=0.016)
 
 
-@pytest.mark.parametrize("kick", [0.0, 2e-5])
+@pytest.mark.parametrize("overrun", [0.0, 2e-5])
 @pytest.mark.parametrize("exit_tension", [60e3, 149e3, 150e3, 300e3])
-def test_shear_only(exit_tension: float, kick: float) -> None:
+def test_shear_only(exit_tension: float, overrun: float) -> None:
     # friction without limit: u = x_c cosh(s/l) + g l sinh(s/l),
     # T1 - T = (EA'/l)(x_c sinh(s/l) + g l (cosh(s/l) - 1))
     law = Constant(friction_coefficient=1e6)
-    arc = replace(ARC, law=law, exit_tension=exit_tension, overrun=kick)
+    arc = replace(ARC, law=law, exit_tension=exit_tension, overrun=overrun)
     stretch = arc.length / LAG
     pull = arc.effective_tension * arc.compliance
-    g = (pull - kick / LAG * math.sinh(stretch)) / (math.cosh(stretch) - 1)
+    g = (pull - overrun / LAG * math.sinh(stretch)) / (math.cosh(stretch) - 1)
     result = solve(arc)
     # g is what two parts leave, and no better than either
-    assert result.entry_creep_ratio == pytest.approx(g, rel=EXACT, abs=0.1 * EXACT * kick / LAG)
+    assert result.entry_creep_ratio == pytest.approx(g, rel=EXACT, abs=0.1 * EXACT * overrun / LAG)
     s = result.profile.position * arc.radius
-    creep = kick * np.cosh(s / LAG) + g * LAG * np.sinh(s / LAG)
+    creep = overrun * np.cosh(s / LAG) + g * LAG * np.sinh(s / LAG)
     scale = float(np.max(np.abs(creep))) + 1e-12
     assert result.profile.creep == pytest.approx(creep, abs=EXACT * scale)
     assert result.profile.slip == pytest.approx(0.0, abs=1e-9 * scale)
-    drop = kick / LAG * np.sinh(s / LAG) + g * (np.cosh(s / LAG) - 1)
+    drop = overrun / LAG * np.sinh(s / LAG) + g * (np.cosh(s / LAG) - 1)
     tension = arc.entry_tension - drop / arc.compliance
     assert result.profile.tension == pytest.approx(tension, rel=EXACT)
-    if kick == 0.0:
+    if overrun == 0.0:
         stress = arc.effective_tension / (arc.width * LAG) / math.tanh(stretch / 2)
         assert result.profile.shear_stress[-1] == pytest.approx(stress, rel=EXACT)
 
@@ -159,10 +159,10 @@ FREE_LAWS = {
 
 
 @pytest.mark.parametrize("numbers", FREE_LAWS.values(), ids=FREE_LAWS.keys())
-@pytest.mark.parametrize("kick", [0.0, 3e-5])
+@pytest.mark.parametrize("overrun", [0.0, 3e-5])
 @pytest.mark.parametrize("tensions", [(150e3, 60e3), (80e3, 200e3), (150e3, 149.9e3)])
 def test_first_integral_at_every_point(
-    numbers: tuple[float, float, float, float], kick: float, tensions: tuple[float, float]
+    numbers: tuple[float, float, float, float], overrun: float, tensions: tuple[float, float]
 ) -> None:
     # (g + e) q - e (exp(q) - 1) = -(Phi(u) - Phi(x_c))/R, e = T1/EA', q = ln(T/T1), h/G = 0
     entry, exit_ = tensions
@@ -171,7 +171,7 @@ def test_first_integral_at_every_point(
         law=integral_log(*numbers),
         entry_tension=entry,
         exit_tension=exit_,
-        overrun=kick,
+        overrun=overrun,
         shear_modulus=math.inf,
     )
     result = Distributed(capacities=False).solve(arc)
@@ -179,7 +179,7 @@ def test_first_integral_at_every_point(
     g, e = result.entry_creep_ratio, arc.entry_tension * arc.compliance
     q = np.log(result.profile.tension / arc.entry_tension)
     left = (g + e) * q - e * np.expm1(q)
-    start = friction_integral(np.array([kick]), *numbers)
+    start = friction_integral(np.array([overrun]), *numbers)
     right = -(friction_integral(result.profile.creep, *numbers) - start) / arc.radius
     scale = float(np.max(np.abs(right)))
     assert left == pytest.approx(right, abs=EXACT * scale)

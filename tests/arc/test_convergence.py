@@ -52,20 +52,20 @@ def test_sixth_order_where_nothing_is_singular(
 
 
 @pytest.mark.parametrize("name", LAWS)
-@pytest.mark.parametrize("kick", [0.0, 2e-5, -2e-5])
+@pytest.mark.parametrize("overrun", [0.0, 2e-5, -2e-5])
 @pytest.mark.parametrize("tensions", [(150e3, 70e3), (70e3, 150e3), (150e3, 145e3)])
 @pytest.mark.parametrize("stiffness", [12.96e6 * 1.2, STEEL])
 def test_the_usual_mesh_leaves_3e_7(
-    name: str, kick: float, tensions: tuple[float, float], stiffness: float
+    name: str, overrun: float, tensions: tuple[float, float], stiffness: float
 ) -> None:
     """Of the largest creep on the way, and of slip."""
     arc = replace(
-        ARC, law=LAWS[name], overrun=kick, axial_stiffness=stiffness,
+        ARC, law=LAWS[name], overrun=overrun, axial_stiffness=stiffness,
         entry_tension=tensions[0], exit_tension=tensions[1],
     )  # fmt: skip
     usual, fine = QUICK.solve(arc), finer(arc)
     assert fine.done
-    scale = max(abs(usual.exit_creep), abs(kick))
+    scale = max(abs(usual.exit_creep), abs(overrun))
     assert usual.exit_creep == pytest.approx(fine.course.creep[-1], abs=3e-7 * scale)
 
 

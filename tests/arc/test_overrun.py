@@ -49,10 +49,10 @@ def test_one_arc_and_a_batch_have_it_from_the_same_function() -> None:
         creep_limit=np.array([arc.creep_limit]),
         **dict.fromkeys(("pitch_offset", "cover_compliance", "centrifugal_force"), np.zeros(1)),
     )
-    assert arc.geometry().kick_coefficient in batch.inputs()[0]
+    assert arc.geometry().overrun_coefficient in batch.inputs()[0]
     pressure = arc.entry_pressure
     assert arc.entry_overrun == pytest.approx(
-        arc.geometry().kick_coefficient * pressure**1.5, rel=1e-14
+        arc.geometry().overrun_coefficient * pressure**1.5, rel=1e-14
     )
 
 

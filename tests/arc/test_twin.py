@@ -4,7 +4,7 @@ Expected values: tests/arc/twin.py, SciPy's DOP853 at 1e-10 on creep and tension
 again. Creep, slip and peak shear stress at the exit agree within 1e-5.
 
 That is relative to the largest creep and slip on the way. It is at the exit, but for nearly idle
-drives, where what is left of the kick may pass through zero just there: the difference of two
+drives, where what is left of the overrun may pass through zero just there: the difference of two
 numbers is no better than either.
 """
 
@@ -114,7 +114,7 @@ def test_twin_meets_a_closed_form() -> None:
     for _ in range(5):
         arc = random_arc(LAWS["elastic-plastic"], rng)
         twin = Twin(arc)
-        twin.kick, twin.mu = 0.0, lambda p: lambda x: 1e9
+        twin.overrun_constant, twin.mu = 0.0, lambda p: lambda x: 1e9
         twin.stress = lambda u, p: (u / twin.shear, 0.0)  # type: ignore[method-assign]  # noqa: B023
         lag = math.sqrt(twin.shear / (twin.compliance * arc.width))
         stretch = twin.length / lag

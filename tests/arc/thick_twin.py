@@ -50,7 +50,7 @@ class ThickTwin(Twin):
 
         scheme = ode(rates)
         scheme.set_integrator("dop853", rtol=1e-12, atol=1e-17, nsteps=200000, max_step=0.05)
-        scheme.set_initial_value([0.0, self.kick, 0.0], 0.0)
+        scheme.set_initial_value([0.0, self.overrun_constant, 0.0], 0.0)
         q, u, work = (float(v) for v in scheme.integrate(1.0))
         assert scheme.successful()
         slip = self.stress(u, self.pressure(first * exp(q) + self.lift))[1]

@@ -148,7 +148,7 @@ class Twin:
         self.compliance = 1 / arc.axial_stiffness + kappa
         delta = squeeze * self.pressure(arc.entry_tension)
         formula = 1.25 * delta * sqrt(delta / self.radius)
-        self.kick = formula if arc.overrun is None else arc.overrun
+        self.overrun_constant = formula if arc.overrun is None else arc.overrun
         self.slip = 0.0
 
     def pressure(self, tension: float) -> float:
@@ -199,7 +199,7 @@ class Twin:
         def note(xi: float, y: Any) -> None:
             path.append((xi, float(y[0]), float(y[1])))
 
-        q, u = self._carry(g, (0.0, 0.0, self.kick), 1.0, note)
+        q, u = self._carry(g, (0.0, 0.0, self.overrun_constant), 1.0, note)
         _, x = self.stress(u, self.pressure(self.arc.entry_tension * exp(q)))
         return Exit(q, u, x, self._peak(g, path))
 
@@ -211,7 +211,7 @@ class Twin:
         """
         goal = log(self.arc.exit_tension / self.arc.entry_tension)
         first = self.integrate(g)
-        step = 1e-5 * (abs(g) + abs(self.kick) / self.length)
+        step = 1e-5 * (abs(g) + abs(self.overrun_constant) / self.length)
         if abs(first.log_tension - goal) <= 3e-7 * abs(goal) or step == 0.0:
             return g, first
         second = self.integrate(g + step)

@@ -24,7 +24,7 @@ LAGGINGS = [
 
 
 def wide(n: int, seed: int) -> Arcs:
-    """Driving, one in ten braking; with and without a kick, and beyond what friction carries."""
+    """Driving, one in ten braking; also without overrun, and beyond what friction carries."""
     rng = np.random.default_rng(seed)
     table: dict[str, Any] = dict(designs(n, seed))
     table["exit_tension"] = table["entry_tension"] / np.exp(rng.uniform(0.01, 2.2, n))

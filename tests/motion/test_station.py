@@ -35,8 +35,8 @@ from wraparc.motion.event import (
     Stop,
 )
 from wraparc.motion.follow import simulate
-from wraparc.motion.keeper import row_names
 from wraparc.motion.march import March
+from wraparc.motion.recorder import row_names
 from wraparc.motion.result import Outcome
 from wraparc.motion.station import Drum, Station
 from wraparc.motion.turning import turning_of

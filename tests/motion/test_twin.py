@@ -90,7 +90,9 @@ class Twin:
 
     def overrun(self, tension: float) -> float:
         g = SOFT.geometry()
-        return float(g.kick + g.kick_coefficient * (2.0 * tension / (1.2 * 0.8)) ** 1.5)
+        return float(
+            g.overrun_constant + g.overrun_coefficient * (2.0 * tension / (1.2 * 0.8)) ** 1.5
+        )
 
     def entry(self, times: Array) -> Array:
         """Entry tension at times, from the steady state."""

@@ -18,7 +18,7 @@ from wraparc.files import load_lagging
 from wraparc.motion.arc import MovingArc
 from wraparc.motion.equations import _missed
 from wraparc.motion.held import settle as settled
-from wraparc.motion.keeper import _part_over
+from wraparc.motion.recorder import _part_over
 from wraparc.motion.two_point import PANEL, Cells, changes
 from wraparc.motion.wraps import Wraps
 

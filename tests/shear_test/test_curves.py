@@ -265,8 +265,8 @@ def test_correlated_noise_counts_for_fewer_readings() -> None:
     # For an AR(1) process the readings per independent one are (1 + rho)/(1 - rho).
     rng = np.random.default_rng(4)
     rho, noise = 0.8, np.zeros(20_000)
-    for k, kick in enumerate(rng.normal(size=len(noise) - 1), start=1):
-        noise[k] = rho * noise[k - 1] + kick
+    for k, pulse in enumerate(rng.normal(size=len(noise) - 1), start=1):
+        noise[k] = rho * noise[k - 1] + pulse
     assert inflation(noise) == pytest.approx(9.0, rel=0.2)
     assert inflation(rng.normal(size=20_000)) < 1.3
     assert correlation_length(rng.normal(size=20_000)) < 200

@@ -157,30 +157,30 @@ class System:
     def at(self, state: State) -> Point:
         """Return the equations at a state."""
         wide, e, arc = self.wide, self.elements, self.wide.arc
-        kick, _ = wide.overrun(state.entry)
+        overrun, _ = wide.overrun(state.entry)
         drift = self.drift(state)
-        pull = wide.coupling @ (self.entry_lag(state.entry) - kick)
+        pull = wide.coupling @ (self.entry_lag(state.entry) - overrun)
         compliance = wide.compliance_in_wrap
-        creep = kick + e.points[:, None] * drift
+        creep = overrun + e.points[:, None] * drift
         creep -= e.integral_at_points(state.tension) * compliance
         pressure = wide.pressure(e.at_points(state.tension))
         stress = stresses(self.law, wide.shear, creep, pressure)
-        pulled = self._coupled(kick, drift, state.tension) + pull
+        pulled = self._coupled(overrun, drift, state.tension) + pull
         pulled -= wide.pulled_share * stress.stress
         end = state.entry + e.total(pulled)
-        creep_end = kick + arc.length * drift - compliance * e.total_of_stages(state.tension)
+        creep_end = overrun + arc.length * drift - compliance * e.total_of_stages(state.tension)
         own = state.tension - state.entry - e.integral_at_stages(pulled)
-        paths = self.amount * (wide.entry_misfit + wide.exit_misfit) + creep_end - kick
+        paths = self.amount * (wide.entry_misfit + wide.exit_misfit) + creep_end - overrun
         last = self._closing(paths, state.entry - self.free, end)
         last[0] -= np.sqrt(wide.strips) * arc.exit_tension / arc.width
         miss = np.vstack([_across(own, wide.modes.T), last])
         return Point(state, miss, creep, stress, pulled, end, creep_end)
 
-    def _coupled(self, kick: Array, drift: Array, tension: Array) -> Array:
+    def _coupled(self, overrun: Array, drift: Array, tension: Array) -> Array:
         """S d2u/dy2 at the points: as `creep`, of strips coupled before they are integrated."""
         wide, e = self.wide, self.elements
         strain = _across(tension * wide.compliance_in_wrap, wide.coupling)
-        coupled = kick @ wide.coupling + e.points[:, None] * (drift @ wide.coupling)
+        coupled = overrun @ wide.coupling + e.points[:, None] * (drift @ wide.coupling)
         return np.asarray(coupled - e.integral_at_points(strain))
 
     def _closing(self, path: Array, entry: Array, end: Array) -> Array:
@@ -209,11 +209,11 @@ class System:
         wide, e, d = self.wide, self.elements, self.step(z)
         compliance = wide.compliance_in_wrap
         _, by_entry = wide.overrun(point.state.entry)
-        kick, drift = by_entry * d.entry, d.drum - self.squeeze * d.entry
-        creep = kick + e.points[:, None] * drift
+        overrun, drift = by_entry * d.entry, d.drum - self.squeeze * d.entry
+        creep = overrun + e.points[:, None] * drift
         creep -= e.integral_at_points(d.tension) * compliance
-        pulled = self._coupled(kick, drift, d.tension)
-        pulled -= wide.coupling @ (self.before @ d.entry + kick)
+        pulled = self._coupled(overrun, drift, d.tension)
+        pulled -= wide.coupling @ (self.before @ d.entry + overrun)
         pulled -= wide.pulled_share * point.stress.by_creep * creep
         pulled -= point.stress.by_pressure / wide.pitch * e.at_points(d.tension)
         own = d.tension - d.entry - e.integral_at_stages(pulled)
@@ -228,13 +228,13 @@ class System:
         by_creep = wide.pulled_share * np.mean(point.stress.by_creep, axis=1)
         by_tension = np.mean(point.stress.by_pressure, axis=1) / wide.pitch
         squeeze = float(np.mean(self.squeeze))
-        kick = float(np.mean(wide.overrun(point.state.entry)[1]))
+        overrun = float(np.mean(wide.overrun(point.state.entry)[1]))
         couple = -wide.shear_stiffness * np.concatenate([[0.0], wide.wave_numbers**2])
         before = np.concatenate([[0.0], wide.length_before])
         slope = couple[:, None] - by_creep  # of dt/ds by creep, (n, m)
-        creep = np.tile(kick - squeeze * e.points, (n, 1))
+        creep = np.tile(overrun - squeeze * e.points, (n, 1))
         creep[0] = unit * e.points
-        by_last = slope * creep - (couple * (before / wide.belt_modulus + kick))[:, None]
+        by_last = slope * creep - (couple * (before / wide.belt_modulus + overrun))[:, None]
         each = np.eye(m)
         fallen = -unit * e.integral_at_points(each)  # creep by the tensions at the stages
         own = -by_creep[:, None] * fallen - by_tension[:, None] * e.at_points(each)
@@ -297,9 +297,9 @@ def along(found: Found, places: Array) -> tuple[Array, Array]:
     """Creep [m] and tension [N/m] of a solution at places [m], shape (places, n) each."""
     system, point = found.system, found.point
     wide, state, e = system.wide, point.state, system.elements
-    kick, _ = wide.overrun(state.entry)
+    overrun, _ = wide.overrun(state.entry)
     strained = e.integral(e.at_points(state.tension), places) * wide.compliance_in_wrap
-    creep = kick + places[:, None] * system.drift(state) - strained
+    creep = overrun + places[:, None] * system.drift(state) - strained
     return creep, state.entry + e.integral(point.pulled, places)
 
 

@@ -80,7 +80,7 @@ class _Cause(NamedTuple):
     ----------
     thickness
         h [m].
-    kick
+    overrun
         Creep at the entry nip [m].
     rate
         Creep per length along the arc, shape (k, causes) [-].
@@ -89,7 +89,7 @@ class _Cause(NamedTuple):
     """
 
     thickness: Array
-    kick: Array
+    overrun: Array
     rate: Array
     lag: Array
     path: Array
@@ -155,7 +155,7 @@ def _response(system: System, even: Point) -> ModeResponse:
     stress = [v[:, :1] for v in even.stress]
     by_thickness = -stress[0] * stress[1] / arc.shear_modulus
     couple = -wide.shear_stiffness * wide.wave_numbers**2
-    _, kick_t = (float(v[0]) for v in wide.overrun(even.state.entry))
+    _, overrun_t = (float(v[0]) for v in wide.overrun(even.state.entry))
     squeeze, unit = float(system.squeeze[0]), float(wide.compliance_in_wrap[0])
     matrices = system.modal(even)[1:]
     tables = np.empty((4, len(couple), len(CAUSES)))
@@ -164,7 +164,7 @@ def _response(system: System, even: Point) -> ModeResponse:
         cause = _cause(wide, before / wide.belt_modulus, float(even.state.entry[0]), tension)
         risen = e.integral(cause.rate, e.points)
         # where the tension of the mode stays: creep, what pulls it, what is missed then
-        creep = cause.kick + risen
+        creep = cause.overrun + risen
         share = wide.pulled_share
         pulled = k * (risen + cause.lag)
         pulled -= share * (stress[1] * creep + by_thickness * cause.thickness)
@@ -173,15 +173,18 @@ def _response(system: System, even: Point) -> ModeResponse:
         last /= before + after + arc.length
         z = -np.linalg.solve(matrix, np.vstack([-e.integral_at_stages(pulled), last]))
         own, first = e.at_points(z[:-1]), z[-1]
-        creep += (kick_t - squeeze * e.points[:, None]) * first
+        creep += (overrun_t - squeeze * e.points[:, None]) * first
         creep -= unit * e.integral_at_points(z[:-1])
         shear = stress[1] * creep + stress[2] / arc.radius * own + by_thickness * cause.thickness
-        lag = creep - cause.kick + cause.lag - (before / wide.belt_modulus + kick_t) * first
+        lag = creep - cause.overrun + cause.lag - (before / wide.belt_modulus + overrun_t) * first
         end = first + e.total(k * lag - share * shear)
         rate = cause.rate - squeeze * first - unit * own
-        creep_end = cause.kick + kick_t * first + e.total(rate)
+        creep_end = cause.overrun + overrun_t * first + e.total(rate)
         work = e.total(shear * _rate(system, even) + stress[0] * rate)
-        nips = np.array([cause.kick + kick_t * first, creep_end]), np.array([first, end])
+        nips = (
+            np.array([cause.overrun + overrun_t * first, creep_end]),
+            np.array([first, end]),
+        )
         tables[:, n] = first, end, creep_end, work - _kept(system, even, cause.thickness, *nips)
     energy = float(e.total(stress[0] * _rate(system, even))[0])
     ends = _ends(system, even)[0]
@@ -198,8 +201,8 @@ def _rate(system: System, even: Point) -> Array:
 def _ends(system: System, even: Point) -> Array:
     """Stress at entry and exit with its slopes, and slip, shape (4, 2)."""
     wide = system.wide
-    kick, _ = wide.overrun(even.state.entry)
-    creep = np.array([kick[0], even.creep_end[0]])
+    overrun, _ = wide.overrun(even.state.entry)
+    creep = np.array([overrun[0], even.creep_end[0]])
     tension = np.array([even.state.entry[0], even.tension_end[0]])
     return np.array(stresses(system.law, wide.shear[:1], creep, wide.pressure(tension)))
 
@@ -221,14 +224,14 @@ def _cause(wide: WideArc, before: float, entry: float, tension: Array) -> _Cause
     on = {key: np.array([float(key == c) for c in CAUSES]) for key in CAUSES}
     thickness = on["lagging"]
     give, by_thickness = float(wide.give[0]), _give_by_thickness(wide)
-    kick = np.zeros(len(CAUSES))
+    overrun = np.zeros(len(CAUSES))
     if arc.overrun is None and give > 0.0:
-        kick = 1.5 * arc.entry_overrun * by_thickness / give * thickness
+        overrun = 1.5 * arc.entry_overrun * by_thickness / give * thickness
     softer = (tension if arc.recovery else np.full_like(tension, entry)) - wide.lift
     rate = (on["radius"] + thickness) / wide.pitch - np.outer(softer, by_thickness * thickness)
     lag = on["entry_misfit"] + before * on["entry_profile"]
     path = on["entry_misfit"] + on["exit_misfit"]
-    return _Cause(thickness, kick, rate, lag, path, on["entry_profile"])
+    return _Cause(thickness, overrun, rate, lag, path, on["entry_profile"])
 
 
 def _give_by_thickness(wide: WideArc) -> float:

@@ -58,7 +58,7 @@ def operating_point(law: CompactLaw, arc: Geometry, entry: float, leaving: float
     arc = counted(arc, POINT_STEPS)
     goal = arc.side * log(entry / leaving)
     area, face = arc.width * arc.radius, interface(law, arc)
-    if abs(goal) < NO_PULL and arc.kick == 0.0 and arc.kick_coefficient == 0.0:
+    if abs(goal) < NO_PULL and arc.overrun_constant == 0.0 and arc.overrun_coefficient == 0.0:
         return Answer(SOLVED, _still(face, arc, entry))
     top = max(entry, leaving) / area
     creep = 2.0 * mean_creep(face, arc, entry, leaving)

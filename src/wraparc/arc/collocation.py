@@ -196,8 +196,8 @@ def compliance_of(arc: Geometry) -> float:
 def overrun_at(arc: Geometry, tension: float) -> tuple[float, float]:
     """Overrun x_c at an entry tension [m], and its slope by that [m/N]."""
     area = arc.width * arc.radius
-    grown = arc.kick_coefficient * (tension / area) ** 1.5
-    return arc.kick + grown, 1.5 * grown / tension
+    grown = arc.overrun_coefficient * (tension / area) ** 1.5
+    return arc.overrun_constant + grown, 1.5 * grown / tension
 
 
 def first_course(arc: Geometry, length: float, entry: float, leaving: float, end: float) -> Course:

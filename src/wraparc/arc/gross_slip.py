@@ -101,7 +101,7 @@ def outweighs(law: CompactLaw, geometry: Geometry, tight: float, residual: float
     for i in range(PRESSURES):
         p = tight / area * exp(-residual * i / (PRESSURES - 1))
         segment = segment_of(law, p)
-        start = abs(geometry.kick + geometry.kick_coefficient * p * sqrt(p))
+        start = abs(geometry.overrun_constant + geometry.overrun_coefficient * p * sqrt(p))
         if excess_at(law, segment, p) + start * residual_at(law, segment, p) > 0.0:
             return True
     return False

@@ -158,7 +158,7 @@ class _March:
     def walk(self, share: float) -> list[tuple[float, float, float, float, float]]:
         """Remaining arc, tension, creep, slip, shear stress at each exit end, then at the entry."""
         arc = self.arc
-        length, kick = arc.length, arc.entry_overrun
+        length, overrun = arc.length, arc.entry_overrun
         stiffness, shear = arc.axial_stiffness, arc.lagging_compliance
         step = length / self.segments
         area, tension = arc.width * arc.radius, arc.exit_tension
@@ -166,7 +166,7 @@ class _March:
         for i in range(self.segments + 1):
             remaining = length - i * step
             u = (arc.entry_tension - tension) * remaining / stiffness
-            u += arc.side * share * remaining / length + kick
+            u += arc.side * share * remaining / length + overrun
             tau, _, _, x = traction(self.law, shear, tension / area, u)
             rows.append((remaining, tension, u, x, tau))
             if i < self.segments:

@@ -31,8 +31,9 @@ class Geometry(NamedTuple):
         1/EA' [1/N].
     shear
         h/G [m/Pa].
-    kick, kick_coefficient
-        The overrun is kick + kick_coefficient p1^1.5, negative towards travel [m, m/Pa^1.5].
+    overrun_constant, overrun_coefficient
+        The overrun is overrun_constant + overrun_coefficient p1^1.5, negative towards travel
+        [m, m/Pa^1.5].
     left
         Steps of Newton's method over one element each that may still be taken, counted down while
         a question is answered, else None. See `counted`.
@@ -44,8 +45,8 @@ class Geometry(NamedTuple):
     width: float
     compliance: float
     shear: float
-    kick: float
-    kick_coefficient: float
+    overrun_constant: float
+    overrun_coefficient: float
     left: Buffer | None
 
 

@@ -116,12 +116,14 @@ def held_creep(law: CompactLaw, shear: float, pressure: float) -> float:
     return (shear + law.onset_compliance) * held_stress(law, pressure)
 
 
-def kicked_loose(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
+def overrun_loosens(law: CompactLaw, geometry: Geometry, pressure: float) -> bool:
     """Whether the overrun is more than a law that jumps holds: no creep at rest is unique then."""
     if not jumps(law):
         return False
-    kick = abs(geometry.kick + geometry.kick_coefficient * pressure * sqrt(pressure))
-    return kick > 0.0 and kick > held_creep(law, geometry.shear, pressure)
+    overrun = abs(
+        geometry.overrun_constant + geometry.overrun_coefficient * pressure * sqrt(pressure)
+    )
+    return overrun > 0.0 and overrun > held_creep(law, geometry.shear, pressure)
 
 
 def solved_arc(

@@ -11,7 +11,7 @@ from wraparc.arc.summary import (
     Description,
     geometry_of,
     held_creep,
-    kicked_loose,
+    overrun_loosens,
     recovery_compliance,
     too_steep,
 )
@@ -200,7 +200,7 @@ class WrapArc:
                 )
             )
         law = self.law.compact()
-        if kicked_loose(law, self.geometry(), self.entry_pressure):
+        if overrun_loosens(law, self.geometry(), self.entry_pressure):
             held = held_creep(law, self.shear_compliance, self.entry_pressure)
             problems.append(
                 Problem(
@@ -329,7 +329,7 @@ class WrapArc:
     def entry_overrun(self) -> float:
         """x_c, the slip at the entry nip that is used; negative towards travel [m]."""
         found, pressure = self.geometry(), self.entry_pressure
-        return found.kick + found.kick_coefficient * pressure * math.sqrt(pressure)
+        return found.overrun_constant + found.overrun_coefficient * pressure * math.sqrt(pressure)
 
     def described(self) -> Description:
         """The arc but for its law and its limits, as plain numbers."""

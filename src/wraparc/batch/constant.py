@@ -73,22 +73,22 @@ def _rows(given: dict[str, Array], mu: Array) -> Array:
     t1, t2, radius, width = (given[k] for k in ("entry_tension", "exit_tension", "radius", "width"))
     c, compliance, length = given["shear"], given["compliance"], radius * given["wrap_angle"]
     area, slope = width * radius, mu / radius
-    kick = given["kick"] + given["kick_coefficient"] * (t1 / area) ** 1.5
+    overrun = given["overrun_constant"] + given["overrun_coefficient"] * (t1 / area) ** 1.5
     lag = np.sqrt(c / (width * compliance))
     out = np.full((len(mu), row.FOUND_NUMBERS), np.nan)
     log_ratio = np.log(t1 / t2)
-    fit = (given["side"] > 0.0) & (c > 0.0) & (kick >= 0.0) & (length < LONGEST * lag)
-    fit &= kick <= c * mu * t1 / area * (1.0 - 1e-9)  # else it is refused
+    fit = (given["side"] > 0.0) & (c > 0.0) & (overrun >= 0.0) & (length < LONGEST * lag)
+    fit &= overrun <= c * mu * t1 / area * (1.0 - 1e-9)  # else it is refused
     # a breakaway by more than rounding
     out[fit & (log_ratio > mu * given["wrap_angle"] + 1e-9), row.OUTCOME] = BREAKAWAY
     fit &= log_ratio < mu * given["wrap_angle"] - 1e-9
-    end, met = _zone(t1, t2, length, lag, slope, width * lag * kick / c)
+    end, met = _zone(t1, t2, length, lag, slope, width * lag * overrun / c)
     rest = length - end
     junction = t2 * np.exp(slope * rest)
     creep, sinh, cosh = c * mu * junction / area, np.sinh(end / lag), np.cosh(end / lag)
-    g = (creep - kick * cosh) / (lag * sinh)
+    g = (creep - overrun * cosh) / (lag * sinh)
     # creep stays rearward where the belt sticks, and slip grows where it slips
-    fit &= met & (kick + g * lag > 0.0)
+    fit &= met & (overrun + g * lag > 0.0)
     fit &= g + compliance * (t1 - junction) + c * mu * slope * junction / area > 0.0
     exit_creep = creep + g * rest + compliance * (t1 * rest - (junction - t2) / slope)
     exit_stress, pull = mu * t2 / area, t1 - t2
@@ -98,15 +98,15 @@ def _rows(given: dict[str, Array], mu: Array) -> Array:
         row.EXIT_CREEP: exit_creep,
         row.EXIT_SLIP: exit_creep - c * exit_stress,
         row.EXIT_STRESS: exit_stress,
-        row.ENTRY_STRESS: kick / c,
+        row.ENTRY_STRESS: overrun / c,
         # by the exact loss of energy: friction's part is what the shear does not take
         row.WORK: pull * (g + 0.5 * pull * compliance) / width
-        - 0.5 * c * (exit_stress**2 - (kick / c) ** 2),
+        - 0.5 * c * (exit_stress**2 - (overrun / c) ** 2),
         row.CREEP_RATIO: g,
         row.STUCK_LENGTH: end,
         row.PEAK_STRESS: mu * junction / area,  # stress grows to the junction, then falls
         row.PEAK_AT: end,
-        row.ACTIVE: length - _begins(t1, t2, junction, end, slope, lag, c, width, kick, g),
+        row.ACTIVE: length - _begins(t1, t2, junction, end, slope, lag, c, width, overrun, g),
         row.LARGEST_SLIP: exit_creep - c * exit_stress,
         # slip grows by g + (T1 - T) C + c mu p mu/R, which goes one way with T
         row.STEEPEST_SLIP: g
@@ -121,7 +121,7 @@ def _rows(given: dict[str, Array], mu: Array) -> Array:
 
 
 def _zone(
-    t1: Array, t2: Array, length: Array, lag: Array, slope: Array, kick: Array
+    t1: Array, t2: Array, length: Array, lag: Array, slope: Array, overrun: Array
 ) -> tuple[Array, Flags]:
     """Length of the stuck zone [m], and where it is found: Newton's method in a bracket."""
     low, high = np.zeros_like(t1), length.copy()
@@ -130,7 +130,7 @@ def _zone(
     for _ in range(ROUNDS):
         junction = t2 * np.exp(slope * (length - at))
         half = np.tanh(0.5 * at / lag)
-        takes = slope * lag * junction + kick
+        takes = slope * lag * junction + overrun
         miss = t1 - junction - takes * half
         met = np.abs(miss) <= NEAR * t1
         if met.all():
@@ -152,13 +152,13 @@ def _begins(
     lag: Array,
     c: Array,
     width: Array,
-    kick: Array,
+    overrun: Array,
     g: Array,
 ) -> Array:
     """Where the active arc begins [m], in the stuck zone or past it."""
     taken = ACTIVE_SHARE * (t1 - t2)
     way, due = g * lag, taken * c / (width * lag)
-    grown = (way + due + np.sqrt((way + due) ** 2 - way**2 + kick**2)) / (kick + way)
+    grown = (way + due + np.sqrt((way + due) ** 2 - way**2 + overrun**2)) / (overrun + way)
     return np.where(
         taken < t1 - junction, lag * np.log(grown), end + np.log(junction / (t1 - taken)) / slope
     )

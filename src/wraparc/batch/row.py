@@ -16,7 +16,7 @@ from wraparc.arc.capacity import (
 from wraparc.arc.collocation import compliance_of
 from wraparc.arc.profile import Range, along_slip, read
 from wraparc.arc.quantities import REFUSED, SOLVED, Buffer, Geometry, Load
-from wraparc.arc.summary import kicked_loose
+from wraparc.arc.summary import overrun_loosens
 from wraparc.friction.compact import CompactLaw
 
 #: what is wanted of an arc, to be added up with the capacities
@@ -117,7 +117,7 @@ def refused(law: CompactLaw, geometry: Geometry, load: Load) -> bool:
     top = max(load.entry_tension, load.exit_tension) / (geometry.width * geometry.radius)
     if geometry.shear * top * load.steepest_fall <= -1.0:
         return True
-    return kicked_loose(law, geometry, load.entry_tension / (geometry.width * geometry.radius))
+    return overrun_loosens(law, geometry, load.entry_tension / (geometry.width * geometry.radius))
 
 
 def find_tensions(law: CompactLaw, geometry: Geometry, load: Load, found: Buffer) -> None:

@@ -259,8 +259,8 @@ class RowBatch:
             width=of["width"],
             compliance=np.maximum(of["compliance"], LEAST_COMPLIANCE),
             shear=of["shear"],
-            kick=of["kick"],
-            kick_coefficient=of["kick_coefficient"],
+            overrun_constant=of["overrun_constant"],
+            overrun_coefficient=of["overrun_coefficient"],
         )
         found = np.full((len(arcs), row.FOUND_NUMBERS), np.nan)
         left = np.zeros(len(arcs), dtype=np.int64)
@@ -299,10 +299,10 @@ class RowBatch:
         top = self.tight / self.block.area
         steep = self.of_input("shear") * top * self.of_input("steepest_fall") <= -1.0
         p = self.of_input("entry_tension") / self.block.area
-        kick = np.abs(self.block.overrun(self.of_input("entry_tension"))[0])
+        overrun = np.abs(self.block.overrun(self.of_input("entry_tension"))[0])
         jump = self.block.laws.jump(p) * p
         held = (self.of_input("shear") + self.arcs.laws.onset_compliance[self.arcs.law]) * jump
-        return np.asarray(steep | ((jump > 0.0) & (kick > 0.0) & (kick > held)))
+        return np.asarray(steep | ((jump > 0.0) & (overrun > 0.0) & (overrun > held)))
 
     def find(self, parts: int) -> None:
         """Find what is wanted of every row that is not refused."""

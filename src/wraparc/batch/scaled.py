@@ -24,8 +24,8 @@ GIVEN_POWERS = {
     "wrap_angle": (1, 0),
     "compliance": (-1, -1),
     "shear": (1, -1),
-    "kick": (0, -1),
-    "kick_coefficient": (0, -1),
+    "overrun_constant": (0, -1),
+    "overrun_coefficient": (0, -1),
     "creep_limit": (0, -1),
     "slip_max": (0, -1),
 }

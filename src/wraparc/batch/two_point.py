@@ -68,8 +68,8 @@ class Block:
         +1 driving or -1, R, R phi and B [m].
     compliance, shear
         1/EA' [1/N] and h/G [m/Pa].
-    kick, kick_coefficient
-        Overrun kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+    overrun_constant, overrun_coefficient
+        Overrun overrun_constant + overrun_coefficient p1^1.5 [m, m/Pa^1.5].
     """
 
     laws: Laws
@@ -79,8 +79,8 @@ class Block:
     width: Array
     compliance: Array
     shear: Array
-    kick: Array
-    kick_coefficient: Array
+    overrun_constant: Array
+    overrun_coefficient: Array
 
     def rows(self, which: Integers) -> Block:
         """Some of the arcs, also several times."""
@@ -99,8 +99,8 @@ class Block:
 
     def overrun(self, tension: Array) -> tuple[Array, Array]:
         """Overrun at entry tensions [m], and its slope by them [m/N]."""
-        grown = self.kick_coefficient * (tension / self.area) ** 1.5
-        return self.kick + grown, 1.5 * grown / tension
+        grown = self.overrun_coefficient * (tension / self.area) ** 1.5
+        return self.overrun_constant + grown, 1.5 * grown / tension
 
     def stress(self, tension: Array, creep: Array) -> Stress:
         """Traction at tensions and creeps, shape (points, n)."""

@@ -13,7 +13,7 @@ from typing import Any
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import has_left
 from wraparc.errors import InputError, MissingExtraError, Problem
-from wraparc.motion.keeper import row_names
+from wraparc.motion.recorder import row_names
 from wraparc.motion.station import Station
 from wraparc.saving import alone, is_device, put_in_place, to_disk, unwritable
 

@@ -31,21 +31,21 @@ class Shape(NamedTuple):
         travel and W are along the surface of the lagging.
     shear
         c = h/G [m/Pa].
-    kick, kick_coefficient
-        The overrun is kick + kick_coefficient p1^1.5 [m, m/Pa^1.5].
+    overrun_constant, overrun_coefficient
+        The overrun is overrun_constant + overrun_coefficient p1^1.5 [m, m/Pa^1.5].
     """
 
     width: float
     diameter: float
     length: float
     shear: float
-    kick: float
-    kick_coefficient: float
+    overrun_constant: float
+    overrun_coefficient: float
 
     def overrun(self, pressing: float) -> float:
         """x_c at an entry tension above m v^2 [m]."""
         pressure = max(2.0 / (self.width * self.diameter) * pressing, 0.0)
-        return self.kick + self.kick_coefficient * pressure * sqrt(pressure)
+        return self.overrun_constant + self.overrun_coefficient * pressure * sqrt(pressure)
 
 
 class Felt(NamedTuple):
@@ -204,7 +204,9 @@ class MovingArc:
 def shape_of(arc: WrapArc) -> Shape:
     """Return what of an arc stays the same in time."""
     g = arc.geometry()
-    return Shape(g.width, 2.0 * g.radius, arc.length, g.shear, g.kick, g.kick_coefficient)
+    return Shape(
+        g.width, 2.0 * g.radius, arc.length, g.shear, g.overrun_constant, g.overrun_coefficient
+    )
 
 
 def _refuse(arc: WrapArc) -> None:

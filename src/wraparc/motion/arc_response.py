@@ -91,7 +91,7 @@ class SteadyProfile:
             t += h / 6.0 * (k1[0] + 2.0 * k2[0] + 2.0 * k3[0] + k4[0])
             u += h / 6.0 * (k1[1] + 2.0 * k2[1] + 2.0 * k3[1] + k4[1])
         table = np.array(rows)
-        coefficient = arc.geometry().kick_coefficient
+        coefficient = arc.geometry().overrun_coefficient
         return cls(
             length=arc.length,
             width=b,

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 from wraparc.errors import InputError, Problem
-from wraparc.motion.keeper import Keeper, Sink
 from wraparc.motion.march import March
+from wraparc.motion.recorder import Recorder, Sink
 from wraparc.saving import put_in_place, unwritable
 from wraparc.version import __version__
 
@@ -47,7 +47,7 @@ class Checkpoint:
     flush: Callable[[], None] = lambda: None
     seldom: float = SELDOM
 
-    def begin(self, march: March, keeper: Keeper, sink: Sink | None) -> None:
+    def begin(self, march: March, recorder: Recorder, sink: Sink | None) -> None:
         """Go on from the file if it is there, else begin.
 
         Raises
@@ -56,40 +56,40 @@ class Checkpoint:
             If the file is none of this run.
         """
         self.saved = time.monotonic()
-        self.key = _key(march, keeper)
+        self.key = _key(march, recorder)
         there = Path(self.path).exists()
         if there:
-            self._restore(march, keeper)
-        self.resumed(keeper.told)
-        keeper.sink = sink
+            self._restore(march, recorder)
+        self.resumed(recorder.told)
+        recorder.sink = sink
         if not there:
-            keeper.stream()
+            recorder.stream()
 
-    def due(self, march: March, keeper: Keeper) -> None:
+    def due(self, march: March, recorder: Recorder) -> None:
         """Save if it is time."""
         if time.monotonic() - self.saved >= self.seldom:
-            self.save(march, keeper)
+            self.save(march, recorder)
 
-    def end(self, march: March, keeper: Keeper, *, whole: bool) -> None:
+    def end(self, march: March, recorder: Recorder, *, whole: bool) -> None:
         """Remove the file after a run that came to its end, its rows safe, else save it."""
         if whole:
             self.flush()
             for path in (Path(self.path), self._draft):
                 path.unlink(missing_ok=True)
         else:
-            self.save(march, keeper)
+            self.save(march, recorder)
 
-    def save(self, march: March, keeper: Keeper) -> None:
+    def save(self, march: March, recorder: Recorder) -> None:
         """Save the state of a run."""
         self.flush()
         arrays: dict[str, Any] = {
-            "rows": np.array(keeper.rows),
-            "picture_times": np.array([p[0] for p in keeper.pictures]),
-            "creep": np.array([p[1] for p in keeper.pictures]),
-            "shear": np.array([p[2] for p in keeper.pictures]),
+            "rows": np.array(recorder.rows),
+            "picture_times": np.array([p[0] for p in recorder.pictures]),
+            "creep": np.array([p[1] for p in recorder.pictures]),
+            "shear": np.array([p[2] for p in recorder.pictures]),
         }
         numbers: dict[str, Any] = {}
-        for name, part in _parts(march, keeper):
+        for name, part in _parts(march, recorder):
             numbers[name] = {}
             for key, value in vars(part).items():
                 if isinstance(value, np.ndarray):
@@ -115,7 +115,7 @@ class Checkpoint:
         target = Path(os.path.realpath(self.path))
         return target.with_name(f".{target.name}.tmp")
 
-    def _restore(self, march: March, keeper: Keeper) -> None:
+    def _restore(self, march: March, recorder: Recorder) -> None:
         try:
             with np.load(self.path, allow_pickle=False) as file:
                 arrays = {key: file[key] for key in file.files}
@@ -126,16 +126,16 @@ class Checkpoint:
         if not fits:
             message = "is the state of another run: file, event, step, points or rows differ"
             raise self._problem(message, "Remove it, or name another file.")
-        for name, part in _parts(march, keeper):
+        for name, part in _parts(march, recorder):
             for key, value in about["numbers"][name].items():
                 kind = type(getattr(part, key, value))
                 setattr(part, key, kind(value) if kind in (tuple, deque) else value)
             for key, value in vars(part).items():
                 if isinstance(value, np.ndarray):
                     setattr(part, key, arrays[f"{name}.{key}"])
-        keeper.rows = arrays["rows"].tolist()
+        recorder.rows = arrays["rows"].tolist()
         pictures = zip(arrays["picture_times"], arrays["creep"], arrays["shear"], strict=True)
-        keeper.pictures = [(float(t), list(creep), list(shear)) for t, creep, shear in pictures]
+        recorder.pictures = [(float(t), list(creep), list(shear)) for t, creep, shear in pictures]
 
     def _problem(self, message: str, remedy: str) -> InputError:
         return InputError(
@@ -143,11 +143,11 @@ class Checkpoint:
         )
 
 
-def _parts(march: March, keeper: Keeper) -> Iterator[tuple[str, Any]]:
+def _parts(march: March, recorder: Recorder) -> Iterator[tuple[str, Any]]:
     """Everything that changes on the march, by name."""
     yield "march", march
     yield "wraps", march.wraps
-    yield "keeper", keeper
+    yield "recorder", recorder
     for i, d in enumerate(march.drums):
         yield f"drum{i}", d
         yield f"arc{i}", d.arc
@@ -164,8 +164,8 @@ def _are_numbers(value: Any) -> bool:
     return type(value) in (list, tuple, deque) and all(map(_is_number, value))
 
 
-def _key(march: March, keeper: Keeper) -> str:
+def _key(march: March, recorder: Recorder) -> str:
     """What a run is: the same program, station, event, step, pieces and rows."""
     points = [d.arc.points for d in march.drums]
-    parts = (__version__, march.station, march.event, march.h, points, keeper.every)
+    parts = (__version__, march.station, march.event, march.h, points, recorder.every)
     return hashlib.sha256(repr(parts).encode()).hexdigest()

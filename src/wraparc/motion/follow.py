@@ -8,8 +8,8 @@ from collections.abc import Callable
 from wraparc.errors import InputError, Problem
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.event import Event, Measured, OnDrum, Start
-from wraparc.motion.keeper import Keeper, Sink
 from wraparc.motion.march import March
+from wraparc.motion.recorder import Recorder, Sink
 from wraparc.motion.result import Outcome, RunResult
 from wraparc.motion.station import Station
 from wraparc.motion.station_state import HaltError
@@ -55,7 +55,8 @@ def simulate(
         Time between the rows that are kept or streamed [s]; None for every step.
     sink
         Called with every row: time, belt speed, then for every drum entry and exit tension, speed,
-        torque, exit creep, exit slip and peak shear stress (see `wraparc.motion.keeper.row_names`).
+        torque, exit creep, exit slip and peak shear stress, see
+        `wraparc.motion.recorder.row_names`.
     progress
         Called with the part of the event that is done, now and then; True cancels the run.
     checkpoint
@@ -83,28 +84,28 @@ def simulate(
     _check_step(march, event)
     _check_steps(march, event)
     _check_ramps(march, event)
-    keeper = Keeper(march, every or march.h, None if checkpoint else sink)
+    recorder = Recorder(march, every or march.h, None if checkpoint else sink)
     if checkpoint is not None:
-        checkpoint.begin(march, keeper, sink)
+        checkpoint.begin(march, recorder, sink)
     outcome, reason = Outcome.WHOLE, ""
     total = max(math.ceil(event.duration / march.h - 1e-9), 1)
-    for count in range(keeper.count + 1, total + 1):
+    for count in range(recorder.count + 1, total + 1):
         try:
             march.step()
         except HaltError as halt:
             outcome, reason = _told(halt, march.t)
             break
-        keeper.take(count == total)
+        recorder.take(count == total)
         if count % _NOW_AND_THEN:
             continue
         if checkpoint is not None:
-            checkpoint.due(march, keeper)
+            checkpoint.due(march, recorder)
         if progress is not None and progress(count / total):
             outcome, reason = Outcome.CANCELLED, f"Cancelled at {march.t:.3g} s."
             break
     if checkpoint is not None:
-        checkpoint.end(march, keeper, whole=outcome is not Outcome.CANCELLED)
-    return keeper.result(outcome, reason, keeper.count)
+        checkpoint.end(march, recorder, whole=outcome is not Outcome.CANCELLED)
+    return recorder.result(outcome, reason, recorder.count)
 
 
 def _told(halt: HaltError, t: float) -> tuple[Outcome, str]:

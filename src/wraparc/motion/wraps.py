@@ -147,9 +147,11 @@ class Wraps(Table):
         for arc in self.arcs:
             p, shape = float(pressure[arc.own, -1]), arc.shape
             root = p**0.5
-            by_t.append(1.5 * shape.kick_coefficient * root * float(self.per[arc.own, 0]))
+            by_t.append(1.5 * shape.overrun_coefficient * root * float(self.per[arc.own, 0]))
             if arc.moves:
-                creep[arc.own, arc.nip :] = shape.kick + shape.kick_coefficient * p * root
+                creep[arc.own, arc.nip :] = (
+                    shape.overrun_constant + shape.overrun_coefficient * p * root
+                )
         slip, stress = table[NEW_SLIP], table[NEW_STRESS]
         near = slip + (1.0 - self.shear * table[BY_CREEP]) * (creep - slip - self.shear * stress)
         self.new_count = np.zeros_like(self.count)

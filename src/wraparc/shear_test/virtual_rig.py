@@ -175,8 +175,8 @@ def _coloured(rng: np.random.Generator, count: int, readings: float) -> Array:
     rho = float(np.exp(-1.0 / readings))
     noise = np.empty(count)
     state = white[0]
-    for k, kick in enumerate(white):
-        state = state if k == 0 else rho * state + np.sqrt(1.0 - rho**2) * kick
+    for k, pulse in enumerate(white):
+        state = state if k == 0 else rho * state + np.sqrt(1.0 - rho**2) * pulse
         noise[k] = state
     return noise
 

@@ -81,8 +81,8 @@ def _solved(member: Member, entry: Array, creep: Array) -> tuple[Array, Array]:
         width=np.full(n, arc.width),
         compliance=np.full(n, member.compliance),
         shear=np.full(n, arc.shear),
-        kick=np.full(n, arc.kick),
-        kick_coefficient=np.full(n, arc.kick_coefficient),
+        overrun_constant=np.full(n, arc.overrun_constant),
+        overrun_coefficient=np.full(n, arc.overrun_coefficient),
     )
     one, none = np.ones(n), np.zeros(n)
     ends = Ends(one, none, entry, CREEP, creep, none * np.nan)

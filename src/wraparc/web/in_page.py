@@ -22,7 +22,7 @@ from wraparc.arc.summary import (
     capacity_numbers,
     columns_of,
     geometry_of,
-    kicked_loose,
+    overrun_loosens,
     pressure_of,
     solved_arc,
     stretches_outside,
@@ -204,7 +204,7 @@ def refused(law: CompactLaw, arc: Description, fall: float) -> bool:
         return True
     geometry = geometry_of(arc)
     pressure = pressure_of(arc, entry)
-    return too_steep(arc, fall) or kicked_loose(law, geometry, pressure)
+    return too_steep(arc, fall) or overrun_loosens(law, geometry, pressure)
 
 
 def load_of(given: Given, arc: Description, tested: TestedRange | None) -> Load:

@@ -88,15 +88,25 @@ export class Description {
 }
 
 export class Geometry {
-  constructor(side, radius, wrap_angle, width, compliance, shear, kick, kick_coefficient, left) {
+  constructor(
+    side,
+    radius,
+    wrap_angle,
+    width,
+    compliance,
+    shear,
+    overrun_constant,
+    overrun_coefficient,
+    left,
+  ) {
     this.side = side;
     this.radius = radius;
     this.wrap_angle = wrap_angle;
     this.width = width;
     this.compliance = compliance;
     this.shear = shear;
-    this.kick = kick;
-    this.kick_coefficient = kick_coefficient;
+    this.overrun_constant = overrun_constant;
+    this.overrun_coefficient = overrun_coefficient;
     this.left = left;
   }
   *[Symbol.iterator]() {
@@ -106,8 +116,8 @@ export class Geometry {
     yield this.width;
     yield this.compliance;
     yield this.shear;
-    yield this.kick;
-    yield this.kick_coefficient;
+    yield this.overrun_constant;
+    yield this.overrun_coefficient;
     yield this.left;
   }
 }
@@ -1597,12 +1607,14 @@ export function summary__held_creep(law, shear, pressure) {
 }
 
 /** Whether the overrun is more than a law that jumps holds: no creep at rest is unique then. */
-export function summary__kicked_loose(law, geometry, pressure) {
+export function summary__overrun_loosens(law, geometry, pressure) {
   if (!quantities__jumps(law)) {
     return false;
   }
-  let kick = Math.abs(geometry.kick + geometry.kick_coefficient * pressure * Math.sqrt(pressure));
-  return kick > 0.0 && kick > summary__held_creep(law, geometry.shear, pressure);
+  let overrun = Math.abs(
+    geometry.overrun_constant + geometry.overrun_coefficient * pressure * Math.sqrt(pressure),
+  );
+  return overrun > 0.0 && overrun > summary__held_creep(law, geometry.shear, pressure);
 }
 
 /** Whether it is for the server to say what is wrong with an arc. */
@@ -1617,7 +1629,7 @@ export function in_page__refused(law, arc, fall) {
   }
   let geometry = summary__geometry_of(arc);
   let pressure = summary__pressure_of(arc, entry);
-  return summary__too_steep(arc, fall) || summary__kicked_loose(law, geometry, pressure);
+  return summary__too_steep(arc, fall) || summary__overrun_loosens(law, geometry, pressure);
 }
 
 /** Tensions and limits of an arc. */
@@ -1651,8 +1663,8 @@ export function meet__interface(law, arc) {
 /** Overrun x_c at an entry tension [m], and its slope by that [m/N]. */
 export function collocation__overrun_at(arc, tension) {
   let area = arc.width * arc.radius;
-  let grown = arc.kick_coefficient * (tension / area) ** 1.5;
-  return [arc.kick + grown, (1.5 * grown) / tension];
+  let grown = arc.overrun_coefficient * (tension / area) ** 1.5;
+  return [arc.overrun_constant + grown, (1.5 * grown) / tension];
 }
 
 /** C = 1/EA' [1/N]. */
@@ -3057,7 +3069,7 @@ export function gross_slip__outweighs(law, geometry, tight, residual) {
     i = each1;
     p = (tight / area) * Math.exp((-residual * i) / (PRESSURES - 1));
     segment = compact__segment_of(law, p);
-    start = Math.abs(geometry.kick + geometry.kick_coefficient * p * Math.sqrt(p));
+    start = Math.abs(geometry.overrun_constant + geometry.overrun_coefficient * p * Math.sqrt(p));
     if (compact__excess_at(law, segment, p) + start * compact__residual_at(law, segment, p) > 0.0) {
       return true;
     }
@@ -3345,7 +3357,7 @@ export function answer__operating_point(law, arc, entry, leaving) {
   let goal = arc.side * Math.log(entry / leaving);
   let area = arc.width * arc.radius;
   let face = meet__interface(law, arc);
-  if (Math.abs(goal) < NO_PULL && arc.kick === 0.0 && arc.kick_coefficient === 0.0) {
+  if (Math.abs(goal) < NO_PULL && arc.overrun_constant === 0.0 && arc.overrun_coefficient === 0.0) {
     return new Answer(SOLVED, answer___still(face, arc, entry));
   }
   let top = max(entry, leaving) / area;

@@ -48,7 +48,7 @@ _COLUMNS = (
 
 
 @dataclass
-class Keeper:
+class Recorder:
     """Keeps rows and pictures; thins them out when there are too many."""
 
     march: March
