@@ -252,7 +252,7 @@ def _open_trims(
 ) -> Flags:
     """Whether a trim that a pulley takes part in is open, that of the driven ones to the first."""
     entry, leaving = tensions
-    driven = (np.abs(entry - leaving) > IDLE * entry).T
+    driven = ~_idle(entry, leaving).T
     first = driven.argmax(axis=1)
     shifts = np.array(
         [
@@ -375,7 +375,7 @@ def _compared(
     tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
     slack = np.minimum(arcs.entry_tension, arcs.exit_tension)
     low, high, slip_max = arcs.laws.tested[arcs.law].T
-    speed, pulls = arcs.laws.tested_speed[arcs.law], ~_idle(arcs)
+    speed, pulls = arcs.laws.tested_speed[arcs.law], ~_idle(arcs.entry_tension, arcs.exit_tension)
     yield "design_standard", slack, np.where(pulls, held.standard, math.nan)
     yield "creep", np.abs(solved["exit_creep"]), _where(solved.solved, arcs.creep_limit)
     there = solved.solved & (held.cover_left_out > 0.0)
@@ -434,8 +434,8 @@ def _where(there: Flags, limit: Array) -> Array:
     return np.where(there, limit, math.nan)
 
 
-def _idle(arcs: Arcs) -> Flags:
-    return np.asarray(np.abs(arcs.entry_tension - arcs.exit_tension) <= IDLE * arcs.entry_tension)
+def _idle(entry: Array, leaving: Array) -> Flags:
+    return np.asarray(np.abs(entry - leaving) <= IDLE * entry)
 
 
 def kept_rows(value: Array, limit: Array, *, at_most: bool) -> Flags:
@@ -467,7 +467,11 @@ def _gross_slip(
 ) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the safety against gross slip."""
     arcs, status, limit = solved.arcs, solved["status"], held.safety
-    gone, idle, fault = status == BREAKAWAY, _idle(arcs) & (status == SOLVED), status == UNSOLVED
+    gone, idle, fault = (
+        status == BREAKAWAY,
+        _idle(arcs.entry_tension, arcs.exit_tension) & (status == SOLVED),
+        status == UNSOLVED,
+    )
     factor, cause = np.full(len(arcs), math.inf), np.full(len(arcs), CREEP, dtype=np.int8)
     which = np.flatnonzero(~(idle | fault) & (status != REFUSED))
     friction, slip = factors
@@ -491,7 +495,7 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
     """Return name, rank and margin of the sizes that conveyor drives have."""
     missed = RULES["usual_sizes"].missed.rank
     ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
-    idle = _idle(arcs)
+    idle = _idle(arcs.entry_tension, arcs.exit_tension)
     pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
     wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))
     given: Any = [

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
 
 import click
 
@@ -58,6 +57,8 @@ def run(
     The file needs a [motion] table with inertias and events. Ctrl-C ends the run and shows what was
     computed so far.
     """
+    from wraparc.present.motion_sheet import run_document, run_sheet
+
     csv_file, parquet_file, plot_file, state_file = map(
         answer.paths.get, ("csv", "parquet", "plot", "checkpoint")
     )
@@ -82,7 +83,7 @@ def run(
     if not rows.cancelled:
         answer.write("plot", lambda: _picture(result, answer.units))
     printed = csv_file == STANDARD_OUTPUT
-    answer.give(lambda: _run_sheet(result), lambda: _run_document(result), shows=not printed)
+    answer.give(lambda: run_sheet(result), lambda: run_document(result), shows=not printed)
     if rows.cancelled:
         with interrupted(lambda: rows.kept([plot_file] if plot_file else [])):
             raise KeyboardInterrupt
@@ -133,18 +134,6 @@ def _picture(result: RunResult, units: System) -> Content:
     from wraparc.plot.motion import plot_run
 
     return plot_run(result, units).save
-
-
-def _run_document(result: RunResult) -> dict[str, Any]:
-    from wraparc.present.motion_sheet import run_document
-
-    return run_document(result)
-
-
-def _run_sheet(result: RunResult) -> Any:
-    from wraparc.present.motion_sheet import run_sheet
-
-    return run_sheet(result)
 
 
 @contextmanager
