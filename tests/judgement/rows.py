@@ -526,6 +526,10 @@ ROWS = (
         ("ATTENTION", "over the weight of the conveyor_mass"), ("OK",), ("run",), base=MOTION),
     Row("a run of millimetres", (('"50 m"', '"50 mm"'), ('"4 s"', '"1 s"')),
         ("ATTENTION", "carry run, 50 mm", "50 m"), ("OK",), ("run",), base=MOTION),
+    Row("a gear ratio of ten times",  # 8 kg m2 at 250^2: 31 times the 100 t at the belt
+        (('"2200 kg m2"', '"800 kg m2"\nmotor_inertia = "8 kg m2"\ngear_ratio = 250'),
+         ('"4 s"', '"1 s"')),
+        ("ATTENTION", "over the conveyor_mass", "gear_ratio"), ("OK",), ("run",), base=MOTION),
     Row("an inertia of tonnes", (('"2200 kg m2"', '"2200 t m2"'), ('"4 s"', '"1 s"')),
         ("ATTENTION", "inertia of drum one", "2200 kg m2"), ("OK",), ("run",), base=MOTION),
     Row("what happens when nobody looks any more",

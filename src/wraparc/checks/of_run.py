@@ -49,6 +49,8 @@ _otherwise: WeakKeyDictionary[RunResult, tuple[Otherwise, ...]] = WeakKeyDiction
 LONGER = 4.0
 #: Largest pull over the weight of what it moves: the steepest slope and a quick start [-].
 PULL_OVER_WEIGHT = (0.0, 1.2)
+#: Inertia of drums, gears and motors at the belt, over the mass of the conveyor [-].
+DRUMS_OVER_CONVEYOR = (0.001, 4.0)
 
 
 class Otherwise(NamedTuple):
@@ -140,7 +142,10 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield _safety(run, case)
     yield _sag(drive, run)
     yield from _pull_over_weight(run)
-    yield from usual_sizes(drive, *of_run(run.station, run.event))
+    sizes = [*usual_sizes(drive, *of_run(run.station, run.event))]
+    yield from sizes
+    if not any(check.missed and "inertia" in check.title for check in sizes):
+        yield from _drums_over_conveyor(run)
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
 
 
@@ -162,6 +167,23 @@ def _pull_over_weight(run: RunResult) -> Iterator[Check]:
     if not usual(over, *PULL_OVER_WEIGHT):
         told = "largest pull of the drives over the weight of the conveyor_mass"
         yield unusual(told, "number", Place(), over, PULL_OVER_WEIGHT)
+
+
+def _drums_over_conveyor(run: RunResult) -> Iterator[Check]:
+    """Yield that drums with their motors, J/R^2 at the belt, are far off the conveyor's mass.
+
+    A gear ratio that is ten times off changes it a hundred times.
+    """
+    if run.station.conveyor_mass is None:
+        return
+    radii = (pulley.diameter / 2.0 for pulley in run.station.train.pulleys)
+    drums = zip(run.station.drums, radii, strict=True)
+    at_belt = math.fsum(drum.inertia / radius**2 for drum, radius in drums)
+    over = at_belt / run.station.conveyor_mass
+    if not usual(over, *DRUMS_OVER_CONVEYOR):
+        told = "inertia of drums and motors at the belt over the conveyor_mass"
+        check = unusual(told, "number", Place(), over, DRUMS_OVER_CONVEYOR)
+        yield replace(check, remedy="Check inertia, motor_inertia, gear_ratio and conveyor_mass.")
 
 
 def _case(run: RunResult) -> LoadCase:
