@@ -12,8 +12,11 @@ from cli.running import DRIVE, Ran, drive_file, wraparc
 from wraparc import load_drive, solve
 from wraparc.checks import Level, judge, least_tension
 from wraparc.cli.solve import TABLES
+from wraparc.present.motion_sheet import work
 from wraparc.present.sheet import Row, Sheet, Table, Verdict
 from wraparc.present.short import short_sheet
+from wraparc.present.what_if_sheet import per_stress
+from wraparc.units import in_units
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
@@ -208,3 +211,24 @@ def test_numbers_of_sources_go_with_the_sources_and_other_brackets_stay() -> Non
     rows = (Row("row", ("1",), note="published [2], of [pulley] [7]"),)
     short = short_sheet(_sheet(tables=(Table("Known", rows, name="trim"),)))
     assert short.tables[0].rows[0].note == "published, of [pulley] [7]"
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("run", EXAMPLES / "tandem-fabric.toml"),
+        ("what-if", EXAMPLES / "head-drive-fabric.toml", "--worn", "0.2 in", "--wet", "DIN 22101"),
+    ],
+    ids=lambda command: command[0],
+)
+def test_an_answer_in_us_units_holds_no_metric_number(command: tuple[str | Path, ...]) -> None:
+    found = wraparc(*map(str, command), "--units", "us", "--full").words
+    found = re.sub(r"\[\d+\] [^.]*\.|from 50 kN", "", found)
+    assert not re.search(r"\d (mm|um|kN|kPa|MPa|kW|kJ|mm/MPa)\b", found)
+
+
+def test_friction_work_and_compliance_in_us_units() -> None:
+    """1 ft lbf = 1.3558179483 J; 1 in/ksi = 0.0254 m over 6.894757293 MPa."""
+    assert in_units(work(1355.8179483), "us") == "1000 ft lbf"
+    assert in_units(work(1355.8179483)) == "1.36 kJ"
+    assert in_units(per_stress(0.0254 / 6.894757293e6), "us") == "1 in/ksi"

@@ -12,7 +12,6 @@ from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.of_drive import judged, not_checked, origin, tests_of
 from wraparc.checks.rules import ACROSS_RULES, tension_factor
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
-from wraparc.units import display
 
 #: Tension at an edge that a belt may bear over its rating [-].
 EDGE_FACTOR = 1.15
@@ -251,8 +250,9 @@ def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
             "length",
             source="a tenth of the width: a profile of the face reaches further",
             short="profile too narrow",
-            says=f"The rows of {name} reach over {{value}} of a belt "
-            f"{display(belt.width, 'length')} wide: were inches read as millimetres?",
+            says=f"The rows of {name} reach over {{value}} of a belt {{width}} wide: were inches "
+            "read as millimetres?",
+            more={"width": (belt.width, "length")},
             remedy="Give every position its unit, and rows over the whole face.",
             place=Place(pulley.name),
             binding=False,

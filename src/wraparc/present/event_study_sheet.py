@@ -7,10 +7,10 @@ from typing import Any
 
 from wraparc.checks import Level
 from wraparc.present.document import DOCUMENT_FORMAT
+from wraparc.present.motion_sheet import work
 from wraparc.present.sheet import NONE, Row, Sheet, Table, percent, quantity
 from wraparc.study.event_rows import NAMES, UNITS
 from wraparc.study.event_study import EventRow, EventStudy
-from wraparc.units import display
 from wraparc.version import __version__
 
 
@@ -61,7 +61,7 @@ def _line(study: EventStudy, row: EventRow) -> Row:
         quantity(row.peak_tension, "force"),
         quantity(row.least_tension, "force"),
         NONE if math.isnan(row.swing) else percent(row.swing, 2),
-        f"{display(row.friction_energy / 1e3, 'number', digits=3)} kJ",
+        work(row.friction_energy),
         f"{row.pulsates:.3g} Hz" if row.pulsates else "no",
         row.word,
     )

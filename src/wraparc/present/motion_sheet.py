@@ -18,7 +18,7 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, perce
 from wraparc.present.words import in_words, told_twice
 from wraparc.train import Train
 from wraparc.train.turning import surface_sentence
-from wraparc.units import GIVEN_DIGITS, Dimension, display
+from wraparc.units import GIVEN_DIGITS, Dimension, display, display_unit, either
 
 #: Amplitude of the pull below which run-out does no harm, and above which it is told as too much.
 _CALM = 0.02
@@ -151,7 +151,7 @@ def _drum_table(run: RunResult) -> Table:
         ),
         row(
             "Friction work on the lagging",
-            [f"{display(d.friction_energy / 1e3, 'number', digits=3)} kJ" for d in drums],
+            [work(d.friction_energy) for d in drums],
         ),
         row(
             "Friction work per area of shell",
@@ -160,11 +160,23 @@ def _drum_table(run: RunResult) -> Table:
     ]
     depths = [run.wear_depth(d.name) for d in drums]
     if any(d is not None for d in depths):
-        texts = [
-            NONE if d is None else f"{display(d * 1e6, 'number', digits=3)} um" for d in depths
-        ]
-        rows.append(row("Wear of one such event", texts))
+        rows.append(
+            row("Wear of one such event", [NONE if d is None else _thin(d) for d in depths])
+        )
     return Table("The drums", tuple(rows), heads=tuple(d.name for d in drums), name="drums")
+
+
+def work(energy: float) -> str:
+    """Return friction work [J] as it is read in each system of units."""
+    return _in_small((energy / 1e3, "kJ"), (energy / display_unit("torque", "us")[1], "ft lbf"))
+
+
+def _thin(depth: float) -> str:
+    return _in_small((depth * 1e6, "um"), (1e3 * depth / display_unit("length", "us")[1], "mil"))
+
+
+def _in_small(*told: tuple[float, str]) -> str:
+    return either(*(f"{display(value, 'number', digits=3)} {unit}" for value, unit in told))
 
 
 def stability_document(result: StabilityResult) -> dict[str, Any]:

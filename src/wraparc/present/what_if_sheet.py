@@ -17,6 +17,7 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, perce
 from wraparc.present.words import alone, as_it_is, in_short, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
+from wraparc.units import display_unit, either
 
 _SHOWN = (
     "entry_tension",
@@ -215,7 +216,7 @@ def _parts(before: ArcResult, after: ArcResult) -> Iterator[tuple[float, str]]:
         texts = [named("exit_creep", v) for v in shear]
         text = (
             f"of the creep the lagging shears {texts[0]} before and {texts[1]} after, as h/G goes "
-            f"from {_per_stress(a.shear_compliance)} to {_per_stress(b.shear_compliance)}; the "
+            f"from {per_stress(a.shear_compliance)} to {per_stress(b.shear_compliance)}; the "
             f"slip goes from {named('exit_slip', before.exit_slip)} to "
             f"{named('exit_slip', after.exit_slip)}."
         )
@@ -267,8 +268,10 @@ def _global_words(before: ArcResult, after: ArcResult) -> str:
     )
 
 
-def _per_stress(compliance: float) -> str:
-    return f"{compliance * 1e9:.3g} mm/MPa"
+def per_stress(compliance: float) -> str:
+    """Return a compliance h/G [m/Pa] as it is read in each system of units."""
+    inch, ksi = display_unit("length", "us")[1], 1e3 * display_unit("pressure", "us")[1]
+    return either(f"{1e9 * compliance:.3g} mm/MPa", f"{compliance * ksi / inch:.3g} in/ksi")
 
 
 def _by_itself(found: WhatIf) -> list[DriveResult]:

@@ -33,7 +33,7 @@ from wraparc.train import Motor, Motors
 from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.turning import surface_sentence
-from wraparc.units import DIMENSION_TEXT, Dimension, in_units
+from wraparc.units import DIMENSION_TEXT, Dimension
 
 Array = NDArray[np.float64]
 
@@ -198,7 +198,7 @@ class DriveSource:
                 )
             for pulley in drive.pulleys:
                 if pitch_offset(drive.belt, pulley.side) is None:
-                    yield in_units(surface_sentence(pulley.diameter))
+                    yield surface_sentence(pulley.diameter)
                     break
         take_up = drive.criteria.take_up
         held = "the sum of both tensions" if take_up.fixed else "the slack-side tension"
