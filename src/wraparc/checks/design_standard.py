@@ -101,7 +101,9 @@ def wrap_factors(
     if friction is None:
         return none
     factors = 1.0 / np.expm1(friction * wrap_angle)
-    return np.vectorize(as_printed, otypes=[float])(factors) if prints(standard, lagging.surface) else factors
+    if not prints(standard, lagging.surface):
+        return factors
+    return np.vectorize(as_printed, otypes=[float])(factors)  # of no row too
 
 
 def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:

@@ -47,7 +47,7 @@ _DONE = 0
     "--part",
     type=click.IntRange(1, 10_000_000),
     metavar="DESIGNS",
-    help="Designs solved at once by a thread or worker; by default what takes about a third of a second.",
+    help="Designs solved at once by a thread or worker; by default what takes some 0.3 s.",
 )
 @click.option("--resume", is_flag=True, help="Finish a run that was interrupted.")
 @click.option(
