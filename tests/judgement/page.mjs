@@ -15,10 +15,11 @@ const told = documents.map((doc) => {
   app.doc = doc;
   const { judging, problems } = assemble(doc, book);
   if (!judging) return { first: problems.map((p) => p.message).join(" "), least: null };
-  const judged = judge(judging, doc, numbersOfAll(arcsOf(judging)));
-  const verdict = judged && verdictOf(judged);
-  if (!verdict) return { first: "no answer", least: null };
-  const least = leastTold(judged, { table: { rows: [] } })?.sentence;
+  const numbers = numbersOfAll(arcsOf(judging));
+  if (!numbers) return { first: "no answer", least: null };
+  const judged = judge(judging, doc, numbers);
+  const verdict = verdictOf(judged);
+  const least = leastTold(judged)?.sentence;
   return { first: `${verdict.told} ${verdict.headline}`, least: least ?? "" };
 });
 process.stdout.write(JSON.stringify(told));

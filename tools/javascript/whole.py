@@ -24,6 +24,7 @@ from decimal import Decimal
 from functools import cached_property
 from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType, UnionType
 from typing import Any, cast
+from weakref import WeakKeyDictionary
 
 from javascript.names import Refused, Where, is_named_tuple, literal, local
 
@@ -32,17 +33,19 @@ _BUILT_IN = {
     **{getattr(builtins, name): name for name in (
         "len", "isinstance", "str", "repr", "int", "float", "bool", "list", "tuple", "set", "any",
         "frozenset", "dict", "all", "sum", "abs", "min", "max", "sorted", "zip", "enumerate",
-        "range", "map", "next", "reversed", "iter", "ord", "type", "getattr",
+        "range", "map", "next", "reversed", "iter", "ord", "type", "getattr", "round", "filter",
     )},
     itertools.pairwise: "pairwise", Counter: "Counter", Decimal: "Decimal",
 }  # fmt: skip
 _TYPES = (str, int, float, bool, dict, list, tuple, Mapping, Sequence)
 _ERRORS = {
-    kind: f"${kind.__name__}" for kind in (KeyError, StopIteration, OverflowError, TypeError)
+    kind: f"${kind.__name__}"
+    for kind in (KeyError, StopIteration, OverflowError, TypeError, ValueError)
 }
-_BASES = {dict: "$Dict", Exception: "$Error", ValueError: "$Error", object: "$Object"}
+_BASES = {dict: "$Dict", Exception: "$Error", ValueError: "$ValueError", object: "$Object"}
 _OPERATORS = {
     ast.Add: "$add", ast.Sub: "$sub", ast.Mult: "$mul", ast.Pow: "$pow", ast.BitOr: "$merged",
+    ast.BitAnd: "$common",
 }  # fmt: skip
 _PLAIN = {ast.Div: "/", ast.Mod: "%"}
 _COMPARED = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
@@ -51,7 +54,7 @@ _METHODS = frozenset(
     re.findall(
         r"\w+",
         """
-    strip lstrip rstrip lower upper casefold startswith endswith replace removeprefix removesuffix
+    strip lstrip rstrip lower upper capitalize casefold startswith endswith replace removeprefix removesuffix
     partition rpartition split join isprintable isdecimal isascii translate get items keys values
     setdefault pop update append count index isdisjoint match fullmatch search findall sub group
     end start
@@ -66,24 +69,33 @@ class Module:
     Attributes
     ----------
     instead
-        Functions in the place of others, by name: JavaScript has them.
+        Functions in the place of others; by name where JavaScript has them.
     frozen
         Functions that always return the same, which is taken as it is.
     without
         Methods that are left out, by name.
     unasked
         Fields of classes that nothing asks a constant for.
+    elsewhere
+        What another module exports, by name: it is imported from there.
+    enums
+        Enumerations whose members have more than their values.
     """
 
     def __init__(
         self,
         package: str,
-        instead: Mapping[Any, str],
+        instead: Mapping[Any, Any],
         frozen: Iterable[Any] = (),
         without: Iterable[str] = (),
         unasked: Iterable[tuple[type, str]] = (),
+        elsewhere: Mapping[str, object] | None = None,
+        enums: Iterable[type[enum.Enum]] = (),
     ) -> None:
-        self.package, self.instead = package, instead
+        self.package, self.instead, self.elsewhere = package, instead, elsewhere or {}
+        self.taken = set[str]()  # from there
+        self.enums = tuple(enums)
+        self._of_members: dict[str, dict[Any, Any]] = {}
         self.frozen, self.without = frozenset(frozen), frozenset(without)
         self.unasked = frozenset(unasked)
         self.natives = set[str]()
@@ -104,7 +116,8 @@ class Module:
         if value is None or isinstance(value, bool | int | float | str):
             return literal(value, where)
         if self._hashable(value) and value in self.instead:
-            return self._native(self.instead[value])
+            other = self.instead[value]
+            return self._native(other) if isinstance(other, str) else self.function(other, where)
         if self._hashable(value) and value in self.frozen:
             return f"(() => {self.value(value(), where)})"
         if self._hashable(value) and value in _BUILT_IN:
@@ -137,6 +150,9 @@ class Module:
         if plain.__module__.partition(".")[0] != self.package:
             where.refuse(f"{plain.__module__}.{plain.__qualname__} is not of the package")
         name = f"{plain.__module__.rpartition('.')[2]}__{plain.__name__}"
+        if self.elsewhere.get(name) is plain:
+            self.taken.add(name)
+            return name
         if name not in self._functions:
             self._functions[name] = (plain, "")
             text = Function(self, plain, name).text()
@@ -171,6 +187,22 @@ class Module:
         """Return the name of a class that is there."""
         return next(name for name, known in self.classes.items() if known is kind)
 
+    def told_of_members(self, attribute: str) -> str:
+        """Return what members of enumerations have under a name, by their values; empty for none.
+
+        In JavaScript a member is its value alone.
+        """
+        if attribute not in self._of_members:
+            found = {
+                member.value: getattr(member, attribute)
+                for kind in self.enums
+                if attribute in {**vars(kind), **vars(next(iter(kind)))}
+                for member in kind
+            }
+            self._of_members[attribute] = found
+        found = self._of_members[attribute]
+        return self._constant(found, Where(attribute, 0)) if found else ""
+
     def _constant(self, value: Any, where: Where) -> str:
         if isinstance(value, tuple | list) and not is_named_tuple(type(value)) and len(value) < 1:
             return "[]"
@@ -184,6 +216,8 @@ class Module:
         def each(values: Iterable[Any]) -> str:
             return ", ".join(self.value(v, where) for v in values)
 
+        if isinstance(value, WeakKeyDictionary):
+            return "new WeakMap()"
         if isinstance(value, Decimal):
             return f'$Decimal.of("{value}")'
         if isinstance(value, re.Pattern):
@@ -247,7 +281,7 @@ class Module:
         name = self.name_of(kind)
         for attribute, found in [*vars(kind).items()]:
             key = name, attribute
-            always = attribute in ("__init__", "__post_init__", "__str__")
+            always = attribute in ("__init__", "__post_init__", "__str__", "__iter__")
             if key in self._methods or not (always or attribute in self.reached):
                 continue
             if attribute == "__init__" and _generated(kind):
@@ -262,6 +296,8 @@ class Module:
             if left or not isinstance(of, FunctionType):
                 continue
             called = "$init" if attribute == "__init__" else attribute
+            if isinstance(found, cached_property):
+                how, called = "", f"$find_{attribute}"
             self._methods[key] = ""
             static = isinstance(found, staticmethod)
             before = [{**known} for known in (self._functions, self.classes, self._constants)]
@@ -288,8 +324,10 @@ class Module:
             if is_named_tuple(kind):
                 each = " ".join(f"yield this.{f};" for f in named)
                 lines.append(f"*[Symbol.iterator]() {{ {each} }}")
-        lines += [text for (of, _), text in self._methods.items() if of == name]
-        return "\n".join([*lines, "}"])
+        own = {of: text for (at, of), text in self._methods.items() if at == name}
+        lazy = [of for of in own if _lazy(kind, of)]
+        lines += [f'get {of}() {{ return $kept(this, "{of}", this.$find_{of}()); }}' for of in lazy]
+        return "\n".join([*lines, *own.values(), "}"])
 
     def _default(self, default: Any) -> str:
         where = Where("defaults", 0)
@@ -620,6 +658,9 @@ class Function:
         if value is not _ABSENT:
             return self._known(node, value)
         self.module.reached.add(node.attr)
+        told = self.module.told_of_members(node.attr)
+        if told:
+            return f"$told({told}, {self.of(node.value)}, {literal(node.attr, self.where(node))})"
         return f"{self.of(node.value)}.{node.attr}"
 
     def _elements(self, nodes: list[ast.expr]) -> str:
@@ -767,6 +808,7 @@ class Function:
             isinstance(called, type)
             and not isinstance(called, enum.EnumMeta)
             and (called not in _BUILT_IN)
+            and (called not in self.module.instead)
         ):
             if hasattr(called, "__total__"):  # a dict whose keys are known
                 return f"$map({self._by_name(node)})"
@@ -850,6 +892,8 @@ class Function:
         if name == "sort":
             given = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
             return f"{base}.splice(0, Infinity, ...$b.sorted({base}, $k({{{given}}})))"
+        if name == "format":
+            return f"$m.format({base}, [{', '.join(args)}], $map({self._by_name(node)}))"
         if name == "_replace":
             return f"$replaced({base}, new Map({self._by_name(node)}))"
         if node.keywords:

@@ -130,15 +130,16 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
         What else is, by the same table: the train, motors, what moves and what happens to it.
     """
     parts = [*_others(drive, others)]
-    odd = {check.sentence(): check for check in (*_compared(drive, bool(parts)), *parts)}
+    odd = {check.sentence(): check for check in (*unusual_sizes(drive, bool(parts)), *parts)}
     yield from odd.values()
     if not odd:
-        yield Check(
-            name="usual_sizes",
-            title="What is given is of usual size",
-            level=Level.OK,
-            binding=False,
-        )
+        yield all_usual()
+
+
+def all_usual() -> Check:
+    """Return the check that nothing unusual misses."""
+    title = "What is given is of usual size"
+    return Check(name="usual_sizes", title=title, level=Level.OK, binding=False)
 
 
 def least_margin(drive: Drive) -> float:
@@ -149,7 +150,7 @@ def least_margin(drive: Drive) -> float:
     return min((check.margin for check in _others(drive, ())), default=math.inf)
 
 
-def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
+def unusual_sizes(drive: Drive, odd: bool) -> Iterator[Check]:
     """Yield what is unusual of `USUAL_SIZES`; what is made of others only where they are not."""
     for case in drive.load_cases:
         for pulley in drive.in_case(case).pulleys:

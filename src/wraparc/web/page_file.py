@@ -25,7 +25,6 @@ from wraparc.train.as_drive import as_drive
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
 from wraparc.web.answers import book, catalogue, compare
-from wraparc.web.answers.book_words import train_words
 from wraparc.web.answers.documents import json_like, read
 from wraparc.web.answers.form import form
 from wraparc.web.examples import examples
@@ -134,7 +133,6 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
             "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
             "neighbours": compare.NEIGHBOURS,
         },
-        "trains": {"words": {k: [_plain(w) for w in of] for k, of in train_words().items()}},
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()

@@ -278,33 +278,23 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables([conditions_table(result)], ["conditions"])[0]
 
 
-def _reason(check: Check) -> str:
-    """Return what a check says that is not kept, without what to do about it."""
-    return replace(check, remedy="").said if check.missed else ""
-
-
 def _bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
-    made = []
-    for check in checks:
-        share = check.value / check.limit if check.limit else math.nan
-        silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
-        if silent or check.numerical:
-            continue
-        made.append(
-            Bar(
-                title=check.title,
-                level=check.level,
-                place=str(check.place),
-                at_most=check.at_most,
-                share=share,
-                found=both(check.texts()[0]),
-                limit=both(check.bound()),
-                says=both(_reason(check)),
-                source=check.source,
-            )
+    return [
+        Bar(
+            title=check.title,
+            level=check.level,
+            place=str(check.place),
+            at_most=check.at_most,
+            share=check.share,
+            found=both(check.texts()[0]),
+            limit=both(check.bound()),
+            says=both(check.reason),
+            source=check.source,
         )
-    return made
+        for check in checks
+        if not math.isnan(check.share)
+    ]
 
 
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:
@@ -325,9 +315,7 @@ def _least(result: DriveResult | TrainResult) -> LeastTension | None:
 def raise_to(result: DriveResult | TrainResult) -> float | None:
     """Return the slack-side tension to raise to [N]; None where nothing is to be raised."""
     found = least_tension(result)
-    if found is None or found.tension <= found.given:
-        return None
-    return finite(found.tension)
+    return None if found is None else found.raise_to
 
 
 def _alone(answered: DriveResult, result: ArcResult) -> float | None:

@@ -45,7 +45,7 @@ export function read(document) {
   }
 }
 /** A problem as the server tells one. @param {any} problem */
-const told = (problem) => {
+export const told = (problem) => {
   const { key, message, value, remedy, line } = problem;
   return { path: key, message, value, remedy, line, sentence: problem.__str__() };
 };

@@ -1,7 +1,9 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
+import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
 import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText } from "./documents.js";
-import { $Decimal, $Dict, $Error, $Object, $OverflowError, $TypeError, $add, $and, $at, $b, $bound, $call, $eq, $fields, $format, $in, $iter, $k, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $truth } from "./python.js";
+import { cell, quantity, quantityText, term } from "./pages/drive/told.js";
+import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
 
@@ -776,37 +778,6 @@ $put(pairs, i, new NipTensions(entry, leaving));
 }
 return pairs;
 }
-function tension_rules__pull_given(of, at) {
-
-if ((of.effective_tension != null)) {
-return of.effective_tension;
-}
-if ((of.torque != null)) {
-return ((at.diameter == null) ? null : load_case__pull_of_torque($bound(of, "torque"), $bound(at, "diameter")));
-}
-if (((of.power == null) || (at.speed == null))) {
-return null;
-}
-return load_case__pull_of_power($bound(of, "power"), $bound(at, "speed"));
-}
-function load_case__pull_of_torque(torque, diameter) {
-
-return ($mul(2.0, torque) / diameter);
-}
-function load_case__pull_of_power(power, speed) {
-
-return (power / speed);
-}
-function tension_rules__filled(entry, leaving, pull) {
-
-if (((pull != null) && (leaving == null) && (entry != null))) {
-return new NipTensions(entry, $sub(entry, pull));
-}
-if (((pull != null) && (entry == null) && (leaving != null))) {
-return new NipTensions($add(leaving, pull), leaving);
-}
-return new NipTensions(entry, leaving);
-}
 function tensions__resolve(given, speed, report, sure = true) {
 let entry, exit_, fault, item, made, place, tensions, wrong;
 
@@ -852,69 +823,13 @@ return fault;
 function tensions___force(value) {
 return display__display(value, "force");
 }
-function tension_rules__fault_of(of, inherited, at, force) {
-let between, ends, given, message, pull, pulls, remedy;
-
-([pulls, given] = [tension_rules__effective_keys(of), tension_rules__families(of)]);
-if (!$truth(tension_rules__overdetermined(of))) {
-return null;
-}
-if (($b.len(pulls) > 1)) {
-return new LoadFault(("" + $str(tension_rules__listed(pulls)) + " each fix the effective tension"), "Leave one of them out.", "");
-}
-(message = ("" + $str(tension_rules__listed(given)) + " are given, and two of them fix the third"));
-([pull, ends] = [tension_rules__pull_given(of, at), tension_rules__ends_of(of, at)]);
-if (((pull != null) && (ends.entry != null) && (ends.exit != null))) {
-(between = $sub(ends.entry, ends.exit));
-if (($b.abs($sub(pull, between)) > $mul(1e-06, $b.abs(between)))) {
-(message = ("" + $str(tension_rules__listed(given)) + " contradict each other: entry less exit tension is " + $str(force(between)) + ", " + $str($at(pulls, 0)) + " makes " + $str(force(pull))));
-}
-}
-(remedy = "Give two of them in the load case: they replace those of the pulley.");
-return new LoadFault(message, ($truth(inherited) ? remedy : "Leave one of them out."), "");
-}
-function tension_rules__effective_keys(of) {
-
-return [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
-}
-function tension_rules__families(of) {
-let keys, pulls;
-
-(keys = [...(function* () { for (const key of $iter($c36)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
-(pulls = tension_rules__effective_keys(of));
-if (($b.len(pulls) > 0)) {
-$m.append(keys, $at(pulls, 0));
-}
-return keys;
-}
-function tension_rules__overdetermined(of) {
-
-return $or(($b.len(tension_rules__effective_keys(of)) > 1), () => ($b.len(tension_rules__families(of)) > 2));
-}
-function tension_rules__listed(keys) {
-
-return ("" + $str($m.join(", ", $slice(keys, null, $neg(1)))) + " and " + $str($at(keys, $neg(1))));
-}
-function tension_rules__ends_of(of, at) {
-
-return tension_rules__filled($bound(of, "entry_tension"), $bound(of, "exit_tension"), tension_rules__pull_given(of, at));
-}
-function tension_rules__speed_missing(of, at) {
-let remedy;
-
-if (((at.speed != null) || (of.power == null))) {
-return null;
-}
-(remedy = "Write speed = \"3 m/s\" in [belt], or give effective_tension.");
-return new LoadFault("power needs the belt speed", remedy, "power");
-}
 function tensions___made(item, entry, exit_, report) {
 let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 (pulls = tension_rules__effective_keys($bound(item, "values")));
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c37))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c35))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
 return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
 } catch ($error) {
 if ($error instanceof InputError) {
@@ -928,16 +843,6 @@ report.add(place, message, remedy, ...$iter(($truth(key) ? [$at(item.raw, key)] 
 return null;
 } else throw $error;
 }
-}
-function tension_rules__too_few(of) {
-let given, message;
-
-(given = tension_rules__families(of));
-if (($eq($b.len(given), 0))) {
-return new LoadFault("no tensions are given", "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
-}
-(message = ("" + "only " + $str($at(given, 0)) + " is given, and it takes two quantities to fix the tensions"));
-return new LoadFault(message, "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
 }
 function drive_file___of_case(case_, own, take_up, speed, report) {
 let given, item, name, names, over, place, remedy, table, tables, there;
@@ -1015,7 +920,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c38, "built", [given, report], [...more]));
+(conveyor = $method($c36, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -1029,7 +934,7 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c39)) {
+for ([first, second, example] of $iter($c37)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
 $m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
@@ -1040,7 +945,7 @@ $m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], 
 }
 }
 }
-for (key of $iter($c40)) {
+for (key of $iter($c38)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
@@ -1091,10 +996,6 @@ return 0.0;
 }
 return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
 }
-function pitch__centrifugal_force(mass, speed) {
-
-return $mul($mul(mass, speed), speed);
-}
 function drive__side_problems(belt, pulleys) {
 
 if ($truth($b.all((function* () { for (const key of $iter([...$iter($c6), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
@@ -1124,7 +1025,7 @@ if ((!$in("train", document))) {
 (drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c41, document, file));
+([record, report] = source__read_tables($c39, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1198,7 +1099,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c42, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($c40, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1237,28 +1138,116 @@ for (before of $iter(lines)) {
 }
 return $and((!$eq(key, "")), () => ($in(key, keys)));
 }
-function wrap_arc__of_belt(belt, side, law) {
-let counted, cover;
+function in_page_checks__arcs_of(drive) {
 
-([counted, cover] = [pitch__counts_shear(law, "cover shear"), pitch__cover_compliance(belt, side)]);
-return $map([["pitch_offset", pitch__pitch_offset(belt, side)], ["cover_compliance", ((counted === false) ? cover : 0.0)], ["cover_left_out", ((counted == null) ? cover : 0.0)], ["side_of_belt", side], ["belt_thickness", pitch__whole_thickness(belt)], ["centrifugal", pitch__centrifugal_of(belt)]]);
+return [...(function* () { for (const case_ of $iter(drive.load_cases)) { for (const p of $iter(drive.pulleys)) { yield WrapArc.of(drive, p, case_); }} })()];
 }
-function pitch__counts_shear(law, part) {
+function in_page_checks__given_of(drive, arc) {
+let of;
 
-return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
+(of = arc.described());
+return $call(in_page$Given, [], [["entry_tension", of.entry_tension], ["exit_tension", of.exit_tension], ["effective_tension", NaN], ["torque", NaN], ["power", NaN], ["diameter", of.diameter], ["wrap_angle", of.wrap_angle], ["overrun", of.overrun], ["recovery", of.recovery], ["width", of.width], ["modulus", drive.belt.modulus], ["speed", in_page_checks___known($bound(drive.belt, "speed"))], ["thickness", of.thickness], ["shear_modulus", of.shear_modulus], ["compression_modulus", of.compression_modulus], ["wear_coefficient", of.wear_coefficient], ["creep_limit", arc.creep_limit], ["steepest_fall", arc.law.steepest_fall()], ["pitch_offset", of.pitch_offset], ["cover_compliance", arc.cover_compliance], ["mass", in_page_checks___known($bound(drive.belt, "mass"))], ["slip_with_shear", arc.slip_with_shear], ["belt_speed", of.belt_speed]]);
 }
-function pitch__cover_compliance(belt, side) {
-let cover, modulus;
-
-(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
-(modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
-return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+function in_page_checks___known(value) {
+return ((value == null) ? NaN : value);
 }
-function pitch__whole_thickness(belt) {
-let total;
+function in_page_checks__criteria_of(drive, arcs, index) {
+let arc, case_, pulley, rise;
 
-(total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
-return ($truth($math.isnan(total)) ? null : total);
+(arc = $at(arcs, index));
+([case_, pulley] = [drive.load_case($bound(arc, "load_case")), drive.pulley($bound(arc, "pulley"))]);
+(rise = gross_slip__rises(arcs, index, $bound(drive.criteria, "take_up")));
+return $call(in_page$Criteria, [], [["safety", drive.criteria.safety.of($bound(case_, "kind"))], ["tight_rise", rise.tight], ["slack_rise", rise.slack], ["cover", arc.cover_left_out], ["strength", $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width)], ["pulley_mass", in_page_checks___known($bound(pulley, "mass"))], ["wet", of_data__wet_factor(pulley.lagging_in($bound(case_, "condition")))]]);
+}
+function gross_slip__rises(arcs, index, take_up) {
+let after, names, pulls;
+
+([pulls, names] = [[...(function* () { for (const arc of $iter(arcs)) { yield arc.effective_tension; } })()], [...(function* () { for (const arc of $iter(arcs)) { yield arc.pulley; } })()]]);
+(after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
+return new Rise(...$iter($b.map($b.float, numbers__rise_among(pulls, index, $bound(take_up, "fixed"), after))));
+}
+function numbers__rise_among(pulls, index, fixed, after) {
+let ahead, behind, entry, leaving, lost, mine, total;
+
+([total, mine] = [$b.sum(pulls), $at(pulls, index)]);
+(ahead = $b.sum($slice(pulls, null, index)));
+(behind = $b.sum($slice(pulls, $add(index, 1), null)));
+(lost = ($truth(fixed) ? $mul(0.5, $b.abs(total)) : 0.0));
+if ((!$truth(fixed) && (after >= 0))) {
+(lost = ((total >= 0.0) ? $b.sum($slice(pulls, $add(after, 1), null)) : $neg($b.sum($slice(pulls, null, $add(after, 1))))));
+}
+(entry = $sub(((total >= 0.0) ? $add(mine, behind) : $neg(ahead)), lost));
+(leaving = $sub(((total >= 0.0) ? behind : $sub($neg(ahead), mine)), lost));
+return ((mine >= 0.0) ? [entry, leaving] : [leaving, entry]);
+}
+function of_data__wet_factor(lagging) {
+
+if ((!$eq(lagging.condition, "dry"))) {
+return 0.0;
+}
+try {
+return $at($call(Condition, [], [["name", "wet"]]).factor_of(lagging), 0);
+} catch ($error) {
+if ($error instanceof InputError) {
+return NaN;
+} else throw $error;
+}
+}
+function in_page_checks__results_of(drive, arcs, found) {
+let every;
+
+(every = $b.tuple((function* () { for (const [arc, numbers] of $iter($b.zip(arcs, found, $k({strict: true})))) { yield in_page_checks__result_of(arc, numbers); } })()));
+return new DriveResult(drive, every);
+}
+function in_page_checks__result_of(arc, found) {
+let of;
+
+(of = found.summary);
+return $call(FoundArc, [], [["status", ($truth($told($c41, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")], ["method", "distributed"], ["arc", arc], ["profile", null], ["entry_tension", of.entry_tension], ["exit_tension", of.exit_tension], ["exit_creep", of.exit_creep], ["creep_shrinkage", of.creep_shrinkage], ["creep_compression", of.creep_compression], ["creep_global", of.creep_global], ["exit_slip", of.exit_slip], ["entry_creep_ratio", of.entry_creep_ratio], ["exit_creep_ratio", of.exit_creep_ratio], ["peak_shear_stress", of.peak_shear_stress], ["peak_shear_angle", of.peak_shear_angle], ["peak_shear_position", of.peak_shear_position], ["mean_friction", of.mean_friction], ["active_arc", of.active_arc], ["outside_tested_share", of.outside_tested_share], ["stuck_arc", of.stuck_arc], ["capacities", found.capacities], ["energy", of], ["found", found]]);
+}
+function in_page_checks__train_drive(train, case_, pairs) {
+
+return result__drive_with(train, [unsolved__load_case(train, case_, [...(function* () { for (const at of $iter(pairs)) { yield [at.entry, at.exit]; } })()])]);
+}
+function unsolved__load_case(train, case_, pairs) {
+let names, tensions;
+
+(names = [...(function* () { for (const p of $iter(train.pulleys)) { yield p.name; } })()]);
+(tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, $call(Tensions, [], [["entry", a], ["exit", b]])]; } })()]));
+return $call(LoadCase, [], [["name", case_.name], ["kind", case_.kind], ["condition", case_.condition], ["tensions", tensions]]);
+}
+function result__drive_with(train, cases) {
+
+return $call(Drive, [], [["title", train.title], ["description", train.description], ["belt", train.belt], ["pulleys", train.pulleys], ["creep_limit", train.creep_limit], ["criteria", train.criteria], ["load_cases", $b.tuple(cases)]]);
+}
+function in_page_checks__running_at(arcs, speeds) {
+
+return [...(function* () { for (const [arc, speed] of $iter($b.zip(arcs, speeds, $k({strict: true})))) { yield $replaced(arc, new Map([["belt_speed", ($truth($math.isnan(speed)) ? null : speed)]])); } })()];
+}
+function in_page_checks__alone(drive, name) {
+let cases;
+
+(cases = [...(function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })()]);
+return $replaced(drive, new Map([["load_cases", $slice($or(cases, () => drive.load_cases), null, 1)]]));
+}
+function in_page_checks__weak_kinds(drive) {
+let _, found, grounds, pulley;
+
+(found = []);
+for (pulley of $iter(drive.pulleys)) {
+([grounds, _] = of_data__law_words($bound(pulley, "lagging")));
+(found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const [kind, _] of $iter(of_data__weak_sources(drive, pulley))) { yield kind; } })())]));
+}
+return [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
+}
+function of_data__law_words(lagging) {
+let friction, law, untested, words;
+
+([law, friction] = [lagging.source_of("law").kind.value, ("" + "The friction of " + $str(lagging.name) + " is")]);
+(words = (($in(law, $c42)) ? [("" + $str(friction) + " " + $str($at($c42, law)) + ".")] : []));
+(untested = (lagging.law.tested == null));
+(words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
+return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
 }
 function* of_data__weak_sources(drive, pulley) {
 let belt, lagging, owners, source, told, what;
@@ -1291,6 +1280,1408 @@ if (($in(source.kind, ["illustrative", "calibrated"]))) {
 yield $b.str($bound(source, "kind"));
 }
 }
+function in_page_checks__unjudged(drive) {
+
+if ($truth($b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })()))) {
+return 2;
+}
+return ($truth($b.any((function* () { for (const _ of $iter(usual__unusual_sizes(drive, false))) { yield true; } })())) ? 3 : 0);
+}
+function rules__idle(arc) {
+
+return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
+}
+function* usual__unusual_sizes(drive, odd) {
+let case_, dimension, least, made, most, name, names, place, pulley, size, value, values;
+
+for (case_ of $iter(drive.load_cases)) {
+for (pulley of $iter(drive.in_case(case_).pulleys)) {
+(names = usual___names(pulley, case_));
+(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c44, $k({strict: true})))) {
+(made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
+if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
+(size = (($in(dimension, $c45)) ? drive.belt.width : 1.0));
+(odd = true);
+yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
+}
+}
+}
+}
+}
+function usual___names(pulley, case_) {
+let at, belt, drum, lagging, of;
+
+([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
+([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
+return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+}
+function usual___sizes(drive, case_, pulley) {
+let belt, idle, lagging, sag, tensions;
+([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
+(tensions = $at(case_.tensions, pulley.name));
+(idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+function known(value) {
+return ((value == null) ? NaN : value);
+}
+$sig(known, ["value"], false);
+return $call(Sizes, [], [["width", belt.width], ["modulus", belt.modulus], ["speed", known($bound(belt, "speed"))], ["diameter", pulley.diameter], ["idle_wrap", ($truth(idle) ? pulley.wrap_angle : NaN)], ["wrap_angle", ($truth(idle) ? NaN : pulley.wrap_angle)], ["creep_limit", drive.creep_limit_of(pulley)], ["overrun", known($bound(pulley, "overrun"))], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["rating", known($bound(belt, "rating"))], ["strength", known($bound(belt, "breaking_strength"))], ["bond_strength", known($bound(lagging, "bond_strength"))], ["fatigue_limit", known($bound(lagging, "fatigue_limit"))], ["face_pressure", known($bound(belt, "largest_wrap_pressure"))], ["least_diameter", known($bound(belt, "least_pulley_diameter"))], ["sag", known(((sag == null) ? null : sag.tension))], ["entry", tensions.entry], ["leaving", tensions.exit], ["pull", (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective)], ["mass", known($bound(belt, "mass"))]]);
+}
+function numbers__compared_sizes(of) {
+
+return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
+}
+function numbers__usual(value, least, most) {
+
+return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
+}
+function usual__unusual(name, dimension, place, value, ends) {
+let least, meant, most, near, remedy;
+
+([least, most] = ends);
+(meant = $m.join(" or ", parse__meant_by(value, dimension, least, most)));
+(remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
+if (($eq(dimension, "number"))) {
+(near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
+(remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
+}
+if ((($eq(dimension, "angle")) && (value > most))) {
+(remedy = "Is it the sum of two pulleys? Give each of them its own.");
+} else {
+if ((($eq(dimension, "angle")) && !$truth(meant))) {
+(remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
+}
+}
+if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
+(remedy = "Check the diameter and the rating.");
+}
+if (($eq(name, "strength over the rating of the belt"))) {
+(remedy = "Check strength and rating.");
+}
+if ((($eq(name, "mass of the belt")) && (value > most))) {
+(remedy = "Is it that of the whole belt? Give the mass of a metre.");
+}
+if (($eq(name, "modulus over the rating of the belt"))) {
+(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
+}
+return $call(Check, [], [["name", "usual_sizes"], ["title", ("" + "Usual " + $str(name))], ["level", $at($c47, "usual_sizes").missed], ["place", place], ["value", value], ["limit", ((value > most) ? most : least)], ["dimension", dimension], ["at_most", (value > most)], ["source", "sizes that conveyor drives have"], ["short", "unusual size"], ["says", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}.")], ["remedy", check__escaped(remedy)], ["more", $map([["least", [least, dimension]], ["most", [most, dimension]]])], ["binding", false]]);
+}
+function parse__meant_by(value, dimension, least, most) {
+let found, inside, number, short, text, unit, units, written;
+
+(found = []);
+(units = $m.get($c46, dimension, []));
+for (written of $iter(units)) {
+(number = (value / parse__unit_factor(written, dimension)));
+(short = $b.float(("" + $format(number, ("" + ".3g")))));
+if (($b.abs($sub(number, short)) > $mul(1e-09, $b.abs(short)))) {
+continue;
+}
+for (unit of $iter(units)) {
+(text = ("" + $format(short, ("" + "g")) + " " + $str(unit)));
+(inside = (least <= $mul(short, parse__unit_factor(unit, dimension)) && $mul(short, parse__unit_factor(unit, dimension)) <= most));
+if (($truth(inside) && (!$eq(unit, written)) && (!$in(text, (function* () { for (const [_, t] of $iter(found)) { yield t; } })())))) {
+$m.append(found, [!(1.0 <= short && short < 1000.0), text]);
+}
+}
+}
+return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
+}
+function check__escaped(text) {
+
+return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
+}
+function judge__judge(result) {
+let most, one, over, verdict;
+
+if ((!$in(result, $c48))) {
+(verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
+if ((verdict.level === "OK")) {
+(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
+([most, over] = judge___wet(one));
+(verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
+}
+$put($c48, result, verdict);
+}
+return $at($c48, result);
+}
+function judge__every_check(result) {
+
+return $b.tuple(($truth($b.isinstance(result, TrainResult)) ? judge___train(result) : judge___drive(result)));
+}
+function* judge___train(result) {
+let adrift, case_, check, title;
+for (case_ of $iter(result)) {
+yield* $iter(judge___of_train($bound(result, "train"), case_));
+if ($truth($b.isinstance(case_.case.division, Pulls))) {
+yield* $iter(judge___meeting(case_));
+}
+}
+(adrift = new Set((function* () { for (const case_ of $iter(result)) { if (!($truth(case_.adrift))) continue; yield case_.case.name; } })()));
+for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__of_train($bound(result, "train")))))) {
+if ((($eq(check.name, "gross_slip")) && ($in(check.place.load_case, adrift)))) {
+(title = $m.format("Safety against gross slip, {}", [$bound(result.train.case($bound(check.place, "load_case")), "kind")], $map([])));
+yield of_drive__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
+} else {
+yield check;
+}
+}
+}
+function* judge___of_train(train, case_) {
+let division, driven, member, motor, place, several;
+
+(place = new Place("", $bound(case_.case, "name")));
+if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
+yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place);
+}
+(several = ($b.len($bound(case_, "members")) > 1));
+if (!$truth($told($c41, case_.status, "solved"))) {
+yield* $iter(($truth(several) ? judge__not_working(place) : []));
+return null;
+}
+if ($truth(several)) {
+yield judge__fight(numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]), place);
+(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
+yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
+}
+yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
+(division = case_.case.division);
+for ([member, motor] of $iter($b.zip($bound(case_, "members"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
+yield judge___motor(member, motor, $bound(case_, "case"));
+}
+}
+function judge__operating_point(status, reason, place) {
+let fault, shorts;
+
+(fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
+(shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
+return $call(Check, [], [["name", "operating_point"], ["title", "Operating point of the drives"], ["level", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS")], ["short", $m.get(shorts, status, "not solved")], ["says", check__escaped($m.strip(("" + $str(reason) + " " + $str(status))))], ["place", place]]);
+}
+function* judge__not_working(place) {
+let name, title;
+
+for ([name, title] of $iter([["fight", "Drives work together"], ["train_balance", "Tensions, speeds and torques of the train agree"]])) {
+yield of_drive__not_checked(name, title, "the drives do not carry the load", place);
+}
+}
+function of_drive__not_checked(name, title, why, place) {
+
+return $call(Check, [], [["name", name], ["title", title], ["level", "NOT CHECKED"], ["place", place], ["says", check__escaped(("" + $str(title) + ": not checked, " + $str(why) + "."))], ["short", why]]);
+}
+function numbers__pull_against(pulls) {
+let small;
+
+(small = $mul(0.001, $b.max((function* () { for (const pull of $iter(pulls)) { yield $b.abs(pull); } })())));
+if (!(($b.min(pulls) < $neg(small)) && ($b.max(pulls) > small))) {
+return 0.0;
+}
+return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
+}
+function judge__fight(lost, place) {
+let fights;
+
+(fights = (lost > 0.0));
+return $call(Check, [], [["name", "fight"], ["title", "Drives work together"], ["level", ($truth(fights) ? "ATTENTION" : "OK")], ["short", ($truth(fights) ? "drives fight" : "")], ["says", ($truth(fights) ? "The drives work against each other with {lost} of pull." : "")], ["remedy", ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : "")], ["more", $map([["lost", [lost, "force"]]])], ["place", place]]);
+}
+function* of_drive__unknown_trims(belt, pulleys, at) {
+let first, opposite, place, pulley, shift;
+
+for (pulley of $iter($slice(pulleys, 1, null))) {
+(first = $at(pulleys, 0));
+(shift = of_drive__open_shift(belt, first, pulley));
+if ((shift > 0.0)) {
+([place, opposite] = [$replaced(at, new Map([["pulley", pulley.name]])), (!$eq(pulley.side, first.side))]);
+yield of_drive__unknown_trim($bound(first, "name"), shift, opposite, place);
+}
+}
+}
+function of_drive__open_shift(belt, first, other) {
+let shift;
+
+if ($truth($b.all((function* () { for (const pulley of $iter([first, other])) { yield (pitch__pitch_offset(belt, $bound(pulley, "side")) != null); } })()))) {
+return 0.0;
+}
+(shift = numbers__trim_shift($bound(first, "diameter"), $bound(other, "diameter"), (!$eq(first.side, other.side))));
+return ((shift > 0.0001) ? shift : 0.0);
+}
+function numbers__trim_shift(first, other, opposite) {
+
+if ($truth(opposite)) {
+return (0.004 / $mul(0.5, $b.min(first, other)));
+}
+return $b.abs($sub((0.005 / $mul(0.5, first)), (0.005 / $mul(0.5, other))));
+}
+function of_drive__unknown_trim(first, shift, opposite, place) {
+let why;
+
+(why = ("" + "10 mm of belt on drums of two diameters shifts it by {shift} % against " + $str(first) + "."));
+if ($truth(opposite)) {
+(why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by 4 mm shift it by {shift} %."));
+}
+return $call(Check, [], [["name", "belt_thickness"], ["title", "Trim by the thickness of the belt"], ["level", "ATTENTION"], ["place", place], ["short", "trim without belt thickness"], ["says", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why))], ["remedy", "Give pulley_cover, carry_cover and carcass in [belt]."], ["more", $map([["shift", [$mul(100.0, shift), "number"]]])], ["binding", false]]);
+}
+function judge__train_balance(error, place) {
+
+return $call(of_drive__judged, [$at($c47, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number"], [["source", "tolerance of the program"], ["short", "out of balance"], ["says", "Tensions, speeds and torques of the train miss each other by {value}."], ["remedy", "Please report the drive file; until then change a value slightly."], ["binding", false], ["place", place]]);
+}
+function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
+let kept, level, miss;
+
+(kept = $and(!$truth($math.isnan(value)), () => $call(check__keeps, [value, limit], [["at_most", rule.at_most]])));
+(miss = new Miss($bound(rule, "missed"), short, says, remedy, $bound(rule, "fails_beyond"), because, $bound(rule, "tolerates"), allows, otherwise));
+([level, says] = miss.at(value, $bound(rule, "at_most")));
+return $call(Check, [], [["name", rule.name], ["title", title], ["level", ($truth(kept) ? "OK" : level)], ["miss", miss], ["value", value], ["limit", limit], ["dimension", dimension], ["at_most", rule.at_most], ["says", ($truth(kept) ? "" : says)], ["remedy", ($truth(kept) ? "" : remedy)], ["otherwise", ($truth(kept) ? "" : otherwise)], ["short", ($truth(kept) ? "" : short)], ["place", place], ["source", source], ["binding", binding], ["more", $or(more, () => $map([]))]]);
+}
+function check__keeps(value, limit, at_most = true) {
+
+return numbers__kept(value, limit, at_most);
+}
+function numbers__kept(value, limit, at_most) {
+let within;
+
+if ($truth($math.isnan(value))) {
+return false;
+}
+(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
+return $or(within, () => numbers__same_shown(value, limit));
+}
+function numbers__same_shown(value, limit) {
+
+if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
+return ($eq(value, limit));
+}
+return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
+}
+function judge___motor(member, motor, case_) {
+let at, momentary;
+
+([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
+if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
+return judge__unrated(momentary, at);
+}
+return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at);
+}
+function judge__unrated(momentary, place) {
+let name, why;
+
+(name = ($truth(momentary) ? "momentary_load" : "motor_load"));
+(why = "a drive that follows another gives no rating of its motors");
+return of_drive__not_checked(name, $at($c49, momentary), why, place);
+}
+function judge__motor_load(load, most, momentary, place) {
+let remedy, title;
+
+(title = $at($c49, momentary));
+(remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
+if ($truth(momentary)) {
+(remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
+}
+return $call(of_drive__judged, [$at($c47, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number"], [["source", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty")], ["short", "motor overloaded"], ["says", "The motors work at {percent} % of their rated torque, and may at {most} %."], ["because", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate)."], ["remedy", remedy], ["more", $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])], ["place", place]]);
+}
+function* judge___meeting(case_) {
+let ends, one, other, place;
+
+for ([one, other] of $iter($b.pairwise((function* () { for (const m of $iter(case_.members)) { yield m.arc.arc; } })()))) {
+(ends = [one.exit_tension, other.pulley, other.entry_tension]);
+(place = new Place($bound(other, "pulley"), $bound(case_.case, "name")));
+yield* $iter(of_drive__meeting($bound(one, "pulley"), ...$iter(ends), place));
+}
+}
+function* of_drive__meeting(before, leaves, after, enters, place) {
+
+if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
+return null;
+}
+yield $call(Check, [], [["name", "meeting"], ["title", "Tensions of neighbouring pulleys meet"], ["level", "ATTENTION"], ["place", place], ["short", "tensions do not meet"], ["says", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds.")], ["remedy", ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + ".")], ["more", $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]])], ["binding", false]]);
+}
+function* usual__of_train(train) {
+let division, motor, pulley, turns;
+
+(division = $at(train.cases, 0).division);
+if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
+for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
+yield new Owner(turns, "", new Place($bound(pulley, "name")));
+}
+}
+for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
+yield new Owner(motor, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
+}
+}
+function* judge___drive(result, ...others) {
+let arc, arcs, by_case, cases, drive, name, pulley;
+(drive = result.drive);
+(cases = $map([...(function* () { for (const case_ of $iter(drive.load_cases)) { yield [case_.name, case_]; } })()]));
+(by_case = $map([]));
+for (arc of $iter(result)) {
+$m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
+}
+for ([name, arcs] of $iter($m.items(by_case))) {
+yield* $iter(judge___case(drive.in_case($at(cases, name)), $at(cases, name), arcs));
+}
+if ($truth($b.any((function* () { for (const pulley of $iter(drive.pulleys)) { yield pulley.across; } })()))) {
+yield* $iter(in_page_checks__across(result));
+}
+yield* $iter(of_drive__take_up(drive));
+for (pulley of $iter(drive.pulleys)) {
+yield of_drive__pulley_diameter(drive, pulley);
+}
+yield* $iter(in_page_checks__usual_sizes(drive, ...$iter(others)));
+for (pulley of $iter(drive.pulleys)) {
+yield of_data__data(drive, pulley);
+}
+}
+function* judge___case(drive, case_, arcs) {
+let balanced, found, index, pulley, result, sag;
+for ([index, result] of $iter($b.enumerate(arcs))) {
+(pulley = drive.pulley($bound(result.arc, "pulley")));
+(found = [of_arc__grip(drive, case_, arcs, index), of_arc__standard(drive, case_, result), of_arc__creep(drive, result), of_arc__cover_creep(result), in_page_checks__creep_interval(drive, result)]);
+yield* $iter((function* () { for (const check of $iter(found)) { if (!((check != null))) continue; yield check; } })());
+yield of_drive__belt_tension(drive, case_, pulley);
+yield of_drive__belt_safety(drive, case_, pulley);
+yield of_drive__face_pressure(drive, case_, pulley);
+yield* $iter(of_arc__lagging_stress(pulley, result));
+yield* $iter(of_drive__tested_pressure(drive, case_, pulley));
+yield* $iter(of_data__condition(case_, pulley));
+yield* $iter(of_data__fit(case_, pulley));
+yield* $iter(of_arc__tested_slip(pulley, result));
+if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rules__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rules__idle($bound(result, "arc")))))) {
+yield of_drive__sense(case_, pulley);
+}
+(balanced = of_arc__balance(result));
+if ((balanced != null)) {
+yield balanced;
+}
+}
+(sag = of_drive__sag(drive, case_));
+if ((sag != null)) {
+yield sag;
+}
+}
+function of_arc__grip(drive, case_, arcs, index) {
+let name, place, result, rise, take_up, title;
+
+(result = $at(arcs, index));
+([take_up, name] = [drive.criteria.take_up, $at($c47, "gross_slip").name]);
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+(title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return $call(Check, [], [["name", name], ["title", title], ["level", "FAULT OF THE PROGRAM"], ["short", "not solved"], ["says", check__escaped($b.str($bound(result, "status")))], ["place", place]]);
+}
+if ($truth(rules__idle($bound(result, "arc")))) {
+return $call(Check, [], [["name", name], ["title", "No pull to carry"], ["level", "OK"], ["short", "not driven"], ["place", place]]);
+}
+(rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
+return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result, rise));
+}
+function in_page_checks__sliding(result, _rise) {
+
+return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
+}
+function of_arc__of_sliding(drive, case_, result, found) {
+let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
+
+([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
+([rule, factor, gone] = [$at($c47, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c41, result.status, "solved"))]);
+([by, first] = $at($c50, found.cause));
+(title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
+return of_drive__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
+}
+if (($eq(found.cause, 1))) {
+(rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
+}
+(first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
+(says = ("" + $str(first) + " at {value} times the pull, " + $str(of_arc__held_words(take_up)) + "; the safety factor "));
+(says = $add(says, ("" + $str(case_.kind) + " is {limit}.")));
+(check = $call(of_drive__judged, [rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number"], [["source", ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing")))], ["short", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip")], ["says", says], ["because", "So it slides."], ["remedy", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."], ["otherwise", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction."], ["more", $map([["slides", [0.0635, "length"]]])], ["place", place]]));
+if (!$truth(gone)) {
+return check;
+}
+(says = ("" + "Gross slip: no creep carries the pull. " + $str(says)));
+return $replaced(check, new Map([["level", "FAILS"], ["says", says], ["short", "gross slip"], ["miss", null]]));
+}
+function of_arc__held_words(take_up) {
+let where;
+
+if ($truth(take_up.fixed)) {
+return "T1 + T2 held (fixed take-up)";
+}
+(where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
+return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
+}
+function of_arc__standard(drive, case_, result) {
+let chosen, criteria, found, lagging, limit, place, slack, start, title;
+
+([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
+(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+if (((found == null) || $truth(rules__idle($bound(result, "arc"))))) {
+return null;
+}
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+if ($truth($math.isnan($bound(found, "wrap_factor")))) {
+(title = ("" + "Slack side by " + $str(found.rule)));
+if (!$truth(criteria.standard.name)) {
+return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
+}
+return $call(Check, [], [["name", "design_standard"], ["title", title], ["level", ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION")], ["place", place], ["short", "standard not applicable"], ["says", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + "."))], ["remedy", "Give what it asks for, or name another rule in [design_standard]."], ["binding", criteria.standard.binding]]);
+}
+(slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
+(limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
+(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
+(start = "");
+if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
+(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
+}
+return $call(of_drive__judged, [rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force"], [["source", found.source], ["short", "below standard"], ["says", ("" + "The slack side, {value}, is below the {limit} that " + $str(found.rule) + " asks for" + $str(start) + "." + $str(chosen))], ["remedy", "Raise the slack-side tension, or name the rule that you design by in [design_standard]."], ["otherwise", "Name the rule that you design by in [design_standard]."], ["binding", criteria.standard.binding], ["place", place]]);
+}
+function design_standard__asked(standard, take_up, lagging, wrap_angle) {
+let factor, found, friction;
+
+if (($eq(standard.name, "none"))) {
+return null;
+}
+if ($truth(design_standard__by_table(standard, take_up, lagging))) {
+return design_standard___manual(lagging, wrap_angle);
+}
+([friction, found] = design_standard___friction(standard, lagging));
+if ((friction == null)) {
+return found;
+}
+(factor = constant_friction__wrap_factor(friction, wrap_angle));
+return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
+}
+function design_standard__by_table(standard, take_up, lagging) {
+
+return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
+}
+function design_standard___cema(standard) {
+return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
+}
+function design_standard___manual(lagging, wrap_angle) {
+let angle, ends, factor, rows;
+(rows = design_standard___rows(lagging));
+(angle = $math.degrees(wrap_angle));
+if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
+(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
+return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
+}
+(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
+return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
+}
+function design_standard___rows(lagging) {
+return $at($c51, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+}
+function design_standard___silent(name, why) {
+return new Asked(name, NaN, "", why);
+}
+function design_standard___friction(standard, lagging) {
+let condition, found, friction, name, rule, stated, value;
+
+(name = $or(standard.name, () => "CEMA"));
+if ((standard.friction != null)) {
+(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
+return [standard.friction, new Asked(rule, NaN, "given")];
+}
+if (!$truth(lagging.surface)) {
+return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
+}
+(condition = $or(standard.condition, () => lagging.condition));
+(found = [...(function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
+if ((value == null)) {
+return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
+}
+(friction = $at(value.friction, 0));
+(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
+(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
+return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
+}
+function constant_friction__wrap_factor(friction, wrap_angle) {
+
+return (1.0 / $math.expm1($mul(friction, wrap_angle)));
+}
+function design_standard__prints(standard, surface) {
+
+return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
+}
+function numbers__as_printed(factor) {
+
+return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
+}
+function of_arc__design_slack(drive, case_, result, factor) {
+let start;
+
+(start = rules__start_factor($bound(drive, "criteria"), $bound(case_, "kind")));
+return numbers__asked_slack(factor, start, $bound(result.arc, "effective_tension"));
+}
+function rules__start_factor(criteria, kind) {
+
+return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
+}
+function numbers__asked_slack(factor, start, pull) {
+
+return $mul($mul(factor, start), $b.abs(pull));
+}
+function rules__standard_rule(criteria) {
+let rule;
+
+(rule = $at($c47, "design_standard"));
+return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
+}
+function of_arc__creep(drive, result) {
+let limit, place, title;
+
+([title, place] = ["Creep at exit", new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case"))]);
+if (!$truth($told($c41, result.status, "solved"))) {
+return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
+}
+(limit = result.arc.creep_limit);
+return $call(of_drive__judged, [$at($c47, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length"], [["place", place], ["source", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given")], ["short", "over creep limit"], ["more", $map([["fabric", [$at($c53, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c47, "creep").tolerates, "length"]]])], ["says", "Creeps {value}, more than the limit of {limit}."], ["allows", of_arc___qualifies(drive, limit)], ["because", "A belt that creeps more than {slides} slides."], ["remedy", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."], ["otherwise", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction."]]);
+}
+function of_arc__no_state(result) {
+
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return "the arc was not solved";
+}
+return "in gross slip the belt has no state at rest";
+}
+function of_arc___qualifies(drive, limit) {
+let belt, least, over, rating, steel, strong;
+
+(belt = drive.belt);
+if ((!$eq(limit, 0.00635))) {
+return "";
+}
+(least = $m.get($c53, $bound(belt, "kind")));
+([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
+if (((least == null) || ((rating == null) && !$truth(steel)))) {
+return "Whether this belt may creep more is not known: its carcass or rating is not given.";
+}
+(strong = $or(belt.breaking_strength, () => 0.0));
+(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
+if ($truth(over)) {
+return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
+}
+if (($truth(steel) && !$truth(strong))) {
+return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
+}
+return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
+}
+function of_arc__cover_creep(result) {
+let found, place, title, told;
+
+([place, found] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.covered_creep]);
+(title = "Creep at exit, with the cover of the belt in series");
+if (($eq(result.arc.cover_left_out, 0.0))) {
+return null;
+}
+if (!$truth($told($c41, result.status, "solved"))) {
+return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
+}
+(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
+return $call(of_drive__judged, [$at($c47, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length"], [["place", place], ["source", "shear of the cover of the belt"], ["short", "limit within belt cover"], ["says", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}.")], ["remedy", "State the cover of the test belt with the shear tests, or raise the slack-side tension."], ["otherwise", "State the cover of the test belt with the shear tests."], ["binding", false]]);
+}
+function in_page_checks__creep_interval(_drive, result) {
+let fit, place;
+
+([place, fit] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.arc.fit]);
+if (((fit == null) || !$truth(fit.knots))) {
+return null;
+}
+return $call(Check, [], [["name", "creep_interval"], ["title", "Creep at exit, end of the 95 % interval of the law"], ["level", "ATTENTION"], ["place", place], ["says", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval."], ["remedy", "Solve the file with wraparc solve, which does."], ["short", "interval not found here"], ["binding", false]]);
+}
+function of_drive__belt_tension(drive, case_, pulley) {
+let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
+
+([belt, tensions] = [drive.belt, $at(case_.tensions, pulley.name)]);
+(momentary = (!$eq(case_.kind, "running")));
+(title = ($truth(momentary) ? "Belt tension, momentary" : "Belt tension, running"));
+(rule = rules__tension_rule($bound(case_, "kind")));
+(value = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((belt.rating == null)) {
+return of_drive__not_checked($bound(rule, "name"), title, "the rating of the belt is not given", place);
+}
+(factor = rules__tension_factor(belt, $bound(case_, "kind")));
+(limit = $mul($mul(factor, belt.rating), belt.width));
+(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
+(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
+([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
+if (($truth(momentary) && (belt.momentary_factor == null))) {
+(remedy = "Give momentary_factor in [belt] if the maker allows more while starting and braking; else take a stronger belt.");
+(otherwise = "");
+}
+(share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
+return $call(of_drive__judged, [rule, title, value, limit, "force"], [["source", ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance")))))], ["short", "over belt rating"], ["says", ("" + "The belt tension {value} is {share} % of the rating of the belt and more than " + $str(said) + " allows, {limit}.")], ["remedy", remedy], ["otherwise", otherwise], ["more", $map([["share", [share, "number"]]])], ["place", place]]);
+}
+function rules__tension_rule(kind) {
+
+return $at($c47, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
+}
+function rules__tension_factor(belt, kind) {
+
+return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
+}
+function of_drive__origin(provenance) {
+
+return $b.str(provenance);
+}
+function of_drive__belt_safety(drive, case_, pulley) {
+let largest, tensions;
+
+(tensions = $at(case_.tensions, pulley.name));
+(largest = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), largest, new Place($bound(pulley, "name"), $bound(case_, "name")));
+}
+function of_drive__safety_factor(belt, kind, tension, place) {
+let asked, factor, momentary, rule, source, strength, title, why;
+
+([rule, momentary] = [$at($c47, "belt_safety"), (!$eq(kind, "running"))]);
+(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
+([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
+if ((strength == null)) {
+return of_drive__not_checked($bound(rule, "name"), title, "the strength of the belt is not given", place);
+}
+if ($truth($math.isnan(asked))) {
+(why = "neither rating nor kind of the belt tells what it is to be");
+return of_drive__not_checked($bound(rule, "name"), title, why, place);
+}
+if (($truth(momentary) && (belt.momentary_factor != null))) {
+(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
+}
+(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
+if ((belt.rating != null)) {
+(rule = $replaced(rule, new Map([["missed", "FAILS"]])));
+(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
+}
+return $call(of_drive__judged, [rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number"], [["source", source], ["short", "belt safety factor"], ["says", "The strength of the belt is {value} times its tension, and is to be {limit} times."], ["because", "No belt is rated at more than a third of its strength."], ["remedy", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt."], ["otherwise", "Take a wider or stronger belt."], ["binding", (belt.rating != null)], ["place", place]]);
+}
+function rules__asked_safety(belt, kind) {
+let asked;
+
+if ((belt.breaking_strength == null)) {
+return NaN;
+}
+(asked = $m.get($c54, $bound(belt, "kind"), NaN));
+if ((belt.rating != null)) {
+(asked = (belt.breaking_strength / belt.rating));
+}
+return (asked / rules__tension_factor(belt, kind));
+}
+function numbers__safety_of(strength, tension, asked) {
+let safety;
+
+(safety = (strength / tension));
+return (((safety < asked) && $truth(numbers__same_shown(tension, (strength / asked)))) ? asked : safety);
+}
+function of_drive__face_pressure(drive, case_, pulley) {
+let belt, place, tensions, tight, title, value, why;
+
+([belt, title] = [drive.belt, "Pressure on the pulley face"]);
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((belt.largest_wrap_pressure == null)) {
+(why = "the largest wrap pressure of the belt is not given");
+return of_drive__not_checked("face_pressure", title, why, place);
+}
+(tensions = $at(case_.tensions, pulley.name));
+(tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+(value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
+return $call(of_drive__judged, [$at($c47, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure"], [["source", of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance")))], ["short", "face pressure"], ["says", "The belt presses on the pulley face with {value}, more than the {limit} that it may."], ["remedy", "Take a larger or wider pulley, or less tension."], ["otherwise", "Take a larger or wider pulley."], ["place", place]]);
+}
+function rules__wrap_pressure(tension, width, diameter, centrifugal) {
+
+return ($mul(2.0, $sub(tension, centrifugal)) / $mul(width, diameter));
+}
+function* of_arc__lagging_stress(pulley, result) {
+let fatigue, more, often, pitch, place;
+
+(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
+yield of_arc___known(of_arc__bond(pulley, $bound(result, "peak_shear_stress"), place), result);
+(often = "");
+(more = $map([]));
+if ((result.arc.belt_speed != null)) {
+(often = ", {passes} times an hour,");
+(pitch = $add(result.arc.radius, result.arc.offset));
+$put(more, "passes", [pitch__turns_an_hour($bound(result.arc, "belt_speed"), pitch), "number"]);
+}
+(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass of the belt" + $str(often) + " the shear stress rises to {value}, more than the fatigue limit {limit}."), more));
+yield of_arc___known(fatigue, result);
+}
+function of_arc__bond(pulley, stress, place) {
+let title;
+
+(title = "Shear stress of lagging and bond, steady");
+if ($truth(place.event)) {
+(title = "Largest shear stress of lagging and bond");
+}
+return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.");
+}
+function of_arc___stress(pulley, stress, place, name, key, title, short, says, more = null) {
+let lagging, limit, why;
+(lagging = pulley.lagging);
+(limit = $b.getattr(lagging, key));
+if ((limit == null)) {
+(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
+return of_drive__not_checked(name, title, why, place);
+}
+return $call(of_drive__judged, [$at($c47, name), title, stress, limit, "pressure"], [["source", of_drive__origin(lagging.source_of(key))], ["short", short], ["says", says], ["remedy", "Choose a lagging with a stronger bond, a larger pulley, or less pull."], ["place", place], ["more", more]]);
+}
+function of_arc___known(check, result) {
+
+if (($truth($told($c41, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
+return check;
+}
+return of_drive__not_checked($bound(check, "name"), $bound(check, "title"), of_arc__no_state(result), $bound(check, "place"));
+}
+function pitch__turns_an_hour(speed, pitch) {
+
+return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
+}
+function* of_drive__tested_pressure(drive, case_, pulley) {
+let limit, more, name, of_tension, otherwise, place, tension, tensions, tested, title, why;
+
+(tested = pulley.lagging.law.tested);
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((tested == null)) {
+(why = "the friction law states no tests");
+yield of_drive__not_checked("tested_pressure", "Wrap pressure within the tests", why, place);
+return null;
+}
+(tensions = $at(case_.tensions, pulley.name));
+for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
+(more = ($truth($at($c47, name).at_most) ? "above" : "below"));
+yield $call(of_drive__judged, [$at($c47, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure"], [["source", of_drive__tests_of(pulley)], ["short", ("" + "pressure " + $str(more) + " tests")], ["says", ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation.")], ["remedy", ("" + $str(of_tension) + $str($slice(otherwise, 4, null)))], ["otherwise", otherwise], ["place", place]]);
+}
+}
+function of_drive__tests_of(pulley) {
+
+return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(of_drive__origin(pulley.lagging.source_of("law"))));
+}
+function* of_data__condition(case_, pulley) {
+let _, grounds, lagging, of, says;
+
+(lagging = pulley.lagging);
+if (($in("condition", lagging.sources))) {
+([grounds, _] = of_data__law_words(lagging));
+(of = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
+(of = (($in("illustrative", grounds)) ? "an illustrative one" : of));
+(says = ("" + "its law is " + $str(of) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
+yield of_data___untested(case_, pulley, $bound(lagging, "condition"), "condition", says);
+}
+if (($in("worn", lagging.sources))) {
+(says = "its law is that of before, and what wear takes off the friction is not known");
+yield of_data___untested(case_, pulley, "worn", "worn", says);
+}
+}
+function of_data___untested(case_, pulley, state, part, says) {
+let lagging;
+(lagging = pulley.lagging);
+return $call(Check, [], [["name", $at($c47, "condition").name], ["title", ("" + "Friction of " + $str(lagging.name) + ", " + $str(state))], ["level", "ATTENTION"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["source", of_drive__origin($at(lagging.sources, part))], ["short", ("" + "not tested " + $str(state))], ["says", check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + "."))], ["remedy", ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand.")], ["otherwise", ("" + "Test the lagging " + $str(check__escaped(state)) + ".")], ["binding", false]]);
+}
+function* of_data__fit(case_, pulley) {
+let first, lagging, more, others;
+
+(lagging = pulley.lagging);
+if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
+return null;
+}
+([first, ...more] = lagging.fit.misfit);
+(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
+yield $call(Check, [], [["name", $at($c47, "fit").name], ["title", ("" + "Friction of " + $str(lagging.name) + ", fit to its tests")], ["level", "ATTENTION"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["source", of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance")))], ["short", "does not fit its tests"], ["says", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted")))))], ["remedy", "Mend or repeat those tests and fit again, or keep more slack-side tension in hand."], ["otherwise", "Mend or repeat those tests and fit again."], ["binding", false]]);
+}
+function of_data___accepted(reason) {
+return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
+}
+function* of_arc__tested_slip(pulley, result) {
+let check, place, slip, speed;
+
+(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
+(slip = Infinity); (speed = slip);
+if ($truth($told($c41, result.status, "solved"))) {
+([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
+} else {
+if ((result.arc.belt_speed == null)) {
+(speed = NaN);
+}
+}
+for (check of $iter(of_arc__slip_in_tests(pulley, slip, speed, place))) {
+yield of_arc___known(check, result);
+}
+}
+function in_page_checks__largest_slip(result) {
+
+return result.found.largest_slip;
+}
+function in_page_checks__slip_speed(result) {
+
+return result.found.slip_speed;
+}
+function* of_arc__slip_in_tests(pulley, slip, speed, place) {
+let found, tested, title, unchecked, why;
+
+(tested = pulley.lagging.law.tested);
+if ((tested == null)) {
+return null;
+}
+yield $call(of_drive__judged, [$at($c47, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length"], [["source", of_drive__tests_of(pulley)], ["short", "slip beyond tests"], ["says", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation.")], ["remedy", "Raise the slack-side tension, or test the lagging to this slip."], ["otherwise", "Test the lagging to this slip."], ["place", place]]);
+(title = "Slip speed, tested");
+if ((tested.slip_speed == null)) {
+(why = "the friction law does not say at which speed it was tested");
+(unchecked = of_drive__not_checked("tested_slip_speed", title, why, place));
+(found = ($truth($math.isfinite(speed)) ? speed : NaN));
+yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
+} else {
+if ($truth($math.isnan(speed))) {
+yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
+} else {
+yield $call(of_drive__judged, [$at($c47, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed"], [["source", of_drive__tests_of(pulley)], ["short", "slips faster than tests"], ["says", ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known.")], ["remedy", "Test the lagging at this speed, or keep a larger safety factor."], ["binding", false], ["place", place]]);
+}
+}
+}
+function of_drive__sense(case_, pulley) {
+let none, tensions, told;
+
+(tensions = $at(case_.tensions, pulley.name));
+(none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+(told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
+return $call(Check, [], [["name", "sense"], ["title", ("" + "Pulley " + $str(pulley.name) + " " + $str(told))], ["level", "OK"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["binding", false]]);
+}
+function of_arc__balance(result) {
+let arc, error, g, pull, value;
+
+(error = result.energy.identity_error);
+if ((!$truth($told($c41, result.status, "solved")) || $truth($math.isnan(error)))) {
+return null;
+}
+(arc = result.arc);
+([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
+(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
+return $call(of_drive__judged, [$at($c47, "balance"), "Energy balance of the solution", value, 0.0001, "number"], [["source", "tolerance of the program"], ["short", "out of balance"], ["says", "The energy balance of the solution misses by {value}, more than {limit}."], ["remedy", "Please report the drive file; until then change a value slightly."], ["place", new Place($bound(arc, "pulley"), $bound(arc, "load_case"))], ["binding", false]]);
+}
+function numbers__balance_miss(error, pull, g, entry, compliance) {
+let exact, scale, told;
+
+(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
+(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
+(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
+return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
+}
+function of_drive__sag(drive, case_) {
+let driving, first, last, tension;
+
+([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
+(driving = (first.entry >= last.exit));
+(tension = ($truth(driving) ? last.exit : first.entry));
+return of_drive__sags(drive, tension, new Place($bound($at(drive.pulleys, ($truth(driving) ? $neg(1) : 0)), "name"), $bound(case_, "name")));
+}
+function of_drive__sags(drive, tension, place) {
+let limits, title;
+
+([title, limits] = ["Slack-side tension, for sag", drive.criteria.sag]);
+if ((limits == null)) {
+return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
+}
+return $call(of_drive__judged, [$at($c47, "sag"), title, tension, $bound(limits, "tension"), "force"], [["place", place], ["source", limits.SOURCE], ["short", "sags"], ["says", ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}.")], ["remedy", "Raise the slack-side tension, or set the idlers closer."], ["otherwise", "Set the idlers closer."]]);
+}
+function* in_page_checks__across(_result) {
+
+yield* $iter([]);
+}
+function* of_drive__take_up(drive) {
+let after, case_, first, fixed, held, high, kind, last, low, ordered, what;
+
+(kind = drive.criteria.take_up.kind);
+if ((!$truth(kind) || (drive.conveyor != null))) {
+return null;
+}
+(fixed = drive.criteria.take_up.fixed);
+(held = $map([]));
+for (case_ of $iter(drive.load_cases)) {
+([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
+$put(held, case_.name, ($truth(fixed) ? $add(first.entry, last.exit) : drive.take_up_tension(case_)));
+}
+(ordered = alike__falling(held, ((name) => $at(held, name))));
+([high, low] = [$at(ordered, 0), $at(ordered, $neg(1))]);
+if ($truth(numbers__held_alike($at(held, low), $at(held, high)))) {
+return null;
+}
+(after = drive.criteria.take_up.after);
+(what = ($truth(fixed) ? "the sum of both tensions" : "the slack-side tension"));
+(what = ($truth(after) ? ("" + "the tension behind pulley " + $str(check__escaped(after))) : what));
+yield $call(Check, [], [["name", "take_up"], ["title", "Tensions that the take-up holds"], ["level", "ATTENTION"], ["source", ("" + "take-up " + $str(kind) + ", as given")], ["short", "contradicts take-up"], ["says", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + ", and it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + ".")], ["remedy", "Correct the tensions, or the kind under [take_up]."], ["more", $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]])], ["binding", false]]);
+}
+function alike__falling(items, key) {
+let every, numbers, rounded, step;
+
+(every = $b.list(items));
+(numbers = [...(function* () { for (const item of $iter(every)) { yield key(item); } })()]);
+(step = $mul(1e-09, $b.max((function* () { for (const n of $iter(numbers)) { if (!(($b.abs(n) < Infinity))) continue; yield $b.abs(n); } })(), $k({default: 0.0}))));
+(rounded = [...(function* () { for (const n of $iter(numbers)) { yield (($truth(step) && ($b.abs(n) < Infinity)) ? $b.round((n / step)) : n); } })()]);
+return [...(function* () { for (const i of $iter($b.sorted($b.range($b.len(every)), $k({key: ((i) => $neg($at(rounded, i)))})))) { yield $at(every, i); } })()];
+}
+function numbers__held_alike(least, most) {
+
+return ($sub(most, least) <= $mul(0.1, most));
+}
+function of_drive__pulley_diameter(drive, pulley) {
+let belt, ends, least, title, why;
+
+([belt, title, why] = [drive.belt, "Pulley diameter, least for the belt", ""]);
+(ends = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
+(least = belt.least_pulley_diameter);
+if ((least == null)) {
+(why = "the least pulley of the belt is not given");
+} else {
+if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
+(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+}
+}
+if (($truth(why) || (least == null))) {
+return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
+}
+return $call(of_drive__judged, [$at($c47, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length"], [["place", new Place($bound(pulley, "name"))], ["source", of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance")))], ["short", "pulley too small"], ["says", ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}.")], ["remedy", "Take a larger pulley, or a belt that bends over this one."]]);
+}
+function* in_page_checks__usual_sizes(_drive, ..._others) {
+
+yield usual__all_usual();
+}
+function usual__all_usual() {
+let title;
+
+(title = "What is given is of usual size");
+return $call(Check, [], [["name", "usual_sizes"], ["title", title], ["level", "OK"], ["binding", false]]);
+}
+function of_data__data(drive, pulley) {
+let found, grounds, kind, lagging, what, words, worst;
+
+(lagging = pulley.lagging);
+(found = $map([]));
+for ([kind, what] of $iter(of_data__weak_sources(drive, pulley))) {
+$m.append($m.setdefault(found, kind, []), what);
+}
+([grounds, words] = of_data__law_words(lagging));
+(words = $add(words, [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c55))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+return $call(Check, [], [["name", "data"], ["title", "Data that the answer stands on"], ["level", "OK"], ["place", new Place($bound(pulley, "name"))], ["short", worst], ["says", check__escaped($m.join(" ", words))], ["binding", false]]);
+}
+function least_tension__least_tension(result) {
+let one;
+
+if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
+return null;
+}
+(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
+if ((!$in(one, $c56))) {
+$put($c56, one, least_tension___of(one));
+}
+return $at($c56, one);
+}
+function least_tension___of(result) {
+let drive, either, ends, figure, found, given, held, take_up, weight, worst;
+(drive = result.drive);
+(ends = $map([...(function* () { for (const case_ of $iter(drive.load_cases)) { yield [case_.name, drive.take_up_tension(case_)]; } })()]));
+if ($truth($b.any((function* () { for (const a of $iter(result)) { yield $and(least_tension___pulls(a), () => $math.isnan($bound(a.capacities, "gross_slip_capacity"))); } })()))) {
+return null;
+}
+(worst = $map([]));
+for (figure of $iter(least_tension__figures(result))) {
+(held = $m.get(worst, $bound(figure, "name")));
+(either = ((held == null) ? [figure] : [held, figure]));
+$put(worst, figure.name, ($truth(figure.at_least) ? alike__largest : alike__least)(either, least_tension___tension));
+}
+if (!$truth($b.any((function* () { for (const f of $iter($m.values(worst))) { yield $and(f.at_least, () => f.binding); } })()))) {
+return null;
+}
+(found = new LeastTension($b.tuple($m.values(worst)), 0.0, 0.0));
+([given, take_up] = [$at(ends, found.governing.place.load_case), found.tension]);
+if ((drive.conveyor != null)) {
+(take_up = $sub($add(drive.conveyor.take_up, take_up), given));
+}
+(weight = drive.criteria.take_up.counterweight(take_up));
+return new LeastTension($bound(found, "figures"), given, weight);
+}
+function least_tension___pulls(result) {
+return !$truth(rules__idle($bound(result, "arc")));
+}
+function* least_tension__figures(result) {
+let arcs, case_, drive, name;
+
+(drive = result.drive);
+for ([name, arcs] of $iter($m.items(least_tension___by_case(result)))) {
+(case_ = drive.load_case(name));
+yield* $iter(least_tension___figures(drive.in_case(case_), case_, arcs, drive.take_up_tension(case_)));
+}
+}
+function least_tension___by_case(result) {
+let arc, by_case;
+(by_case = $map([]));
+for (arc of $iter(result)) {
+$m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
+}
+return by_case;
+}
+function* least_tension___figures(drive, case_, arcs, end) {
+let arc, index, least, lift, offset, place, result, slack, tight;
+
+for ([index, result] of $iter($b.enumerate(arcs))) {
+([arc, place] = [result.arc, new Place($bound(result.arc, "pulley"), $bound(case_, "name"))]);
+(tight = $b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
+(slack = $b.min($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
+(offset = $sub(end, slack));
+if ($truth(least_tension___pulls(result))) {
+(least = result.capacities.least_exit_tension);
+yield new Figure("creep", "Creep", $add(offset, ($truth($math.isnan(least)) ? Infinity : least)), place);
+yield* $iter(least_tension___slip(result, offset, place));
+yield* $iter(least_tension___standard(drive, case_, result, offset, place));
+yield least_tension___gross_slip(drive, case_, arcs, index, end);
+}
+yield* $iter(least_tension___pressures(drive, case_, arc, $sub(end, slack), $sub(end, tight), place));
+}
+if ((drive.criteria.sag != null)) {
+(place = new Place("", $bound(case_, "name")));
+(lift = $sub(end, drive.slack_end(case_)));
+yield new Figure("sag", "Belt sag", $add(drive.criteria.sag.tension, lift), place);
+}
+}
+function* least_tension___slip(result, offset, place) {
+let least, tested;
+
+(tested = result.arc.law.tested);
+if (((tested != null) && (tested.slip_max < result.arc.creep_limit))) {
+(least = in_page_checks__least_with_slip(result, $bound(tested, "slip_max")));
+yield new Figure("tested_slip", "Largest slip, tested", $add(offset, least), place);
+}
+}
+function in_page_checks__least_with_slip(result, _limit) {
+
+return result.found.least_for_slip;
+}
+function* least_tension___standard(drive, case_, result, offset, place) {
+let binding, criteria, lagging, rule, tension;
+([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
+(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+if ((rule == null)) {
+return null;
+}
+([binding, tension] = [criteria.standard.binding, Infinity]);
+if (!$truth($math.isnan($bound(rule, "wrap_factor")))) {
+(tension = $add(offset, of_arc__design_slack(drive, case_, result, $bound(rule, "wrap_factor"))));
+} else {
+if (!($truth(binding) && $truth(criteria.standard.name))) {
+return null;
+}
+}
+yield $call(Figure, ["design_standard", $bound(rule, "rule"), tension, place], [["binding", binding]]);
+}
+function least_tension___gross_slip(drive, case_, arcs, index, end) {
+let arc, factor, raised, rise, title;
+
+([arc, factor] = [$at(arcs, index).arc, drive.criteria.safety.of($bound(case_, "kind"))]);
+(rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, $bound(drive.criteria, "take_up")));
+(raised = in_page_checks__lift($at(arcs, index), factor, $bound(rise, "tight")));
+(title = ("" + "Safety " + $format(factor, ("" + "g")) + " against gross slip"));
+(raised = ($truth($math.isnan(raised)) ? Infinity : raised));
+return new Figure("gross_slip", title, $add(end, raised), new Place($bound(arc, "pulley"), $bound(case_, "name")));
+}
+function in_page_checks__lift(result, _factor, _tight_rise) {
+
+return result.found.lift;
+}
+function* least_tension___pressures(drive, case_, arc, of_slack, of_tight, place) {
+let area, belt, high, low, most, tested, title;
+([belt, tested, area] = [drive.belt, arc.law.tested, $mul(arc.width, arc.radius)]);
+if ((tested != null)) {
+([low, high] = (function* () { for (const p of $iter([tested.pressure_min, tested.pressure_max])) { yield $add($mul(p, area), arc.centrifugal); } })());
+yield new Figure("tested_pressure_min", "Least wrap pressure, tested", $add(of_slack, low), place);
+(title = "Largest wrap pressure, tested");
+yield $call(Figure, ["tested_pressure_max", title, $add(of_tight, high), place], [["at_least", false]]);
+}
+if ((belt.largest_wrap_pressure != null)) {
+([title, most] = ["Pressure on the pulley face", $add($mul(belt.largest_wrap_pressure, area), arc.centrifugal)]);
+yield $call(Figure, ["face_pressure", title, $add(of_tight, most), place], [["at_least", false]]);
+}
+if ((belt.rating != null)) {
+(most = $add(of_tight, $mul($mul(rules__tension_factor(belt, $bound(case_, "kind")), belt.rating), belt.width)));
+yield $call(Figure, ["belt_tension", "Belt tension", most, place], [["at_least", false]]);
+}
+}
+function least_tension___tension(figure) {
+return figure.tension;
+}
+function alike__largest(items, key) {
+let every, found, item, most, number;
+
+(every = [...(function* () { for (const item of $iter(items)) { yield [key(item), item]; } })()]);
+if (!$truth(every)) {
+throw new $ValueError("nothing to choose from");
+}
+([most, found] = $at(every, 0));
+for ([number, item] of $iter($slice(every, 1, null))) {
+if (((number > most) && !$truth($math.isclose(number, most, ({rel_tol: 1e-09}))))) {
+([most, found] = [number, item]);
+}
+}
+return found;
+}
+function alike__least(items, key) {
+
+return alike__largest(items, ((item) => $neg(key(item))));
+}
+function judge__sound(checks, least) {
+let both, missed, names;
+
+(missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
+(names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
+(both = $and($b.bool($common(names, $c57)), () => $b.bool($common(names, $c58))));
+function advised(check) {
+if (($in([$m.get($c59, $bound(check, "name"), ""), check.place], missed))) {
+return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
+}
+if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
+return $replaced(check, new Map([["remedy", check.otherwise]]));
+}
+return check;
+}
+$sig(advised, ["check"], false);
+return $b.tuple($b.map(advised, checks));
+}
+function judge___helps(check, least, both) {
+let own, too_much, top;
+
+if ((least == null)) {
+return !$truth(both);
+}
+(own = $b.next((function* () { for (const f of $iter(least.figures)) { if (!(($eq(f.name, check.name)))) continue; yield f; } })(), null));
+if (((own == null) && $truth(both))) {
+return false;
+}
+(top = least.highest);
+(too_much = $and((own != null), () => $and((top != null), () => $and(own.at_least, () => (own.tension > top.tension)))));
+return $and($math.isfinite($bound(least, "tension")), () => !$truth(too_much));
+}
+function judge___wet(result) {
+let arc, condition, creep, drive, factor, most, over;
+
+([most, over, drive] = [$neg(1.0), false, result.drive]);
+for (arc of $iter(result)) {
+(condition = drive.load_case($bound(arc.arc, "load_case")).condition);
+(factor = of_data__wet_factor(drive.pulley($bound(arc.arc, "pulley")).lagging_in(condition)));
+if (($eq(factor, 0.0))) {
+return [$neg(1.0), false];
+}
+if (!$truth(rules__idle($bound(arc, "arc")))) {
+(creep = in_page_checks__wet(arc, factor));
+(most = ($truth($math.isnan(creep)) ? creep : $b.max(most, creep)));
+(over = $or(over, () => !($truth($math.isnan(creep)) || $truth(numbers__kept(creep, $bound(arc.arc, "creep_limit"), true)))));
+}
+}
+return [most, over];
+}
+function in_page_checks__wet(result, _factor) {
+
+return result.found.wet;
+}
+function least_tension__least_sentence(result) {
+let as_now, asked, described, found, given, governs, least, standard, text, what, why;
+
+(found = least_tension__least_tension(result));
+if ((found == null)) {
+return "";
+}
+([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
+(governs = found.governing);
+(why = $at($c47, governs.name).what);
+if ($truth($math.isinf($bound(found, "tension")))) {
+return least_tension___none(found, result);
+}
+(what = least_tension__least_name(result));
+(as_now = ($truth(least_tension__divides_anew(result)) ? ", the load divided as it is," : ""));
+(described = ($truth($b.isinstance(result, DriveResult)) ? result.drive : result.train));
+if ($truth($b.any((function* () { for (const pulley of $iter(described.pulleys)) { yield pulley.across; } })()))) {
+(as_now = $add(as_now, ", were the pulley even,"));
+}
+(text = ("" + "The least " + $str(what) + " with which every binding check is kept" + $str(as_now) + " is " + $str(least) + ", set by " + $str(why) + " (" + $str(governs.place) + "); given " + $str(given)));
+(standard = found.standard);
+if (((standard != null) && (found.tension < $mul(standard.tension, $sub(1.0, 1e-09))))) {
+(asked = least_tension__at_least($bound(standard, "tension")));
+(text = $add(text, ("" + "; that is below the " + $str(asked) + " that " + $str(standard.title) + " asks for")));
+}
+return ("" + $str(text) + ".");
+}
+function least_tension__at_least(tension) {
+
+return $call(cell, [tension, "force", 3, "up"], [["name", "tension"]]);
+}
+function sheet__named(name, value) {
+
+return quantity(value, $bound(term(name), "dimension"), 3, name);
+}
+function least_tension___none(found, result) {
+let asked, governs, most, top;
+([governs, top] = [found.governing, found.highest]);
+if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "design_standard")))) {
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
+}
+if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c47, governs.name).what) + " (" + $str(governs.place) + ").");
+}
+([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c47, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c47, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+}
+function least_tension__least_name(result) {
+let after;
+
+(after = least_tension___after(result));
+return ($truth(after) ? ("" + "tension at the take-up behind pulley " + $str(after)) : "slack-side tension");
+}
+function least_tension___after(result) {
+let of;
+(of = ($truth($b.isinstance(result, TrainResult)) ? result.train : result.drive));
+return of.criteria.take_up.after;
+}
+function least_tension__at_most(tension) {
+
+return $call(cell, [tension, "force", 3, "down"], [["name", "tension"]]);
+}
+function least_tension__divides_anew(result) {
+
+return $and($b.isinstance(result, TrainResult), () => !$truth($b.all((function* () { for (const c of $iter(result)) { yield c.case.pulls_given; } })())));
+}
+function least_tension__least_table(result) {
+let after, bound, figure, found, given, governs, least, note, rows, shown, symbol, text, weight, where;
+
+(found = least_tension__least_tension(result));
+if ((found == null)) {
+return null;
+}
+([rows, after] = [[], least_tension___after(result)]);
+if (!$truth($math.isinf($bound(found, "tension")))) {
+(weight = cell($bound(found, "counterweight"), "mass", 3, "up"));
+(given = ("" + "given " + $str(sheet__named("tension", $bound(found, "given")))));
+(least = least_tension__at_least($bound(found, "tension")));
+(symbol = ($truth(after) ? "" : "T2_min"));
+$m.append(rows, new Row(("" + "Least " + $str(least_tension__least_name(result))), [least], symbol, given));
+$m.append(rows, new Row("Counterweight for it", [weight], "", "if the take-up is a weight"));
+}
+for (figure of $iter($b.sorted($bound(found, "figures"), $k({key: ((f) => [!$truth(f.at_least), $neg(f.tension)])})))) {
+(bound = ($truth(figure.at_least) ? "at least" : "at most"));
+(shown = ($truth(figure.at_least) ? least_tension__at_least : least_tension__at_most));
+(text = ($truth($math.isinf($bound(figure, "tension"))) ? "none" : shown($bound(figure, "tension"))));
+(governs = (figure === found.governing));
+(note = ($truth(governs) ? "governs" : ($truth(figure.binding) ? "" : "not binding")));
+(note = $m.join(", ", (function* () { for (const part of $iter([note, $b.str($bound(figure, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
+$m.append(rows, new Row(("" + $str(figure.title) + ", " + $str(bound)), [text], "", note));
+}
+(where = ($truth(after) ? ("" + "at the take-up behind pulley " + $str(after)) : "of the slack side behind the drives"));
+(note = ("" + "Tension " + $str(where) + " with which each check is kept, every pulley pulling as it does."));
+return $call(Table, [("" + "Least " + $str(least_tension__least_name(result))), $b.tuple(rows)], [["note", note], ["name", "least"]]);
+}
+function least_tension__shown_least(result) {
+let found;
+
+(found = least_tension__least_tension(result));
+return ((found == null) ? "-" : ($truth($math.isinf($bound(found, "tension"))) ? "none" : least_tension__at_least($bound(found, "tension"))));
+}
+function checks_table__check_table(verdict, of = null, title = "Checks") {
+let judged, rows;
+
+(judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
+(rows = $b.tuple((function* () { for (const check of $iter(judged)) { yield checks_table___row(check, of); } })()));
+return $call(Table, [title, rows, ["found", "limit", "margin"], ("" + $str("Margin: how far the value is from its limit, over the limit; positive on the safe side. Each check is shown where it comes off worst.") + $str(checks_table___left(verdict)))], [["name", "checks"], ["short", checks_table___nearest(verdict, title)], ["brief", $m.strip(("" + $str(($truth(verdict.missed) ? ("" + $str(checks_table___counted(verdict)) + ". ") : "")) + $str(checks_table___unchecked(verdict))))]]);
+}
+function checks_table___row(check, of) {
+let _, found, note, number, values;
+([found, _] = check.texts());
+(values = [$or(found, () => "-"), $or(check.bound(), () => "-"), checks_table__margin_text(check)]);
+(number = ((of == null) ? "" : of.number($bound(check, "source"))));
+(note = $m.join(" ", (function* () { for (const part of $iter([$b.str($bound(check, "place")), number])) { if (!($truth(part))) continue; yield part; } })()));
+return $call(Row, [$bound(check, "title"), values], [["note", note], ["level", check.level]]);
+}
+function checks_table__margin_text(check) {
+let margin;
+
+(margin = check.margin);
+if ($truth(check.below)) {
+return "-";
+}
+if (!$truth($math.isnan($bound(check, "times")))) {
+return ("" + $str(quantity($bound(check, "times"), "number")) + " times the limit");
+}
+if (!$truth($math.isfinite(margin))) {
+return "-";
+}
+if ((0.9995 <= margin && margin < $sub(1.0, 1e-09))) {
+return "> +99.9 %";
+}
+if (($b.abs(margin) < 1e-09)) {
+return "0 %";
+}
+return ("" + $format($mul(100.0, margin), ("" + "+.3g")) + " %");
+}
+function checks_table___left(verdict) {
+let left, told;
+
+(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c; } })()]);
+(told = (function* () { for (const c of $iter(left)) { yield ("" + $str($m.lower($slice(c.title, null, 1))) + $str($slice(c.title, 1, null)) + " (" + $str(checks_table___why(c)) + ")"); } })());
+return ($truth(left) ? ("" + " Not checked: " + $str($m.join("; ", told)) + ".") : "");
+}
+function checks_table___why(check) {
+let _, found;
+([found, _] = check.texts());
+return ($truth(found) ? ("" + $str(check.short) + "; here it is " + $str(found)) : check.short);
+}
+function checks_table___nearest(verdict, title) {
+let rows, told;
+
+(told = [...(function* () { for (const c of $iter(verdict.listed)) { if (!(($truth(c.compares) && ($truth(c.missed) || $truth($math.isfinite($bound(c, "margin"))))))) continue; yield c; } })()]);
+(told = $b.sorted((function* () { for (const c of $iter(told)) { if (!(!$truth(c.below))) continue; yield c; } })(), $k({key: verdict.nearness})));
+(rows = (function* () { for (const c of $iter($slice(told, null, $b.max(4, $b.len($bound(verdict, "missed")))))) { yield new Row($bound(c, "title"), [$or($at(c.texts(), 0), () => "-"), $or(c.bound(), () => "-")], "", $b.str($bound(c, "level"))); } })());
+return $call(Table, [title, $b.tuple(rows), ["found", "limit"]], [["name", "checks"]]);
+}
+function checks_table___counted(verdict) {
+let judged;
+(judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
+return ("" + $str($b.sum((function* () { for (const c of $iter(judged)) { yield !$truth(c.missed); } })())) + " of " + $str($b.len(judged)) + " checks are kept");
+}
+function checks_table___unchecked(verdict) {
+let heads, left, told;
+(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c.title; } })()]);
+(heads = [...(function* () { for (const title of $iter(left)) { yield $at($m.partition(title, ","), 0); } })()]);
+(told = (function* () { for (const [head, title] of $iter($b.zip(heads, left, $k({strict: true})))) { yield (($m.count(heads, head) > 1) ? head : title); } })());
+return ($truth(left) ? ("" + "Not checked: " + $str($m.join("; ", $b.fromkeys(told))) + ".") : "");
+}
+function words__short(result, arc) {
+let worst;
+
+if ((arc.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+return "breaks away";
+}
+(worst = judge__judge(result).at($bound(arc.arc, "pulley"), $bound(arc.arc, "load_case")).governing);
+if (((worst != null) && $truth(worst.missed))) {
+return worst.short;
+}
+return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
+}
+function words__alone_of(result, arc) {
+let known;
+
+(known = $m.setdefault($c60, result, $map([])));
+if ((!$in(arc, known))) {
+$put(known, arc, words__alone($bound(result, "drive"), arc));
+}
+return $at(known, arc);
+}
+function words__alone(drive, arc) {
+let case_, name, own, pulley, solved, tensions;
+
+([name, solved] = [arc.arc.load_case, arc.arc]);
+(tensions = $call(Tensions, [], [["entry", solved.entry_tension], ["exit", solved.exit_tension]]));
+(own = $b.next((function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })(), null));
+(case_ = $call(LoadCase, [], [["name", name], ["tensions", $map([[arc.arc.pulley, tensions]])], ["kind", ($truth(own) ? own.kind : "running")], ["condition", ($truth(own) ? own.condition : "")]]));
+(pulley = drive.pulley($bound(arc.arc, "pulley")));
+return new DriveResult($replaced(drive, new Map([["pulleys", [pulley]], ["load_cases", [case_]]])), [arc]);
+}
 function errors___stopped(sentence) {
 return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
 }
@@ -1299,7 +2690,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c43, key))) {
+for ([name, position] of $iter($m.findall($c61, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -1329,10 +2720,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c44, report));
-(common = $map([...(function* () { for (const key of $iter($c45)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c62, report));
+(common = $map([...(function* () { for (const key of $iter($c63)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c46.built($m.get(record, "cost"), report));
+$put(common, "cost", $c64.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -1351,8 +2742,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c47)))) {
+(given = [...(function* () { for (const key of $iter($c65)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c65)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -1374,7 +2765,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c48)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c66)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -1396,7 +2787,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c49, "built", [shape, report], [...height]));
+(block = $method($c67, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -1410,19 +2801,6 @@ let square;
 (square = ($eq(block.shape, "square")));
 return compression__block_modulus(elastic_modulus, square, $bound(block, "width"), $bound(block, "height"), $bound(block, "stiffening"), $bound(block, "contact_fraction"));
 }
-function compression__block_modulus(elastic_modulus, square, width, height, k, contact) {
-let s2;
-
-(s2 = $pow(compression__shape_factor(square, width, height), 2));
-if ($truth(square)) {
-return $mul($mul(contact, elastic_modulus), $add(1.0, $mul($mul(2.0, k), s2)));
-}
-return $mul($mul($mul(contact, (4.0 / 3.0)), elastic_modulus), $add(1.0, $mul(k, s2)));
-}
-function compression__shape_factor(square, width, height) {
-
-return (width / $mul(($truth(square) ? 4.0 : 2.0), height));
-}
 function lagging_build___compression_note(block, modulus) {
 if ((block == null)) {
 return ("" + "E_c = " + $str(modulus) + ", no stiffening by the shape of blocks");
@@ -1435,7 +2813,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c50, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c68, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -1453,7 +2831,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c57.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c75.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -1462,7 +2840,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c51, $map([["pressure", $m.get($c52, kind, "tested_pressure")]])));
+(names = $merged($c69, $map([["pressure", $m.get($c70, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -1471,7 +2849,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c53, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c71, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -1654,7 +3032,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c54;
+return $c72;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -1755,7 +3133,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c55], ["temperature", $c56]])) {
+for ([key, table] of $iter([["slip_speed", $c73], ["temperature", $c74]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -1814,7 +3192,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c58, document, file));
+([record, report] = source__read_tables($c76, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -1850,7 +3228,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c60)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c78)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -1877,11 +3255,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c52)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -1898,39 +3276,8 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
-}
-function tension_rules__overridden(of, over, fixed, at, runs) {
-let between, by, ends, half, pull;
-
-if (($b.len(tension_rules__families(over)) >= 2)) {
-return over;
-}
-(pull = tension_rules__pull_given(over, at));
-if (($truth(fixed) && (pull != null) && ($eq($b.len(tension_rules__effective_keys(over)), 1)))) {
-(ends = tension_rules__ends_of(tension_rules__less_runs(of, $bound(runs, "base"), at), at));
-if (((ends.entry == null) || (ends.exit == null))) {
-return over;
-}
-([half, between] = [$mul(0.5, $add(ends.entry, ends.exit)), $mul(0.5, $sub(pull, runs.case))]);
-return new LoadGiven($add(half, between), $sub(half, between), null, null, null);
-}
-(by = (($b.len(tension_rules__effective_keys(over)) > 0) ? over : of));
-return new LoadGiven(((over.entry_tension == null) ? of.entry_tension : over.entry_tension), ((over.exit_tension == null) ? of.exit_tension : over.exit_tension), $bound(by, "effective_tension"), $bound(by, "torque"), $bound(by, "power"));
-}
-function tension_rules__less_runs(of, runs, at) {
-let pull;
-
-(pull = tension_rules__pull_given(of, at));
-if ((($eq(runs, 0.0)) || (pull == null))) {
-return of;
-}
-return new LoadGiven($bound(of, "entry_tension"), $bound(of, "exit_tension"), $sub(pull, runs), null, null);
-}
-function load_case__exit_behind(entry, leaving) {
-
-return (($b.abs($sub(entry, leaving)) <= $mul(1e-12, entry)) ? entry : leaving);
 }
 function criteria__choice_problems(thing, choices) {
 
@@ -1955,6 +3302,29 @@ return $call(Problem, [], [["key", ("" + "load_case." + $str(case_.name))], ["me
 function drive__condition_problems(case_, condition, pulleys) {
 
 return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield $call(Problem, [], [["key", ("" + "load_case." + $str(case_) + ".condition")], ["value", $shown(condition)], ["message", ("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition")]]); } })()];
+}
+function drive__named(what, name, among, of = "the drive") {
+let one;
+
+for (one of $iter(among)) {
+if (($in(name, [null, one.name]))) {
+return one;
+}
+}
+throw $call(errors__no_such, [what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()]], [["of", of]]);
+}
+function errors__no_such(what, name, known, of = "the drive") {
+let names, there;
+
+(names = $b.list(known));
+(there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
+return new InputError($call(Problem, [], [["message", ("" + $str(of) + " has no such " + $str(what))], ["remedy", $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there)))], ["value", $shown(name)]]));
+}
+function load_case__heaviest(cases, pull) {
+let running;
+
+(running = [...(function* () { for (const case_ of $iter(cases)) { if (!(($eq(case_.kind, "running")))) continue; yield case_; } })()]);
+return alike__largest($or(running, () => cases), ((case_) => $b.abs(pull(case_))));
 }
 function train___count_problems(key, values, count) {
 let message;
@@ -2086,16 +3456,80 @@ let pairs, runs;
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
 return $call(TrainCase, [], [["name", case_.name], ["entry_tension", $at(pairs, 0).entry], ["exit_tension", $at(pairs, $neg(1)).exit], ["division", new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })()))], ["runs", ($truth($b.any(runs)) ? runs : [])], ["kind", case_.kind], ["condition", case_.condition]]);
 }
-function tension_rules__behind_take_up(now, first, after, before) {
-let lost, pull, pull_0;
+function wrap_arc__of_belt(belt, side, law) {
+let counted, cover;
 
-if (((now.entry == null) || (now.exit == null) || (first.entry == null) || (first.exit == null))) {
-return null;
+([counted, cover] = [pitch__counts_shear(law, "cover shear"), pitch__cover_compliance(belt, side)]);
+return $map([["pitch_offset", pitch__pitch_offset(belt, side)], ["cover_compliance", ((counted === false) ? cover : 0.0)], ["cover_left_out", ((counted == null) ? cover : 0.0)], ["side_of_belt", side], ["belt_thickness", pitch__whole_thickness(belt)], ["centrifugal", pitch__centrifugal_of(belt)]]);
 }
-([pull, pull_0] = [$sub(now.entry, now.exit), $sub(first.entry, first.exit)]);
-(lost = $sub($mul(after.share, $add(pull, after.runs)), after.behind));
-(lost = $sub(lost, $sub($mul(before.share, $add(pull_0, before.runs)), before.behind)));
-return new NipTensions($add($sub(first.exit, lost), pull), $sub(first.exit, lost));
+function pitch__counts_shear(law, part) {
+
+return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
+}
+function pitch__cover_compliance(belt, side) {
+let cover, modulus;
+
+(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+(modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
+return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+}
+function pitch__whole_thickness(belt) {
+let total;
+
+(total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
+return ($truth($math.isnan(total)) ? null : total);
+}
+function numbers__margin_of(value, limit, at_most) {
+
+if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || ($eq(limit, 0.0)))) {
+return NaN;
+}
+if (!$truth($math.isfinite(value))) {
+return ($truth(at_most) ? NaN : Infinity);
+}
+return $add($mul(($truth(at_most) ? 1.0 : $neg(1.0)), $sub(1.0, (value / limit))), 0.0);
+}
+function numbers__times_of(value, limit) {
+
+if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || (limit <= 0.0) || !$truth($math.isfinite(value)))) {
+return NaN;
+}
+return (((value / limit) >= 10.0) ? (value / limit) : NaN);
+}
+function numbers__beyond(value, fails, at_most) {
+
+return ($truth(at_most) ? (value > fails) : (value < fails));
+}
+function check___badness(check) {
+let order, unknown;
+
+(order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
+(unknown = (check.level === "NOT CHECKED"));
+return [$neg(($truth(unknown) ? $add($told($c86, "OK", "rank"), 0.5) : $told($c86, check.level, "rank"))), order];
+}
+function numbers__order_of(margin, missed, binding, advises, leads) {
+let found;
+
+(found = (($b.abs(margin) < 1000000000.0) ? $mul($math.floor($add((margin / 1e-09), 0.5)), 1e-09) : margin));
+if ($truth($math.isnan(margin))) {
+(found = (($truth(missed) && $truth(binding)) ? -2000000000.0 : Infinity));
+}
+if ($truth(leads)) {
+return $sub($b.min(found, 1000000000.0), 4000000000.0);
+}
+return (($truth(missed) && $truth(advises)) ? $add($b.max(found, $neg(1000000000.0)), $mul(2.0, 1000000000.0)) : found);
+}
+function check__placed(check) {
+let said, where;
+
+([where, said] = [check___capital($b.str($bound(check, "place"))), check.said]);
+return ((!$truth(where) || $truth($m.startswith(said, where))) ? said : ("" + $str(where) + ": " + $str(said)));
+}
+function check___capital(text) {
+return $add($m.upper($slice(text, null, 1)), $slice(text, 1, null));
+}
+function check___small(text) {
+return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
 }
 function base__check(...tests) {
 let failed;
@@ -2194,7 +3628,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c602, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c715, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -2204,14 +3638,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c606, 0), 0));
+(least = $at($at($c720, 0), 0));
 return [$call(Problem, [], [["key", "length"], ["value", display__display(length, "length")], ["message", ("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated")], ["remedy", "Give secondary_resistance, or a length_coefficient of your own."]])];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c606, 0), 0)) ? NaN : $at($at($c606, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c606))) {
+(found = ((length < $at($at($c720, 0), 0)) ? NaN : $at($at($c720, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c720))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -2271,6 +3705,9 @@ let names;
 
 (names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
 return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
+}
+function simple___edges(tested) {
+return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
 }
 function quantity_text__quantity_text(value, dimension) {
 let digits, exact, factor, number, plain, text, unit;
@@ -2496,7 +3933,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c59)) {
+for (group of $iter($c77)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -2574,7 +4011,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c52)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -2621,7 +4058,7 @@ const self = this; super.$init(message);
 }
 }
 class Unit extends $Object {
-$init(factor, powers, zero = $c67) { this.factor = factor; this.powers = powers; this.zero = zero;  }
+$init(factor, powers, zero = $c87) { this.factor = factor; this.powers = powers; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
 }
 class WidthProfile extends $Object {
@@ -2680,7 +4117,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c62) {
+overridden(record, fixed = false, speed = null, runs = $c79) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -2698,10 +4135,6 @@ class NipTensions extends $Object {
 $init(entry, exit) { this.entry = entry; this.exit = exit;  }
 *[Symbol.iterator]() { yield this.entry; yield this.exit; }
 }
-class LoadFault extends $Object {
-$init(message, remedy, lacks) { this.message = message; this.remedy = remedy; this.lacks = lacks;  }
-*[Symbol.iterator]() { yield this.message; yield this.remedy; yield this.lacks; }
-}
 class Tensions extends $Object {
 $init(entry, exit, computed = new Map()) { this.entry = entry; this.exit = exit; this.computed = computed; this.__post_init__?.(); }
 __post_init__() {
@@ -2717,7 +4150,7 @@ class LoadCase extends $Object {
 $init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c63]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c80]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -2771,15 +4204,27 @@ for ([key, least] of $iter($m.items(drive__least_tensions($bound(self, "load_cas
 }
 return problems;
 }
+pulley(name = null) {
+const self = this; 
+return drive__named("pulley", name, $bound(self, "pulleys"));
+}
+load_case(name = null) {
+const self = this; 
+if ((name == null)) {
+return load_case__heaviest($bound(self, "load_cases"), ((case_) => $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })())));
+}
+return drive__named("load case", name, $bound(self, "load_cases"));
+}
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.load_cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
 }
-take_up_tension(case_) {
-const self = this; let after;
-
-(after = self.criteria.take_up.after);
-return ($truth(after) ? $at(case_.tensions, after).exit : self.slack_end(case_));
+in_case(case_) {
+const self = this; 
+if (!$truth(case_.condition)) {
+return self;
+}
+return $replaced(self, new Map([["pulleys", $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.in_condition($bound(case_, "condition")); } })())]]));
 }
 slack_end(case_) {
 const self = this; let first, last, pull;
@@ -2787,6 +4232,16 @@ const self = this; let first, last, pull;
 ([first, last] = (function* () { for (const p of $iter([$at(self.pulleys, 0), $at(self.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
 (pull = $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })()));
 return ((pull >= 0.0) ? last.exit : first.entry);
+}
+take_up_tension(case_) {
+const self = this; let after;
+
+(after = self.criteria.take_up.after);
+return ($truth(after) ? $at(case_.tensions, after).exit : self.slack_end(case_));
+}
+creep_limit_of(pulley) {
+const self = this; 
+return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
 class Train extends $Object {
@@ -2831,10 +4286,27 @@ get nominal() {
 const self = this; 
 return $or(self.nominal_diameters, () => $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.diameter; } })()));
 }
-
+case(name = "") {
+const self = this; 
+if (!$truth(name)) {
+return load_case__heaviest($bound(self, "cases"), ((case_) => $sub(case_.entry_tension, case_.exit_tension)));
+}
+return $call(drive__named, ["load case", name, $bound(self, "cases")], [["of", "the train"]]);
+}
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
+}
+in_case(case_) {
+const self = this; 
+if (!$truth(case_.condition)) {
+return self;
+}
+return $replaced(self, new Map([["pulleys", $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.in_condition($bound(case_, "condition")); } })())]]));
+}
+creep_limit_of(pulley) {
+const self = this; 
+return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
 class Reader extends $Object {
@@ -2918,7 +4390,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c62, self._take_up.fixed]);
+([runs, fixed] = [$c79, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -2931,7 +4403,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c35), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c81), ...$iter($c82), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -2975,10 +4447,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c64)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c82)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c64)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c82)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -3054,7 +4526,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c65))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c83))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -3066,7 +4538,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c66.built(record, $bound(self, "_report")));
+(motor = $c84.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -3077,7 +4549,636 @@ const self = this;
 return ($truth(self.carcass_source) ? $map([["carcass", self.carcass_source]]) : $map([]));
 }
 }
-class OfBelt extends $Dict {
+class WrapArc extends $Object {
+$init(law, entry_tension, exit_tension, diameter, wrap_angle, width, axial_stiffness, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, overrun = null, recovery = true, creep_limit = 0.00635, belt_speed = null, wear_coefficient = null, pitch_offset = null, cover_compliance = 0.0, cover_left_out = 0.0, side_of_belt = "pulley", belt_thickness = null, centrifugal = 0.0, fit = null, pulley = "", load_case = "") { this.law = law; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.diameter = diameter; this.wrap_angle = wrap_angle; this.width = width; this.axial_stiffness = axial_stiffness; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.belt_speed = belt_speed; this.wear_coefficient = wear_coefficient; this.pitch_offset = pitch_offset; this.cover_compliance = cover_compliance; this.cover_left_out = cover_left_out; this.side_of_belt = side_of_belt; this.belt_thickness = belt_thickness; this.centrifugal = centrifugal; this.fit = fit; this.pulley = pulley; this.load_case = load_case; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let ends, key, least, message, most, problems, unit, value;
+(problems = [...(function* () { for (const [key, value, unit] of $iter([["entry_tension", self.entry_tension, "N"], ["exit_tension", self.exit_tension, "N"], ["diameter", self.diameter, "m"], ["wrap_angle", self.wrap_angle, "rad"], ["width", self.width, "m"], ["creep_limit", self.creep_limit, "m"]])) { if (!(!(0.0 < value && value < Infinity))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", "must be positive and finite"]]); } })()]);
+if (!(0.0 <= self.thickness && self.thickness < Infinity)) {
+(message = "must be 0 or positive, and finite");
+$m.append(problems, $call(Problem, [], [["key", "thickness"], ["value", ("" + $format(self.thickness, ("" + "g")) + " m")], ["message", message]]));
+}
+if (((self.overrun != null) && !$truth($math.isfinite($bound(self, "overrun"))))) {
+(message = "must be finite");
+$m.append(problems, $call(Problem, [], [["key", "overrun"], ["value", ("" + $format(self.overrun, ("" + "g")) + " m")], ["message", message]]));
+}
+(problems = $add(problems, [...(function* () { for (const [key, value, unit] of $iter([["axial_stiffness", self.axial_stiffness, "N"], ["shear_modulus", self.shear_modulus, "Pa"], ["compression_modulus", self.compression_modulus, "Pa"]])) { if (!(!(value > 0.0))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", "must be positive"]]); } })()]));
+(least = $b.min($bound(self, "entry_tension"), $bound(self, "exit_tension")));
+(least = ((least > 0.0) ? least : Infinity));
+for ([key, value, unit, most] of $iter([["pitch_offset", $or(self.pitch_offset, () => 0.0), "m", Infinity], ["cover_compliance", self.cover_compliance, "m/Pa", Infinity], ["centrifugal", self.centrifugal, "N", least]])) {
+if (!(0.0 <= value && value < most)) {
+(ends = $add("at least 0", (($eq(most, Infinity)) ? "" : ", and less than the tensions")));
+(message = ("" + "must be " + $str(ends)));
+$m.append(problems, $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", message]]));
+}
+}
+if (!$truth(problems)) {
+(problems = self._law_problems());
+}
+if ($truth(problems)) {
+throw new InputError(problems);
+}
+}
+_law_problems() {
+const self = this; let fall, held, law, problems, top;
+(problems = []);
+(top = self.wrap_pressure($b.max($bound(self, "entry_tension"), $bound(self, "exit_tension"))));
+if ($truth(summary__too_steep(self.described(), self.law.steepest_fall()))) {
+(fall = ($neg(1.0) / $mul(self.shear_compliance, top)));
+$m.append(problems, $call(Problem, [], [["key", "lagging"], ["value", ("" + "post_peak_slope " + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")], ["message", ("" + "friction falls so steeply past its peak that slip and shear of the lagging are not unique; at " + $format(top, ("" + "g")) + " Pa the slope must stay above " + $format(fall, ("" + "g")) + " 1/m (-G/(h p))")], ["remedy", "Check the unit of the slope, the thickness and the shear modulus."]]));
+}
+(law = self.law.compact());
+if ($truth(summary__overrun_loosens(law, self.geometry(), $bound(self, "entry_pressure")))) {
+(held = summary__held_creep(law, $bound(self, "shear_compliance"), $bound(self, "entry_pressure")));
+$m.append(problems, $call(Problem, [], [["key", "overrun"], ["value", ("" + $format(self.entry_overrun, ("" + "g")) + " m")], ["message", ("" + "this friction law holds the belt without slip up to a creep of " + $format(held, ("" + "g")) + " m; with an overrun beyond that the creep of a belt that comes to rest again is not unique")], ["remedy", "Set overrun = \"0 mm\" for this law."]]));
+}
+return problems;
+}
+static of(drive, pulley, case_) {
+const cls = this; let lagging, tensions;
+
+([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
+return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt($bound(drive, "belt"), $bound(pulley, "side"), $bound(lagging, "law")), ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", drive.belt.width], ["axial_stiffness", drive.belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["wear_coefficient", lagging.wear_coefficient], ["fit", lagging.fit], ["pulley", pulley.name], ["load_case", case_.name]]);
+}
+get radius() {
+const self = this; 
+return $mul(0.5, self.diameter);
+}
+get effective_tension() {
+const self = this; 
+return $sub(self.entry_tension, self.exit_tension);
+}
+get side() {
+const self = this; 
+return ((self.entry_tension >= self.exit_tension) ? 1.0 : $neg(1.0));
+}
+wrap_pressure(tension) {
+const self = this; 
+return ($mul(2.0, $sub(tension, self.centrifugal)) / $mul(self.width, self.diameter));
+}
+get entry_pressure() {
+const self = this; 
+return self.wrap_pressure($bound(self, "entry_tension"));
+}
+get offset() {
+const self = this; 
+return $or(self.pitch_offset, () => 0.0);
+}
+get shear_compliance() {
+const self = this; 
+return $add(self.lagging_compliance, self.cover_compliance);
+}
+get lagging_compliance() {
+const self = this; 
+return ($truth(self.slip_with_shear) ? 0.0 : (self.thickness / self.shear_modulus));
+}
+get slip_with_shear() {
+const self = this; 
+return (pitch__counts_shear($bound(self, "law"), "lagging shear") === true);
+}
+get compliance() {
+const self = this; 
+return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
+}
+get entry_overrun() {
+const self = this; let found, pressure;
+
+([found, pressure] = [self.geometry(), self.entry_pressure]);
+return $add(found.overrun_constant, $mul($mul(found.overrun_coefficient, pressure), $math.sqrt(pressure)));
+}
+described() {
+const self = this; 
+return $call(Description, [], [["entry_tension", self.entry_tension], ["exit_tension", self.exit_tension], ["diameter", self.diameter], ["wrap_angle", self.wrap_angle], ["width", self.width], ["axial_stiffness", self.axial_stiffness], ["thickness", self.thickness], ["shear_modulus", self.shear_modulus], ["compression_modulus", self.compression_modulus], ["overrun", ((self.overrun == null) ? NaN : self.overrun)], ["recovery", self.recovery], ["belt_speed", ((self.belt_speed == null) ? NaN : self.belt_speed)], ["wear_coefficient", ((self.wear_coefficient == null) ? NaN : self.wear_coefficient)], ["shear_compliance", self.shear_compliance], ["pitch_offset", self.offset], ["centrifugal", self.centrifugal]]);
+}
+geometry() {
+const self = this; 
+return summary__geometry_of(self.described());
+}
+get recovery_compliance() {
+const self = this; 
+return summary__recovery_compliance(self.described());
+}
+load() {
+const self = this; let ends, tested;
+
+(tested = self.law.tested);
+(ends = [NaN, NaN, NaN]);
+if ((tested != null)) {
+(ends = [tested.pressure_min, tested.pressure_max, tested.slip_max]);
+}
+return new Load($sub(self.entry_tension, self.centrifugal), $sub(self.exit_tension, self.centrifugal), $bound(self, "creep_limit"), ...$iter(ends), self.law.steepest_fall());
+}
+get length() {
+const self = this; 
+return $mul(self.radius, self.wrap_angle);
+}
+}
+class in_page$Given extends $Object {
+$init(entry_tension, exit_tension, effective_tension, torque, power, diameter, wrap_angle, overrun, recovery, width, modulus, speed, thickness, shear_modulus, compression_modulus, wear_coefficient, creep_limit, steepest_fall, pitch_offset, cover_compliance, mass, slip_with_shear, belt_speed) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.effective_tension = effective_tension; this.torque = torque; this.power = power; this.diameter = diameter; this.wrap_angle = wrap_angle; this.overrun = overrun; this.recovery = recovery; this.width = width; this.modulus = modulus; this.speed = speed; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.wear_coefficient = wear_coefficient; this.creep_limit = creep_limit; this.steepest_fall = steepest_fall; this.pitch_offset = pitch_offset; this.cover_compliance = cover_compliance; this.mass = mass; this.slip_with_shear = slip_with_shear; this.belt_speed = belt_speed;  }
+*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.effective_tension; yield this.torque; yield this.power; yield this.diameter; yield this.wrap_angle; yield this.overrun; yield this.recovery; yield this.width; yield this.modulus; yield this.speed; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.wear_coefficient; yield this.creep_limit; yield this.steepest_fall; yield this.pitch_offset; yield this.cover_compliance; yield this.mass; yield this.slip_with_shear; yield this.belt_speed; }
+}
+class Rise extends $Object {
+$init(tight, slack) { this.tight = tight; this.slack = slack;  }
+}
+class in_page$Criteria extends $Object {
+$init(safety, tight_rise, slack_rise, cover, strength, pulley_mass, wet) { this.safety = safety; this.tight_rise = tight_rise; this.slack_rise = slack_rise; this.cover = cover; this.strength = strength; this.pulley_mass = pulley_mass; this.wet = wet;  }
+*[Symbol.iterator]() { yield this.safety; yield this.tight_rise; yield this.slack_rise; yield this.cover; yield this.strength; yield this.pulley_mass; yield this.wet; }
+}
+class ArcResult extends Viewable {
+$init(status, method, arc, profile, entry_tension, exit_tension, exit_creep, creep_shrinkage, creep_compression, creep_global, exit_slip, entry_creep_ratio, exit_creep_ratio, peak_shear_stress, peak_shear_angle, peak_shear_position, mean_friction, active_arc, outside_tested_share, stuck_arc, capacities, energy) { this.status = status; this.method = method; this.arc = arc; this.profile = profile; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.exit_creep = exit_creep; this.creep_shrinkage = creep_shrinkage; this.creep_compression = creep_compression; this.creep_global = creep_global; this.exit_slip = exit_slip; this.entry_creep_ratio = entry_creep_ratio; this.exit_creep_ratio = exit_creep_ratio; this.peak_shear_stress = peak_shear_stress; this.peak_shear_angle = peak_shear_angle; this.peak_shear_position = peak_shear_position; this.mean_friction = mean_friction; this.active_arc = active_arc; this.outside_tested_share = outside_tested_share; this.stuck_arc = stuck_arc; this.capacities = capacities; this.energy = energy;  }
+get covered_creep() { return $kept(this, "covered_creep", this.$find_covered_creep()); }
+get effective_tension() {
+const self = this; 
+return $sub(self.entry_tension, self.exit_tension);
+}
+$find_covered_creep() {
+const self = this; let arc, found, geometry, load, series;
+
+(arc = self.arc);
+if ((!$truth($told($c41, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+return NaN;
+}
+([load, geometry] = [arc.load(), arc.geometry()]);
+(series = $replaced(geometry, new Map([["shear", $add(geometry.shear, arc.cover_left_out)]])));
+(found = answer__operating_point(arc.law.compact(), series, $bound(load, "entry_tension"), $bound(load, "exit_tension")));
+if ((!$eq(found.outcome, 0))) {
+return $math.copysign(Infinity, $bound(arc, "side"));
+}
+return $at(found.met.course.creep, $neg(1));
+}
+}
+class FoundArc extends ArcResult {
+$init(status, method, arc, profile, entry_tension, exit_tension, exit_creep, creep_shrinkage, creep_compression, creep_global, exit_slip, entry_creep_ratio, exit_creep_ratio, peak_shear_stress, peak_shear_angle, peak_shear_position, mean_friction, active_arc, outside_tested_share, stuck_arc, capacities, energy, found) { this.status = status; this.method = method; this.arc = arc; this.profile = profile; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.exit_creep = exit_creep; this.creep_shrinkage = creep_shrinkage; this.creep_compression = creep_compression; this.creep_global = creep_global; this.exit_slip = exit_slip; this.entry_creep_ratio = entry_creep_ratio; this.exit_creep_ratio = exit_creep_ratio; this.peak_shear_stress = peak_shear_stress; this.peak_shear_angle = peak_shear_angle; this.peak_shear_position = peak_shear_position; this.mean_friction = mean_friction; this.active_arc = active_arc; this.outside_tested_share = outside_tested_share; this.stuck_arc = stuck_arc; this.capacities = capacities; this.energy = energy; this.found = found;  }
+get covered_creep() {
+const self = this; 
+return self.found.covered_creep;
+}
+}
+class DriveResult extends Viewable {
+$init(drive, arcs) { this.drive = drive; this.arcs = arcs;  }
+__iter__() {
+const self = this; return $b.iter($bound(self, "arcs"));
+}
+arc(pulley, load_case = "") {
+const self = this; let result;
+
+for (result of $iter(self.arcs)) {
+if ((($eq(result.arc.pulley, pulley)) && ($in(load_case, ["", result.arc.load_case])))) {
+return result;
+}
+}
+throw new $KeyError([pulley, load_case]);
+}
+get governing() {
+const self = this; let worst;
+
+function severity(result) {
+let margin;
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return [2.0, 0.0];
+}
+if ((result.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+(margin = result.capacities.gross_slip_margin);
+return [1.0, ($truth($math.isfinite(margin)) ? $neg(margin) : 0.0)];
+}
+return [0.0, ($b.abs($bound(result, "exit_creep")) / result.arc.creep_limit)];
+}
+$sig(severity, ["result"], false);
+(worst = $b.max((function* () { for (const result of $iter(self.arcs)) { yield $at(severity(result), 0); } })()));
+return alike__largest((function* () { for (const result of $iter(self.arcs)) { if (!(($eq($at(severity(result), 0), worst)))) continue; yield result; } })(), ((result) => $at(severity(result), 1)));
+}
+get solved() {
+const self = this; 
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c41, r.status, "solved"); } })());
+}
+}
+class TrainResult extends Viewable {
+$init(train, cases) { this.train = train; this.cases = cases;  }
+__iter__() {
+const self = this; return $b.iter($bound(self, "cases"));
+}
+get adrift() {
+const self = this; 
+return $b.any((function* () { for (const c of $iter(self.cases)) { yield c.adrift; } })());
+}
+get solved() {
+const self = this; 
+return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c41, c.status, "solved"); } })());
+}
+get governing() {
+const self = this; let solved;
+
+function severity(case_) {
+let creeps;
+(creeps = [...(function* () { for (const m of $iter(case_.members)) { yield ($b.abs($bound(m.arc, "exit_creep")) / m.arc.arc.creep_limit); } })()]);
+return $b.max((function* () { for (const c of $iter(creeps)) { yield ($truth($math.isfinite(c)) ? c : 0.0); } })());
+}
+$sig(severity, ["case"], false);
+(solved = $told($c41, self, "solved"));
+return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c41, c.status, "solved"))))) continue; yield c; } })(), severity);
+}
+drive_result() {
+const self = this; let arcs, cases;
+
+(cases = [...(function* () { for (const result of $iter(self.cases)) { yield $call(LoadCase, [], [["name", result.case.name], ["kind", result.case.kind], ["condition", result.case.condition], ["tensions", $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, $call(Tensions, [], [["entry", m.arc.entry_tension], ["exit", m.arc.exit_tension]])]; } })()])]]); } })()]);
+(arcs = $b.tuple((function* () { for (const case_ of $iter(self.cases)) { for (const m of $iter(case_.members)) { yield m.arc; }} })()));
+return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
+}
+}
+class CaseResult extends $Object {
+$init(case_, status, reason, members, sensitivity, belt_speed, other_splits = [], tension_error = 0.0, speed_error = 0.0) { this.case = case_; this.status = status; this.reason = reason; this.members = members; this.sensitivity = sensitivity; this.belt_speed = belt_speed; this.other_splits = other_splits; this.tension_error = tension_error; this.speed_error = speed_error;  }
+__iter__() {
+const self = this; return $b.iter($bound(self, "members"));
+}
+get adrift() {
+const self = this; 
+return $and((self.status === "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
+}
+}
+class MemberResult extends $Object {
+$init(arc, share, speed_ratio, contraction_term, creep_term, compression_term, thickness_term, drum_ratio, surface_speed, rotation_speed, speed_trim, drum_torque, drum_power, motor = null) { this.arc = arc; this.share = share; this.speed_ratio = speed_ratio; this.contraction_term = contraction_term; this.creep_term = creep_term; this.compression_term = compression_term; this.thickness_term = thickness_term; this.drum_ratio = drum_ratio; this.surface_speed = surface_speed; this.rotation_speed = rotation_speed; this.speed_trim = speed_trim; this.drum_torque = drum_torque; this.drum_power = drum_power; this.motor = motor;  }
+get name() {
+const self = this; 
+return self.arc.arc.pulley;
+}
+}
+class Place extends $Object {
+$init(pulley = "", load_case = "", event = "") { this.pulley = pulley; this.load_case = load_case; this.event = event;  }
+*[Symbol.iterator]() { yield this.pulley; yield this.load_case; yield this.event; }
+__str__() {
+const self = this; let parts;
+(parts = ($truth(self.pulley) ? [("" + "pulley " + $str(self.pulley))] : []));
+(parts = $add(parts, ($truth(self.load_case) ? [("" + "load case " + $str(self.load_case))] : [])));
+(parts = $add(parts, ($truth(self.event) ? [("" + "event " + $str(self.event))] : [])));
+return $m.join(", ", parts);
+}
+}
+class Sizes extends $Object {
+$init(width, modulus, speed, diameter, idle_wrap, wrap_angle, creep_limit, overrun, thickness, shear_modulus, compression_modulus, rating, strength, bond_strength, fatigue_limit, face_pressure, least_diameter, sag, entry, leaving, pull, mass) { this.width = width; this.modulus = modulus; this.speed = speed; this.diameter = diameter; this.idle_wrap = idle_wrap; this.wrap_angle = wrap_angle; this.creep_limit = creep_limit; this.overrun = overrun; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.rating = rating; this.strength = strength; this.bond_strength = bond_strength; this.fatigue_limit = fatigue_limit; this.face_pressure = face_pressure; this.least_diameter = least_diameter; this.sag = sag; this.entry = entry; this.leaving = leaving; this.pull = pull; this.mass = mass;  }
+*[Symbol.iterator]() { yield this.width; yield this.modulus; yield this.speed; yield this.diameter; yield this.idle_wrap; yield this.wrap_angle; yield this.creep_limit; yield this.overrun; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.rating; yield this.strength; yield this.bond_strength; yield this.fatigue_limit; yield this.face_pressure; yield this.least_diameter; yield this.sag; yield this.entry; yield this.leaving; yield this.pull; yield this.mass; }
+}
+class Check extends $Object {
+$init(name, title, level, place = $c88, value = NaN, limit = NaN, dimension = "number", at_most = true, source = "", short = "", says = "", remedy = "", otherwise = "", more = new Map(), binding = true, miss = null) { this.name = name; this.title = title; this.level = level; this.place = place; this.value = value; this.limit = limit; this.dimension = dimension; this.at_most = at_most; this.source = source; this.short = short; this.says = says; this.remedy = remedy; this.otherwise = otherwise; this.more = more; this.binding = binding; this.miss = miss;  }
+get margin() {
+const self = this; 
+return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
+}
+get compares() {
+const self = this; 
+return $and((!$in(self.name, $c85)), () => (self.level !== "NOT CHECKED"));
+}
+get below() {
+const self = this; 
+return $and(self.numerical, () => (self.level === "OK"));
+}
+get share() {
+const self = this; let share, silent;
+
+(silent = $or((self.level === "NOT CHECKED"), () => $or(self.numerical, () => !$truth(self.limit))));
+(share = ($truth(silent) ? NaN : (self.value / self.limit)));
+return ($truth($math.isfinite(share)) ? share : NaN);
+}
+get reason() {
+const self = this; 
+return ($truth(self.missed) ? $replaced(self, new Map([["remedy", ""]])).said : "");
+}
+get times() {
+const self = this; 
+return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
+}
+get missed() {
+const self = this; 
+return ($told($c86, self.level, "rank") >= $told($c86, "ATTENTION", "rank"));
+}
+texts() {
+const self = this; let limit;
+
+if ($truth(self.below)) {
+(limit = quantityText($bound(self, "limit"), $bound(self, "dimension")));
+return [("" + "below " + $str(limit)), limit];
+}
+if (!$truth(self.missed)) {
+return [quantityText($bound(self, "value"), $bound(self, "dimension")), quantityText($bound(self, "limit"), $bound(self, "dimension"))];
+}
+return [quantityText($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), quantityText($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
+}
+bound() {
+const self = this; 
+if ($truth($math.isnan($bound(self, "limit")))) {
+return "";
+}
+return ("" + $str(($truth(self.at_most) ? "at most" : "at least")) + " " + $str($at(self.texts(), 1)));
+}
+get said() {
+const self = this; let bound, limit, value, words;
+
+([value, limit] = self.texts());
+if (!$truth(self.says)) {
+(bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
+return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
+}
+(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, quantityText(v, d)]; } })()]));
+(words = $merged(words, $map([["value", value], ["limit", limit]])));
+return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
+}
+get numerical() {
+const self = this; 
+return ($in(self.name, $c706));
+}
+get advises() {
+const self = this; 
+return $or(($in(self.name, $c707)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+}
+get leads() {
+const self = this; 
+return $and((self.level === "FAILS"), () => ($in(self.name, $c708)));
+}
+}
+class Miss extends $Object {
+$init(level, short, says, remedy, fails_beyond = NaN, because = "", tolerates = NaN, allows = "", otherwise = "") { this.level = level; this.short = short; this.says = says; this.remedy = remedy; this.fails_beyond = fails_beyond; this.because = because; this.tolerates = tolerates; this.allows = allows; this.otherwise = otherwise;  }
+*[Symbol.iterator]() { yield this.level; yield this.short; yield this.says; yield this.remedy; yield this.fails_beyond; yield this.because; yield this.tolerates; yield this.allows; yield this.otherwise; }
+at(value, at_most) {
+const self = this; let says;
+
+if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
+return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+}
+(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
+return [self.level, $m.rstrip(says)];
+}
+}
+class Motors extends $Object {
+$init(motors) { this.motors = motors;  }
+}
+class Motor extends $Object {
+$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.__post_init__?.(); }
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
+(message = "must be a whole number of motors");
+$m.append(problems, $call(Problem, [], [["key", "count"], ["value", ("" + $format(self.count, ("" + "g")))], ["message", message]]));
+}
+limits__raise_all($add(problems, self._problems()));
+}
+_problems() {
+const self = this; 
+return [];
+}
+bears(momentary) {
+const self = this; 
+return ($truth(momentary) ? $b.min(1.6, self.largest_load()) : 1.0);
+}
+load(drum_torque) {
+const self = this; let eta;
+
+(eta = ((drum_torque >= 0.0) ? self.gear_efficiency : (1.0 / self.gear_efficiency)));
+return (drum_torque / $mul(eta, self.drum_torque));
+}
+get drum_torque() {
+const self = this; 
+return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
+}
+get rated_torque() {
+const self = this; 
+return (self.rated_power / self.rated_speed);
+}
+}
+class Pulls extends $Object {
+$init(effective_tensions) { this.effective_tensions = effective_tensions;  }
+}
+class Speeds extends $Object {
+$init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
+}
+class Owner extends $Object {
+$init(of, words, place = $c88) { this.of = of; this.words = words; this.place = place;  }
+*[Symbol.iterator]() { yield this.of; yield this.words; yield this.place; }
+}
+class Sliding extends $Object {
+$init(place, cause) { this.place = place; this.cause = cause;  }
+*[Symbol.iterator]() { yield this.place; yield this.cause; }
+}
+class Asked extends $Object {
+$init(rule, wrap_factor, source, why_not = "") { this.rule = rule; this.wrap_factor = wrap_factor; this.source = source; this.why_not = why_not;  }
+}
+class Figure extends $Object {
+$init(name, title, tension, place, binding = true, at_least = true) { this.name = name; this.title = title; this.tension = tension; this.place = place; this.binding = binding; this.at_least = at_least;  }
+}
+class LeastTension extends $Object {
+$init(figures, given, counterweight) { this.figures = figures; this.given = given; this.counterweight = counterweight;  }
+get governing() { return $kept(this, "governing", this.$find_governing()); }
+get highest() { return $kept(this, "highest", this.$find_highest()); }
+$find_governing() {
+const self = this; 
+return alike__largest((function* () { for (const f of $iter(self.figures)) { if (!(($truth(f.binding) && $truth(f.at_least)))) continue; yield f; } })(), least_tension___tension);
+}
+get tension() {
+const self = this; let top;
+
+(top = self.highest);
+if (((top != null) && (top.tension < $mul(self.governing.tension, $sub(1.0, 1e-09))))) {
+return Infinity;
+}
+return self.governing.tension;
+}
+get level() {
+const self = this; 
+return ((self.tension <= self.given) ? "OK" : "ATTENTION");
+}
+get raise_to() {
+const self = this; 
+return (((self.tension <= self.given) || $truth($math.isinf($bound(self, "tension")))) ? null : self.tension);
+}
+$find_highest() {
+const self = this; let above;
+
+(above = [...(function* () { for (const f of $iter(self.figures)) { if (!(!$truth(f.at_least))) continue; yield f; } })()]);
+return ($truth(above) ? alike__least(above, least_tension___tension) : null);
+}
+get standard() {
+const self = this; 
+return $b.next((function* () { for (const f of $iter(self.figures)) { if (!(($eq(f.name, "design_standard")))) continue; yield f; } })(), null);
+}
+}
+class Verdict extends $Object {
+$init(checks, wet = -1.0, over_wet = false) { this.checks = checks; this.wet = wet; this.over_wet = over_wet;  }
+get governing() { return $kept(this, "governing", this.$find_governing()); }
+get listed() { return $kept(this, "listed", this.$find_listed()); }
+get missed() { return $kept(this, "missed", this.$find_missed()); }
+get _at() { return $kept(this, "_at", this.$find__at()); }
+get _places() { return $kept(this, "_places", this.$find__places()); }
+get odd() { return $kept(this, "odd", this.$find_odd()); }
+get qualifier() { return $kept(this, "qualifier", this.$find_qualifier()); }
+$find_governing() {
+const self = this; let judged;
+
+(judged = [...(function* () { for (const c of $iter(self.checks)) { if (!((c.level !== "NOT CHECKED"))) continue; yield c; } })()]);
+return $b.min(judged, $k({key: check___badness, default: null}));
+}
+get level() {
+const self = this; 
+return ((self.governing == null) ? "OK" : self.governing.level);
+}
+get word() {
+const self = this; let ok;
+
+if ((self.level !== "OK")) {
+return $b.str($bound(self, "level"));
+}
+(ok = ((self.wet < 0.0) ? $b.str("OK") : ("" + $str("OK") + " dry only")));
+return ($truth(self.qualifier) ? ("" + $str(ok) + ", " + $str(self.qualifier)) : ok);
+}
+$find_listed() {
+const self = this; let check, held, worst;
+
+(worst = $map([]));
+for (check of $iter(self.checks)) {
+(held = $m.get(worst, $bound(check, "name"), check));
+$put(worst, check.name, $b.min(held, check, $k({key: check___badness})));
+}
+return $b.tuple($m.values(worst));
+}
+$find_missed() {
+const self = this; 
+return $b.tuple($b.sorted((function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), $k({key: check___badness})));
+}
+nearness(check) {
+const self = this; 
+return check___badness(check);
+}
+get data() {
+const self = this; let told;
+
+(told = (function* () { for (const c of $iter(self.checks)) { if (!((($eq(c.name, "data")) && $truth(c.says)))) continue; yield c.said; } })());
+return $b.tuple($b.fromkeys(told));
+}
+at(pulley, load_case) {
+const self = this; let known, mine, own, places, there;
+
+(known = $m.setdefault(self._at, load_case, $map([])));
+if ((!$in(pulley, known))) {
+(places = $b.fromkeys(["", load_case]));
+(there = $b.sorted((function* () { for (const place of $iter(places)) { for (const n of $iter($m.get(self._places, place, []))) { yield n; }} })()));
+(mine = [...(function* () { for (const number of $iter(there)) { yield $at(self.checks, number); } })()]);
+(own = $b.tuple((function* () { for (const check of $iter(mine)) { if (!(($in(check.place.pulley, ["", pulley])))) continue; yield check; } })()));
+$put(known, pulley, (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own)));
+}
+return $at(known, pulley);
+}
+$find__at() {
+const self = this; return $map([]);
+}
+$find__places() {
+const self = this; let check, found, number;
+(found = $map([]));
+for ([number, check] of $iter($b.enumerate($bound(self, "checks")))) {
+$m.append($m.setdefault(found, $bound(check.place, "load_case"), []), number);
+}
+return found;
+}
+get lead() {
+const self = this; let _, odd, said, text, value, where, worst;
+
+(worst = self.governing);
+if ((worst == null)) {
+return "Nothing could be checked.";
+}
+if ((self.odd != null)) {
+([said, odd] = (function* () { for (const check of $iter([worst, self.odd])) { yield $replaced(check, new Map([["remedy", ""]])); } })());
+return $m.rstrip(("" + $str(check__placed(said)) + $str(self._sense()) + " " + $str(odd.said) + " " + $str(self.action)));
+}
+if ($truth(worst.missed)) {
+return ("" + $str(check__placed(worst)) + $str(self._sense()));
+}
+(text = self._kept($b.sum((function* () { for (const c of $iter(self.listed)) { yield c.compares; } })())));
+if (($truth($math.isnan($bound(worst, "margin"))) || $truth($math.isinf($bound(worst, "margin"))))) {
+return ("" + $str(text) + "." + $str(self._sense()));
+}
+([value, _] = worst.texts());
+(where = ($truth($b.str($bound(worst, "place"))) ? ("" + " (" + $str(worst.place) + ")") : ""));
+return ("" + $str(text) + "; nearest to its limit is " + $str(check___small($bound(worst, "title"))) + ", " + $str(value) + ", " + $str(worst.bound()) + $str(where) + "." + $str(self._sense()));
+}
+get action() {
+const self = this; let told;
+
+(told = (function* () { for (const check of $iter([self.odd, self.governing])) { if (!(((check != null) && $truth(check.missed) && $truth(check.says)))) continue; yield $m.strip($m.removeprefix(check.said, $bound($replaced(check, new Map([["remedy", ""]])), "said"))); } })());
+return $m.join(" ", $b.filter(null, told));
+}
+_sense() {
+const self = this; let braking, every, here, some, title, told;
+
+(every = $sub(new Set((function* () { for (const c of $iter(self.checks)) { yield c.place.load_case; } })()), new Set([""])));
+(braking = [...(function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "sense")))) continue; yield c; } })()]);
+(told = "");
+for (title of $iter($b.fromkeys((function* () { for (const c of $iter(braking)) { yield c.title; } })()))) {
+(here = new Set((function* () { for (const c of $iter(braking)) { if (!(($eq(c.title, title)))) continue; yield c.place.load_case; } })()));
+(some = (($b.len(here) < $b.len(every)) ? ("" + " in " + $str($b.len(here)) + " of " + $str($b.len(every)) + " load cases") : ""));
+(told = $add(told, ("" + " " + $str(title) + $str(some) + ".")));
+}
+return told;
+}
+_kept(count) {
+const self = this; let known, told;
+
+if ($truth(self.over_wet)) {
+return ("" + $str(self.beyond_wet()) + ": all " + $str(count) + " checks are kept dry only");
+}
+(told = ("" + "All " + $str(count) + " checks are kept"));
+if ((self.wet < 0.0)) {
+return told;
+}
+(known = !$truth($math.isnan($bound(self, "wet"))));
+return ("" + $str(told) + ", dry only" + $str(($truth(known) ? ("" + " (" + $str(self._when_wet()) + ")") : "")));
+}
+_when_wet() {
+const self = this; let digits;
+if ($truth($math.isinf($bound(self, "wet")))) {
+return "wet it slips through";
+}
+(digits = $add(3, self.over_wet));
+return ("" + "wet it creeps " + $str(quantity($bound(self, "wet"), "length", digits)));
+}
+beyond_wet() {
+const self = this; let limit;
+
+if (!$truth(self.over_wet)) {
+return "";
+}
+(limit = ($truth($math.isfinite($bound(self, "wet"))) ? ", beyond its limit" : ""));
+return ("" + $str(check___capital(self._when_wet())) + $str(limit));
+}
+get others() {
+const self = this; let first, others, told;
+
+(first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
+(others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
+(told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
+if ((($told($c86, self.level, "rank") > $told($c86, "OK", "rank")) && $truth(self.qualifier))) {
+$m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
+}
+return $b.tuple(told);
+}
+$find_odd() {
+const self = this; let worst;
+
+(worst = self.governing);
+if (((worst == null) || ($eq(worst.name, "usual_sizes")))) {
+return null;
+}
+return $b.next((function* () { for (const c of $iter(self.listed)) { if (!((($eq(c.name, "usual_sizes")) && $truth(c.missed)))) continue; yield c; } })(), null);
+}
+$find_qualifier() {
+const self = this; let found;
+
+(found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
+return $b.next((function* () { for (const word of $iter($c709)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+}
+}
+class Row extends $Object {
+$init(title, values, symbol = "", note = "", name = "", level = null) { this.title = title; this.values = values; this.symbol = symbol; this.note = note; this.name = name; this.level = level;  }
+}
+class Table extends $Object {
+$init(title, rows, heads = $c89, note = "", name = "", short = null, brief = "") { this.title = title; this.rows = rows; this.heads = heads; this.note = note; this.name = name; this.short = short; this.brief = brief;  }
 }
 class TestedRange extends $Object {
 $init(pressure_min, pressure_max, slip_max, slip_speed = null) { this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.slip_speed = slip_speed; this.__post_init__?.(); }
@@ -3100,16 +5201,27 @@ const self = this; let m, numbers;
 (numbers = [...$iter(self.slip), ...$iter(self.pressure), ...$iter((function* () { for (const row of $iter(self.values)) { for (const v of $iter(row)) { yield v; }} })())]);
 base__check([$b.all($b.map($math.isfinite, numbers)), "values", "", "the table must hold finite numbers only"], [$and((m >= 2), () => ($eq($at(self.slip, 0), 0.0))), "slip", ("" + $str(m) + " slips"), "at least two slips, the first of them 0, are needed"], [table___ascending($bound(self, "slip")), "slip", "", "the slips must be in ascending order"], [$or($b.all((function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "slip")))) { yield ($sub(b, a) >= 1e-09); } })()), () => !$truth(table___ascending($bound(self, "slip")))), "slip", "", "the slips must be at least 1 nm apart"], [!$truth($b.any((function* () { for (const slip of $iter(self.slip)) { yield (1000.0 < slip && slip < Infinity); } })())), "slip", ("" + $format($b.max($bound(self, "slip"), $k({default: 0.0})), ("" + "g")) + " m"), "the slips must be at most 1 km"], [$and($b.bool($bound(self, "pressure")), () => $and(table___ascending($bound(self, "pressure")), () => $b.all((function* () { for (const p of $iter(self.pressure)) { yield (p > 0); } })()))), "pressure", "", "the pressures must be positive and in ascending order"], [$and(($eq($b.len($bound(self, "values")), $b.len($bound(self, "pressure")))), () => $b.all((function* () { for (const row of $iter(self.values)) { yield ($eq($b.len(row), m)); } })())), "friction", "", ("" + "the table must have a row of " + $str(m) + " values for each of " + $str($b.len($bound(self, "pressure"))) + " pressures")], [$and($b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, null, 1))) { yield $or(($eq(v, 0.0)), () => (v >= 1e-06)); }} })()), () => $b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, 1, null))) { yield (v >= 1e-06); }} })())), "friction", "", ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " past slip 0, that or 0 at slip 0")], [($b.len(new Set((function* () { for (const row of $iter(self.values)) { if (!($truth(row))) continue; yield ($at(row, 0) > 0); } })())) <= 1), "friction", "", "friction at slip 0 must be 0 at every pressure or positive at every pressure"]);
 }
+get tested() {
+const self = this; 
+return $call(TestedRange, [], [["pressure_min", $at(self.pressure, 0)], ["pressure_max", $at(self.pressure, $neg(1))], ["slip_max", $at(self.slip, $neg(1))]]);
+}
+
+compact() {
+const self = this; let c, cubics, row;
+
+(c = []);
+for ([row, cubics] of $iter($b.zip($bound(self, "values"), self._cubics(), $k({strict: true})))) {
+(c = $add(c, [...$iter(cubics.ravel().tolist()), $at(row, $neg(1)), 0.0, 0.0, 0.0]));
+}
+return $call(CompactLaw, [3, $bound(self, "pressure"), $b.tuple(c)], [["slips", self.slip]]);
+}
 
 _scaled(friction, slip) {
 const self = this; let rows;
 (rows = $b.tuple((function* () { for (const row of $iter(self.values)) { yield $b.tuple((function* () { for (const mu of $iter(row)) { yield $mul(mu, friction); } })()); } })()));
 return $replaced(self, new Map([["slip", $b.tuple((function* () { for (const x of $iter(self.slip)) { yield $mul(x, slip); } })())], ["values", rows]]));
 }
-get tested() {
-const self = this; 
-return $call(TestedRange, [], [["pressure_min", $at(self.pressure, 0)], ["pressure_max", $at(self.pressure, $neg(1))], ["slip_max", $at(self.slip, $neg(1))]]);
-}
+
 }
 class _Term extends $Object {
 $init(coefficient, function_, power, exponent) { this.coefficient = coefficient; this.function = function_; this.power = power; this.exponent = exponent;  }
@@ -3120,12 +5232,12 @@ $init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coef
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c710)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c710)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c597, self.form));
+([logarithmic, exponential] = $at($c710, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -3141,9 +5253,16 @@ return $replaced(self, new Map([["coefficients", [$add($at(c, 0), $math.log(fact
 }
 return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (const v of $iter(c)) { yield $mul(v, factor); } })())]]));
 }
+row() {
+const self = this; let c, exponential, logarithmic;
+
+([logarithmic, exponential] = $at($c710, self.form));
+(c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
+return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
+}
 }
 class Piece extends $Object {
-$init(a, b, post_peak_slope = $c68, residual_friction = $c69) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
+$init(a, b, post_peak_slope = $c90, residual_friction = $c91) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
 }
 class CoefficientPieces extends $Object {
 $init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
@@ -3230,6 +5349,7 @@ scaled(friction, slip) {
 const self = this; 
 return $replaced(self, new Map([["peak_friction", $b.tuple((function* () { for (const v of $iter(self.peak_friction)) { yield $mul(v, friction); } })())], ["peak_slip", $b.tuple((function* () { for (const v of $iter(self.peak_slip)) { yield $mul(v, slip); } })())], ["post_peak_slope", $b.tuple((function* () { for (const v of $iter(self.post_peak_slope)) { yield ($mul(v, friction) / slip); } })())], ["residual_friction", $b.tuple((function* () { for (const v of $iter(self.residual_friction)) { yield $mul(v, friction); } })())]]));
 }
+
 }
 class IntegralLog extends FrictionLaw {
 $init(slip_includes = null, coefficients, tested = null) { this.slip_includes = slip_includes; this.coefficients = coefficients; this.tested = tested; this.__post_init__?.(); }
@@ -3242,6 +5362,8 @@ return null;
 (t = self.tested);
 base__check([$and(($b.abs($sub((t.pressure_min / $at(p, 0)), 1.0)) < 1e-06), () => ($b.abs($sub((t.pressure_max / $at(p, $neg(1))), 1.0)) < 1e-06)), "tested", ("" + $format(t.pressure_min, ("" + "g")) + " .. " + $format(t.pressure_max, ("" + "g")) + " Pa"), ("" + "the tested pressures must be the ends of the law, " + $format($at(p, 0), ("" + "g")) + " .. " + $format($at(p, $neg(1)), ("" + "g")) + " Pa")]);
 }
+
+
 
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["coefficients", self.coefficients.scaled(friction, slip)]]));
@@ -3300,11 +5422,22 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c598)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c598))));
+if (($truth(self.surface) && (!$in(self.surface, $c711)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c711))));
 $m.append(problems, $call(Problem, [], [["key", "surface"], ["value", $shown($bound(self, "surface"))], ["message", message]]));
 }
 limits__raise_all(problems);
+}
+get shear_compliance() {
+const self = this; 
+if (($in("lagging shear", $or(self.law.slip_includes, () => [])))) {
+return 0.0;
+}
+return (self.thickness / self.shear_modulus);
+}
+source_of(part) {
+const self = this; 
+return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 }
 class LoadGiven extends $Object {
@@ -3322,12 +5455,6 @@ class Pair extends $Object {
 $init(entry, exit) { this.entry = entry; this.exit = exit;  }
 *[Symbol.iterator]() { yield this.entry; yield this.exit; }
 }
-class Pulls extends $Object {
-$init(effective_tensions) { this.effective_tensions = effective_tensions;  }
-}
-class Speeds extends $Object {
-$init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
-}
 class TorqueFollower extends $Object {
 $init(master, ratio = 1.0) { this.master = master; this.ratio = ratio; this.__post_init__?.(); }
 __post_init__() {
@@ -3343,6 +5470,10 @@ get effective_tension() {
 const self = this; 
 return $add($sub(self.entry_tension, self.exit_tension), $b.sum($bound(self, "runs")));
 }
+get pulls_given() {
+const self = this; 
+return $b.isinstance(self.division, Shares, Pulls);
+}
 run(index) {
 const self = this; 
 return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
@@ -3356,15 +5487,18 @@ class BehindTakeUp extends $Object {
 $init(share, behind, runs) { this.share = share; this.behind = behind; this.runs = runs;  }
 *[Symbol.iterator]() { yield this.share; yield this.behind; yield this.runs; }
 }
-class Motors extends $Object {
-$init(motors) { this.motors = motors;  }
+class OfBelt extends $Dict {
+}
+class Description extends $Object {
+$init(entry_tension, exit_tension, diameter, wrap_angle, width, axial_stiffness, thickness, shear_modulus, compression_modulus, overrun, recovery, belt_speed, wear_coefficient, shear_compliance, pitch_offset, centrifugal) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.diameter = diameter; this.wrap_angle = wrap_angle; this.width = width; this.axial_stiffness = axial_stiffness; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.overrun = overrun; this.recovery = recovery; this.belt_speed = belt_speed; this.wear_coefficient = wear_coefficient; this.shear_compliance = shear_compliance; this.pitch_offset = pitch_offset; this.centrifugal = centrifugal;  }
+*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.diameter; yield this.wrap_angle; yield this.width; yield this.axial_stiffness; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.overrun; yield this.recovery; yield this.belt_speed; yield this.wear_coefficient; yield this.shear_compliance; yield this.pitch_offset; yield this.centrifugal; }
 }
 class TakeUp extends $Object {
 $init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave_ratio = sheave_ratio; this.after = after; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c599)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c712)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -3397,7 +5531,7 @@ class DesignStandard extends $Object {
 $init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c600)]], ["condition", ["", ...$iter($c601)]]]));
+(words = $map([["name", ["", ...$iter($c713)]], ["condition", ["", ...$iter($c714)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -3431,10 +5565,11 @@ const self = this;
 return value;
 }
 }
-class Table extends Kind {
+class tables$Table extends Kind {
+get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c602) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c715) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -3497,15 +5632,15 @@ $put(given, entry.key, value);
 }
 return given;
 }
-get _fields() {
+$find__fields() {
 const self = this; 
 return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fields(self.of))) { yield f.name; } })()) : $b.frozenset());
 }
 }
 class Entry extends $Object {
-$init(key, meaning = "", kind = $c602, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
+$init(key, meaning = "", kind = $c715, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
 __post_init__() {
-const self = this; (self.title = $or(self.title, () => $m.replace(self.key, "_", " ").capitalize()));
+const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(self.key, "_", " "))));
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
@@ -3532,7 +5667,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c603) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c716) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -3562,28 +5697,6 @@ $method(report, "add", [place, refusal], [["value", raw]]);
 return $c7;
 }
 return value;
-}
-}
-class WordOr extends Kind {
-$init(word, kind, meaning = null) { this.word = word; this.kind = kind; this.meaning = meaning;  }
-read(raw, place, report) {
-const self = this; 
-return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
-}
-}
-class ByName extends Kind {
-$init(kind, most = 200) { this.kind = kind; this.most = most;  }
-read(raw, place, report) {
-const self = this; 
-if (!$truth($b.isinstance(raw, "dict"))) {
-report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
-return $c7;
-}
-if (($b.len(raw) > self.most)) {
-report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
-return $c7;
-}
-return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
 }
 }
 class Limit extends $Object {
@@ -3622,6 +5735,28 @@ return ("" + "must be " + $str(self));
 return "";
 }
 }
+class WordOr extends Kind {
+$init(word, kind, meaning = null) { this.word = word; this.kind = kind; this.meaning = meaning;  }
+read(raw, place, report) {
+const self = this; 
+return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
+}
+}
+class ByName extends Kind {
+$init(kind, most = 200) { this.kind = kind; this.most = most;  }
+read(raw, place, report) {
+const self = this; 
+if (!$truth($b.isinstance(raw, "dict"))) {
+report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
+return $c7;
+}
+if (($b.len(raw) > self.most)) {
+report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
+return $c7;
+}
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+}
+}
 class Belt extends $Object {
 $init(name, width, modulus, rating = null, strength = null, speed = null, kind = "", momentary_factor = null, least_pulley_diameter = null, largest_wrap_pressure = null, in_plane_shear_stiffness = null, pulley_cover = null, carry_cover = null, carcass = null, thickness = null, cover_shear_modulus = null, mass = null, provenance = new Provenance(), sources = new Map()) { this.name = name; this.width = width; this.modulus = modulus; this.rating = rating; this.strength = strength; this.speed = speed; this.kind = kind; this.momentary_factor = momentary_factor; this.least_pulley_diameter = least_pulley_diameter; this.largest_wrap_pressure = largest_wrap_pressure; this.in_plane_shear_stiffness = in_plane_shear_stiffness; this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass; this.thickness = thickness; this.cover_shear_modulus = cover_shear_modulus; this.mass = mass; this.provenance = provenance; this.sources = sources; this.__post_init__?.(); }
 __post_init__() {
@@ -3654,6 +5789,20 @@ return [];
 }
 (message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
 return [$call(Problem, [], [["message", message], ["remedy", remedy], ["key", key]])];
+}
+source_of(part) {
+const self = this; 
+return $m.get(self.sources, part, $bound(self, "provenance"));
+}
+get breaking_strength() {
+const self = this; let found;
+
+(found = $m.search($c717, $m.upper(self.name)));
+return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
+}
+get axial_stiffness() {
+const self = this; 
+return $mul(self.modulus, self.width);
 }
 }
 class _Nothing extends $Object {
@@ -3729,13 +5878,13 @@ $init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.e
 *[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
 }
 class Definition extends $Object {
-$init(names, factor, unit, zero = $c609) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
+$init(names, factor, unit, zero = $c724) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
 }
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
-(self.tables = $map([...(function* () { for (const t of $iter(tables)) { yield [t.title, $call(Table, [$bound(t, "title"), tables__need(tag, meaning, new Choice([t.title])), ...$iter(t.entries)], [["of", t.of]])]; } })()]));
+(self.tables = $map([...(function* () { for (const t of $iter(tables)) { yield [t.title, $call(tables$Table, [$bound(t, "title"), tables__need(tag, meaning, new Choice([t.title])), ...$iter(t.entries)], [["of", t.of]])]; } })()]));
 }
 built(value, report, more = new Map()) {
 const self = this; 
@@ -3766,18 +5915,43 @@ $init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, cree
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c604]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c718]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, $call(Problem, [], [["key", "across.worn_depth"], ["value", display__display($bound(worn, "largest"), "length")], ["message", $add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length"))], ["remedy", "Give the depth worn off, on radius, not what is left."]]));
 }
 limits__raise_all(problems);
 }
+lagging_in(condition) {
+const self = this; 
+if (!$truth(condition)) {
+return self.lagging;
+}
+try {
+return $b.next((function* () { for (const lagging of $iter(self.conditions)) { if (!(($eq(lagging.condition, condition)))) continue; yield lagging; } })());
+} catch ($error) {
+if ($error instanceof $StopIteration) {
+throw new $KeyError(condition);
+} else throw $error;
+}
+}
+in_condition(condition) {
+const self = this; 
+return ($truth(condition) ? $replaced(self, new Map([["lagging", self.lagging_in(condition)]])) : self);
+}
+get radius() {
+const self = this; 
+return (self.diameter / 2.0);
+}
 }
 class Sag extends $Object {
 $init(spacing, line_mass, share = 0.02) { this.spacing = spacing; this.line_mass = line_mass; this.share = share; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
+}
+get tension() {
+const self = this; 
+return ($mul($mul(self.line_mass, 9.80665), self.spacing) / $mul(8.0, self.share));
 }
 }
 class Conveyor extends $Object {
@@ -3786,8 +5960,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c605))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c605))));
+if ((!$in(self.drive_at, $c719))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c719))));
 $m.append(problems, $call(Problem, [], [["key", "drive_at"], ["value", $shown($bound(self, "drive_at"))], ["message", message]]));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -3921,12 +6095,18 @@ return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($boun
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1278);
+([least, most] = $c1381);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
 return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
 }
+}
+class Rule extends $Object {
+$init(name, what, missed = "ATTENTION", at_most = true, fails_beyond = NaN, tolerates = NaN) { this.name = name; this.what = what; this.missed = missed; this.at_most = at_most; this.fails_beyond = fails_beyond; this.tolerates = tolerates;  }
+}
+class DesignFriction extends $Object {
+$init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
 }
 class Cost extends $Object {
 $init(material, installation, currency, area, life_years) { this.material = material; this.installation = installation; this.currency = currency; this.area = area; this.life_years = life_years; this.__post_init__?.(); }
@@ -3946,8 +6126,8 @@ $init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c607))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c607))));
+if ((!$in(self.shape, $c721))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c721))));
 $m.append(problems, $call(Problem, [], [["key", "shape"], ["value", $shown($bound(self, "shape"))], ["message", message]]));
 }
 limits__raise_all(problems);
@@ -4003,10 +6183,11 @@ return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(
 }
 class Fit extends $Object {
 $init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
+get knots() { return $kept(this, "knots", this.$find_knots()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c608));
+(problems = limits__limit_problems(self, $c722));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, $call(Problem, [], [["key", "parameters"], ["value", $b.str(n)], ["message", message]]));
@@ -4042,28 +6223,29 @@ if (!$truth(fit___has_no_negative(matrix, $mul(1e-08, n)))) {
 }
 return ($truth(message) ? [$call(Problem, [], [["key", "covariance"], ["message", message]])] : []);
 }
-}
-class DesignFriction extends $Object {
-$init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
-}
-class Motor extends $Object {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.__post_init__?.(); }
-__post_init__() {
-const self = this; let message, problems;
-(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
-(message = "must be a whole number of motors");
-$m.append(problems, $call(Problem, [], [["key", "count"], ["value", ("" + $format(self.count, ("" + "g")))], ["message", message]]));
-}
-limits__raise_all($add(problems, self._problems()));
-}
-_problems() {
-const self = this; 
+$find_knots() {
+const self = this; let found, named;
+
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c723, name); } })()]);
+if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
+}
+(named = $b.tuple((function* () { for (const match of $iter(found)) { if (!($truth(match))) continue; yield [$sub($b.int($at(match, 1)), 1), $at(match, 2)]; } })()));
+return (($eq($b.len(named), $b.len(found))) ? named : []);
 }
 }
 class VariableSpeed extends Motor {
 $init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, setting = 1.0, droop = 0.0, torque_limit = Infinity) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.setting = setting; this.droop = droop; this.torque_limit = torque_limit; this.__post_init__?.(); }
+largest_load() {
+const self = this; let stall;
+
+(stall = ((self.droop > 0.0) ? ($mul(0.9, self.setting) / self.droop) : Infinity));
+return $b.min($bound(self, "torque_limit"), stall);
+}
+shaft_speed(load) {
+const self = this; 
+return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
+}
 }
 class Induction extends Motor {
 $init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.__post_init__?.(); }
@@ -4075,9 +6257,31 @@ return [];
 (message = ("" + "must be below the synchronous speed " + $str(motors___rpm($bound(self, "synchronous_speed"))) + " by at most 20 %"));
 return [$call(Problem, [], [["key", "rated_speed"], ["value", motors___rpm($bound(self, "rated_speed"))], ["message", message]])];
 }
+largest_load() {
+const self = this; 
+return self.breakdown_ratio;
+}
+bears(momentary) {
+const self = this; 
+return $b.min(super.bears(momentary), $mul(0.81, self.breakdown_ratio));
+}
+shaft_speed(load) {
+const self = this; let breakdown_slip, part, ratio, x;
+
+(ratio = self.breakdown_ratio);
+(x = (load / ratio));
+(part = (x / $add(1.0, $math.sqrt($b.max($sub(1.0, $mul(x, x)), 0.0)))));
+(breakdown_slip = $mul(self.rated_slip, $add(ratio, $math.sqrt($sub($mul(ratio, ratio), 1.0)))));
+return $mul(self.synchronous_speed, $b.max($sub(1.0, $mul(breakdown_slip, part)), 0.001));
+}
+get rated_slip() {
+const self = this; 
+return $sub(1.0, (self.rated_speed / self.synchronous_speed));
+}
 }
 class FluidCoupling extends Induction {
 $init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5, coupling_load, coupling_slip) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.coupling_load = coupling_load; this.coupling_slip = coupling_slip; this.__post_init__?.(); }
+get _end() { return $kept(this, "_end", this.$find__end()); }
 _problems() {
 const self = this; let count, key, loads, message, problems, rising, slips, top, values;
 (problems = super._problems());
@@ -4096,14 +6300,58 @@ $m.append(problems, $call(Problem, [], [["key", key], ["value", $b.str($b.list(v
 }
 return problems;
 }
+largest_load() {
+const self = this; 
+return self._end;
+}
+$find__end() {
+const self = this; let _, high, load, low, pump;
+
+([low, high] = [0.0, self.breakdown_ratio]);
+for (_ of $iter($b.range(60))) {
+(load = $mul(0.5, $add(low, high)));
+(pump = super.shaft_speed(load));
+if (($mul(load, $pow((self.rated_speed / pump), 2)) <= $at(self.coupling_load, $neg(1)))) {
+(low = load);
+} else {
+(high = load);
+}
+}
+return (($eq(high, self.breakdown_ratio)) ? high : low);
+}
+shaft_speed(load) {
+const self = this; let pump;
+
+(pump = super.shaft_speed(load));
+return $mul(pump, $sub(1.0, self._slip($mul(load, $pow((self.rated_speed / pump), 2)))));
+}
+_slip(load) {
+const self = this; let i, loads, size, slip, slips, weight;
+([size, loads, slips] = [$b.abs(load), self.coupling_load, self.coupling_slip]);
+(i = 0);
+while (((i < $sub($b.len(loads), 2)) && (size > $at(loads, $add(i, 1))))) {
+(i = $add(i, 1));
+}
+(weight = ($sub(size, $at(loads, i)) / $sub($at(loads, $add(i, 1)), $at(loads, i))));
+(slip = $add($at(slips, i), $mul(weight, $sub($at(slips, $add(i, 1)), $at(slips, i)))));
+return $math.copysign($b.min(slip, 0.95), load);
+}
+}
+class Load extends $Object {
+$init(entry_tension, exit_tension, creep_limit, pressure_min, pressure_max, slip_max, steepest_fall) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.creep_limit = creep_limit; this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.steepest_fall = steepest_fall;  }
+*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.creep_limit; yield this.pressure_min; yield this.pressure_max; yield this.slip_max; yield this.steepest_fall; }
+}
+class CompactLaw extends $Object {
+$init(kind, edges, coefficients, slips = [], onset_compliance = 0.0) { this.kind = kind; this.edges = edges; this.coefficients = coefficients; this.slips = slips; this.onset_compliance = onset_compliance;  }
+*[Symbol.iterator]() { yield this.kind; yield this.edges; yield this.coefficients; yield this.slips; yield this.onset_compliance; }
 }
 class Transition extends $Object {
 $init(length, trough_angle, centre_roll, depth = "full") { this.length = length; this.trough_angle = trough_angle; this.centre_roll = centre_roll; this.depth = depth; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c970))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c970))));
+if ((!$in(self.depth, $c1079))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1079))));
 $m.append(problems, $call(Problem, [], [["key", "depth"], ["value", $shown($bound(self, "depth"))], ["message", message]]));
 }
 limits__raise_all(problems);
@@ -4159,6 +6407,14 @@ const self = this; let mu;
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
 }
 
+compact() {
+const self = this; 
+return new CompactLaw(0, simple___edges($bound(self, "tested")), [self.friction_coefficient, 1.0, 0.0, 0.0]);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
@@ -4171,6 +6427,16 @@ const self = this; let k, mu;
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), "the stiffness must be positive and finite"]);
 }
 
+compact() {
+const self = this; let c;
+
+(c = [self.friction_coefficient, 1.0, 0.0, (1.0 / self.stiffness)]);
+return $call(CompactLaw, [0, simple___edges($bound(self, "tested")), c], [["onset_compliance", (1.0 / self.stiffness)]]);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["stiffness", ($mul(self.stiffness, friction) / slip)], ["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
@@ -4183,6 +6449,16 @@ const self = this; let mu, n, p;
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
 }
 
+compact() {
+const self = this; let c;
+
+(c = [self.friction_coefficient, self.reference_pressure, self.exponent, 0.0]);
+return new CompactLaw(0, simple___edges($bound(self, "tested")), c);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
@@ -4197,7 +6473,7 @@ if ($truth(diameters)) {
 (words = "Whether the values are on radius (if left out) or on diameter.");
 $m.append(entries, new Entry("on", words, new Choice(["radius", "diameter"])));
 }
-(self.within = new TextOr($bound(self, "rows"), $call(Table, ["Profile", ...$iter(entries)], [["on_one_line", true]])));
+(self.within = new TextOr($bound(self, "rows"), $call(tables$Table, ["Profile", ...$iter(entries)], [["on_one_line", true]])));
 }
 read(raw, place, report) {
 const self = this; let built, crown, factor, found, half, heights, mean, on, read, rows, table, values;
@@ -4319,785 +6595,785 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c635 = $made(Quantity, {dimension: "number", limit: null});
-const $c623 = $made(Entry, {key: "format", kind: $c635, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
-const $c636 = $made(Text, {longest: 200, lines: false});
-const $c624 = $made(Entry, {key: "title", kind: $c636, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c637 = $made(Text, {longest: 5000, lines: true});
-const $c625 = $made(Entry, {key: "description", kind: $c637, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c583 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c638 = $made(Quantity, {dimension: "length", limit: $c583});
-const $c626 = $made(Entry, {key: "creep_limit", kind: $c638, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c640 = $made(Name, {longest: 60});
-const $c648 = $made(Name, {longest: 60});
-const $c643 = $made(Entry, {key: "name", kind: $c648, required: true, alias: "", example: "", attribute: "name", unless: ""});
-const $c578 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
-const $c649 = $made(Quantity, {dimension: "number", limit: $c578});
-const $c644 = $made(Entry, {key: "friction_factor", kind: $c649, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c650 = $made(ByName, {kind: $c649, most: 200});
-const $c645 = $made(Entry, {key: "friction_factors", kind: $c650, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
-const $c652 = ["DIN 22101", "practice"];
-const $c651 = $made(Choice, {options: $c652});
-const $c646 = $made(Entry, {key: "standard", kind: $c651, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c660 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c659 = $made(Choice, {options: $c660});
-const $c655 = $made(Entry, {key: "kind", kind: $c659, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c661 = $made(Text, {longest: 500, lines: false});
-const $c656 = $made(Entry, {key: "source", kind: $c661, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c662 = $made(Text, {longest: 60, lines: false});
-const $c657 = $made(Entry, {key: "date", kind: $c662, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c663 = $made(Text, {longest: 1000, lines: false});
-const $c658 = $made(Entry, {key: "note", kind: $c663, required: false, alias: "", example: "", attribute: "note", unless: ""});
-const $c653 = [$c655, $c656, $c657, $c658];
-const $c654 = new Map([["kind", $c655], ["source", $c656], ["date", $c657], ["note", $c658]]);
-const $c2 = $made(Table, {of: Provenance, entries: $c653, _known: $c654});
-const $c647 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c641 = [$c643, $c644, $c645, $c646, $c647];
-const $c642 = new Map([["name", $c643], ["friction_factor", $c644], ["friction_factors", $c645], ["standard", $c646], ["provenance", $c647]]);
-const $c8 = $made(Table, {of: Condition, entries: $c641, _known: $c642});
-const $c160 = $made(TextOr, {text: $c640, table: $c8});
-const $c639 = $made(OneOrMore, {kind: $c160, most: 8});
-const $c627 = $made(Entry, {key: "condition", kind: $c639, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c101 = $made(Name, {longest: 60});
-const $c81 = $made(Entry, {key: "preset", kind: $c101, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c102 = $made(Name, {longest: 60});
-const $c82 = $made(Entry, {key: "name", kind: $c102, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c103 = $made(Text, {longest: 60, lines: false});
-const $c83 = $made(Entry, {key: "kind", kind: $c103, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c122 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c104 = $made(Quantity, {dimension: "length", limit: $c122});
-const $c84 = $made(Entry, {key: "width", kind: $c104, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c123 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c106 = $made(Quantity, {dimension: "force_per_width", limit: $c123});
-const $c105 = $made(WordOr, {word: "rigid", kind: $c106, meaning: Infinity});
-const $c85 = $made(Entry, {key: "modulus", kind: $c105, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
-const $c124 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c107 = $made(Quantity, {dimension: "force_per_width", limit: $c124});
-const $c86 = $made(Entry, {key: "rating", kind: $c107, required: false, alias: "", example: "", attribute: "rating", unless: ""});
-const $c125 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c108 = $made(Quantity, {dimension: "force_per_width", limit: $c125});
-const $c87 = $made(Entry, {key: "strength", kind: $c108, required: false, alias: "", example: "", attribute: "strength", unless: ""});
-const $c126 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c109 = $made(Quantity, {dimension: "speed", limit: $c126});
-const $c88 = $made(Entry, {key: "speed", kind: $c109, required: false, alias: "", example: "", attribute: "speed", unless: ""});
-const $c127 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c110 = $made(Quantity, {dimension: "number", limit: $c127});
-const $c89 = $made(Entry, {key: "momentary_factor", kind: $c110, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
-const $c128 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c111 = $made(Quantity, {dimension: "length", limit: $c128});
-const $c90 = $made(Entry, {key: "least_pulley_diameter", kind: $c111, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
-const $c129 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c112 = $made(Quantity, {dimension: "pressure", limit: $c129});
-const $c91 = $made(Entry, {key: "largest_wrap_pressure", kind: $c112, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
-const $c130 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
-const $c113 = $made(Quantity, {dimension: "force_per_width", limit: $c130});
-const $c92 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c113, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
-const $c131 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c114 = $made(Quantity, {dimension: "length", limit: $c131});
-const $c93 = $made(Entry, {key: "pulley_cover", kind: $c114, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
-const $c132 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c115 = $made(Quantity, {dimension: "length", limit: $c132});
-const $c94 = $made(Entry, {key: "carry_cover", kind: $c115, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
-const $c133 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c116 = $made(Quantity, {dimension: "length", limit: $c133});
-const $c95 = $made(Entry, {key: "carcass", kind: $c116, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
-const $c134 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c117 = $made(Quantity, {dimension: "length", limit: $c134});
-const $c96 = $made(Entry, {key: "thickness", kind: $c117, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c135 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
-const $c119 = $made(Quantity, {dimension: "pressure", limit: $c135});
-const $c118 = $made(WordOr, {word: "rigid", kind: $c119, meaning: Infinity});
-const $c97 = $made(Entry, {key: "cover_shear_modulus", kind: $c118, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
-const $c136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c120 = $made(Quantity, {dimension: "mass_per_length", limit: $c136});
-const $c98 = $made(Entry, {key: "mass", kind: $c120, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c99 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c121 = $made(ByName, {kind: $c2, most: 200});
-const $c100 = $made(Entry, {key: "sources", kind: $c121, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c1 = [$c81, $c82, $c83, $c84, $c85, $c86, $c87, $c88, $c89, $c90, $c91, $c92, $c93, $c94, $c95, $c96, $c97, $c98, $c99, $c100];
-const $c664 = new Map([["preset", $c81], ["name", $c82], ["kind", $c83], ["width", $c84], ["modulus", $c85], ["rating", $c86], ["strength", $c87], ["speed", $c88], ["momentary_factor", $c89], ["least_pulley_diameter", $c90], ["largest_wrap_pressure", $c91], ["in_plane_shear_stiffness", $c92], ["pulley_cover", $c93], ["carry_cover", $c94], ["carcass", $c95], ["thickness", $c96], ["cover_shear_modulus", $c97], ["mass", $c98], ["provenance", $c99], ["sources", $c100]]);
-const $c5 = $made(Table, {of: Belt, entries: $c1, _known: $c664});
-const $c628 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
-const $c155 = $made(Name, {longest: 60});
-const $c137 = $made(Entry, {key: "name", kind: $c155, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
-const $c667 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c156 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c138 = $made(Entry, {key: "diameter", kind: $c156, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c668 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
-const $c157 = $made(Quantity, {dimension: "angle", limit: $c668});
-const $c139 = $made(Entry, {key: "wrap_angle", kind: $c157, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
-const $c579 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
-const $c676 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c671 = $made(Entry, {key: "x", kind: $c676, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c677 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c672 = $made(Entry, {key: "y", kind: $c677, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c679 = ["clockwise", "counterclockwise"];
-const $c678 = $made(Choice, {options: $c679});
-const $c673 = $made(Entry, {key: "turn", kind: $c678, required: false, alias: "", example: "", attribute: "turn", unless: ""});
-const $c686 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c683 = $made(Entry, {key: "x", kind: $c686, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c687 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c684 = $made(Entry, {key: "y", kind: $c687, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c580 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
-const $c688 = $made(Quantity, {dimension: "length", limit: $c580});
-const $c685 = $made(Entry, {key: "diameter", kind: $c688, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c681 = [$c683, $c684, $c685, $c673];
-const $c682 = new Map([["x", $c683], ["y", $c684], ["diameter", $c685], ["turn", $c673]]);
-const $c680 = $made(Table, {of: Point, entries: $c681, _known: $c682});
-const $c674 = $made(Entry, {key: "before", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
-const $c675 = $made(Entry, {key: "after", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
-const $c669 = [$c671, $c672, $c673, $c674, $c675];
-const $c670 = new Map([["x", $c671], ["y", $c672], ["turn", $c673], ["before", $c674], ["after", $c675]]);
-const $c158 = $made(Table, {of: Point, entries: $c669, _known: $c670});
-const $c140 = $made(Entry, {key: "belt_path", kind: $c158, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
-const $c689 = $made(Name, {longest: 500});
-const $c713 = $made(Name, {longest: 500});
-const $c693 = $made(Entry, {key: "preset", kind: $c713, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c714 = $made(Name, {longest: 60});
-const $c694 = $made(Entry, {key: "name", kind: $c714, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c715 = $made(Text, {longest: 200, lines: false});
-const $c695 = $made(Entry, {key: "title", kind: $c715, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c716 = $made(Text, {longest: 5000, lines: true});
-const $c696 = $made(Entry, {key: "description", kind: $c716, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c598 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c717 = $made(Choice, {options: $c598});
-const $c697 = $made(Entry, {key: "surface", kind: $c717, required: false, alias: "", example: "", attribute: "surface", unless: ""});
-const $c585 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c718 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c698 = $made(Entry, {key: "thickness", kind: $c718, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c588 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
-const $c719 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c699 = $made(Entry, {key: "elastic_modulus", kind: $c719, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c586 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c721 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c720 = $made(WordOr, {word: "rigid", kind: $c721, meaning: Infinity});
-const $c700 = $made(Entry, {key: "shear_modulus", kind: $c720, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c587 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c723 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c722 = $made(WordOr, {word: "rigid", kind: $c723, meaning: Infinity});
-const $c701 = $made(Entry, {key: "compression_modulus", kind: $c722, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c607 = ["square", "strip"];
-const $c731 = $made(Choice, {options: $c607});
-const $c726 = $made(Entry, {key: "shape", kind: $c731, required: false, alias: "", example: "", attribute: "shape", unless: ""});
-const $c733 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
-const $c732 = $made(Quantity, {dimension: "length", limit: $c733});
-const $c727 = $made(Entry, {key: "width", kind: $c732, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c735 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
-const $c734 = $made(Quantity, {dimension: "length", limit: $c735});
-const $c728 = $made(Entry, {key: "height", kind: $c734, required: false, alias: "", example: "", attribute: "height", unless: ""});
-const $c737 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c736 = $made(Quantity, {dimension: "number", limit: $c737});
-const $c729 = $made(Entry, {key: "stiffening", kind: $c736, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
-const $c739 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
-const $c738 = $made(Quantity, {dimension: "number", limit: $c739});
-const $c730 = $made(Entry, {key: "contact_fraction", kind: $c738, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
-const $c724 = [$c726, $c727, $c728, $c729, $c730];
-const $c725 = new Map([["shape", $c726], ["width", $c727], ["height", $c728], ["stiffening", $c729], ["contact_fraction", $c730]]);
-const $c49 = $made(Table, {of: Block, entries: $c724, _known: $c725});
-const $c702 = $made(Entry, {key: "block", kind: $c49, required: false, alias: "", example: "", attribute: "block", unless: ""});
-const $c589 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c740 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c703 = $made(Entry, {key: "wear_coefficient", kind: $c740, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c590 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c741 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c704 = $made(Entry, {key: "belt_energy_share", kind: $c741, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c591 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c742 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c705 = $made(Entry, {key: "bond_strength", kind: $c742, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c592 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c743 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c706 = $made(Entry, {key: "fatigue_limit", kind: $c743, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c752 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c751 = $made(Quantity, {dimension: "number", limit: $c752});
-const $c746 = $made(Entry, {key: "material", kind: $c751, required: true, alias: "", example: "", attribute: "material", unless: ""});
-const $c754 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c753 = $made(Quantity, {dimension: "number", limit: $c754});
-const $c747 = $made(Entry, {key: "installation", kind: $c753, required: true, alias: "", example: "", attribute: "installation", unless: ""});
-const $c755 = $made(Name, {longest: 12});
-const $c748 = $made(Entry, {key: "currency", kind: $c755, required: true, alias: "", example: "", attribute: "currency", unless: ""});
-const $c757 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c756 = $made(Quantity, {dimension: "area", limit: $c757});
-const $c749 = $made(Entry, {key: "area", kind: $c756, required: true, alias: "", example: "", attribute: "area", unless: ""});
-const $c759 = $made(Quantity, {dimension: "number", limit: null});
-const $c758 = $made(Rows, {kind: $c759, least: 2, most: 2});
-const $c750 = $made(Entry, {key: "life_years", kind: $c758, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
-const $c744 = [$c746, $c747, $c748, $c749, $c750];
-const $c745 = new Map([["material", $c746], ["installation", $c747], ["currency", $c748], ["area", $c749], ["life_years", $c750]]);
-const $c46 = $made(Table, {of: Cost, entries: $c744, _known: $c745});
-const $c707 = $made(Entry, {key: "cost", kind: $c46, required: false, alias: "", example: "", attribute: "cost", unless: ""});
-const $c761 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c760 = $made(Quantity, {dimension: "speed", limit: $c761});
-const $c708 = $made(Entry, {key: "slip_speed", kind: $c760, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
-const $c763 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c762 = $made(Quantity, {dimension: "temperature", limit: $c763});
-const $c709 = $made(Entry, {key: "temperature", kind: $c762, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
-const $c770 = $made(Name, {longest: 60});
-const $c767 = $made(Entry, {key: "condition", kind: $c770, required: true, alias: "", example: "", attribute: "condition", unless: ""});
-const $c772 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c771 = $made(Quantity, {dimension: "number", limit: $c772});
-const $c768 = $made(Entry, {key: "factor", kind: $c771, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c769 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c765 = [$c767, $c768, $c769];
-const $c766 = new Map([["condition", $c767], ["factor", $c768], ["provenance", $c769]]);
-const $c50 = $made(Table, {of: ConditionFactor, entries: $c765, _known: $c766});
-const $c764 = $made(Rows, {kind: $c50, least: 0, most: 20});
-const $c710 = $made(Entry, {key: "condition_factor", kind: $c764, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
-const $c800 = ["integral-log"];
-const $c799 = $made(Choice, {options: $c800});
-const $c782 = $made(Entry, {key: "kind", kind: $c799, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c801 = $made(Name, {longest: 60});
-const $c783 = $made(Entry, {key: "condition", kind: $c801, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c784 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c785 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
-const $c814 = $made(Name, {longest: 120});
-const $c813 = $made(Rows, {kind: $c814, least: 1, most: 1000});
-const $c804 = $made(Entry, {key: "parameters", kind: $c813, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
-const $c815 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c805 = $made(Entry, {key: "values", kind: $c815, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c817 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c816 = $made(Rows, {kind: $c817, least: 1, most: 1000});
-const $c806 = $made(Entry, {key: "covariance", kind: $c816, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
-const $c819 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c818 = $made(Quantity, {dimension: "number", limit: $c819});
-const $c807 = $made(Entry, {key: "residual_noise", kind: $c818, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
-const $c821 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c820 = $made(Quantity, {dimension: "number", limit: $c821});
-const $c808 = $made(Entry, {key: "coverage_factor", kind: $c820, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
-const $c822 = $made(Text, {longest: 60, lines: false});
-const $c809 = $made(Entry, {key: "date", kind: $c822, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c823 = $made(Text, {longest: 500, lines: false});
-const $c810 = $made(Entry, {key: "method", kind: $c823, required: false, alias: "", example: "", attribute: "method", unless: ""});
-const $c825 = $made(Text, {longest: 2000, lines: true});
-const $c824 = $made(Rows, {kind: $c825, least: 0, most: 50});
-const $c811 = $made(Entry, {key: "misfit", kind: $c824, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
-const $c826 = $made(Text, {longest: 500, lines: false});
-const $c812 = $made(Entry, {key: "misfit_accepted", kind: $c826, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
-const $c802 = [$c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812];
-const $c803 = new Map([["parameters", $c804], ["values", $c805], ["covariance", $c806], ["residual_noise", $c807], ["coverage_factor", $c808], ["date", $c809], ["method", $c810], ["misfit", $c811], ["misfit_accepted", $c812]]);
-const $c57 = $made(Table, {of: Fit, entries: $c802, _known: $c803});
-const $c786 = $made(Entry, {key: "fit", kind: $c57, required: false, alias: "", example: "", attribute: "fit", unless: ""});
-const $c829 = ["lagging shear", "cover shear"];
-const $c828 = $made(Choice, {options: $c829});
-const $c827 = $made(Rows, {kind: $c828, least: 0, most: 2});
-const $c787 = $made(Entry, {key: "slip_includes", kind: $c827, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
-const $c836 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c835 = $made(Quantity, {dimension: "speed", limit: $c836});
-const $c834 = $made(Rows, {kind: $c835, least: 2, most: 100});
-const $c832 = $made(Entry, {key: "slip_speed", kind: $c834, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c837 = $made(Rows, {kind: $c771, least: 2, most: 100});
-const $c833 = $made(Entry, {key: "factor", kind: $c837, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c830 = [$c832, $c833, $c769];
-const $c831 = new Map([["slip_speed", $c832], ["factor", $c833], ["provenance", $c769]]);
-const $c55 = $made(Table, {of: FrictionFactor, entries: $c830, _known: $c831});
-const $c788 = $made(Entry, {key: "slip_speed_factor", kind: $c55, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
-const $c843 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c842 = $made(Quantity, {dimension: "temperature", limit: $c843});
-const $c841 = $made(Rows, {kind: $c842, least: 2, most: 100});
-const $c840 = $made(Entry, {key: "temperature", kind: $c841, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c838 = [$c840, $c833, $c769];
-const $c839 = new Map([["temperature", $c840], ["factor", $c833], ["provenance", $c769]]);
-const $c56 = $made(Table, {of: FrictionFactor, entries: $c838, _known: $c839});
-const $c789 = $made(Entry, {key: "temperature_factor", kind: $c56, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
-const $c790 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c846 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c845 = $made(Quantity, {dimension: "pressure", limit: $c846});
-const $c844 = $made(Rows, {kind: $c845, least: 2, most: 2});
-const $c791 = $made(Entry, {key: "tested_pressure", kind: $c844, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
-const $c848 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c847 = $made(Quantity, {dimension: "length", limit: $c848});
-const $c792 = $made(Entry, {key: "tested_slip", kind: $c847, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
-const $c850 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c849 = $made(Quantity, {dimension: "speed", limit: $c850});
-const $c793 = $made(Entry, {key: "tested_slip_speed", kind: $c849, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
-const $c855 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c861 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
-const $c860 = $made(Quantity, {dimension: "number", limit: $c861});
-const $c856 = $made(Entry, {key: "peak_friction", kind: $c860, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
-const $c857 = $made(Entry, {key: "peak_slip", kind: $c847, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
-const $c863 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
-const $c862 = $made(Quantity, {dimension: "per_length", limit: $c863});
-const $c858 = $made(Entry, {key: "post_peak_slope", kind: $c862, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c859 = $made(Entry, {key: "residual_friction", kind: $c860, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c853 = [$c855, $c856, $c857, $c858, $c859];
-const $c854 = new Map([["pressure", $c855], ["peak_friction", $c856], ["peak_slip", $c857], ["post_peak_slope", $c858], ["residual_friction", $c859]]);
-const $c852 = $made(Table, {of: null, entries: $c853, _known: $c854});
-const $c851 = $made(Rows, {kind: $c852, least: 1, most: 200});
-const $c794 = $made(Entry, {key: "knots", kind: $c851, required: false, alias: "", example: "", attribute: "knots", unless: ""});
-const $c868 = $made(Entry, {key: "from", kind: $c845, required: true, alias: "", example: "", attribute: "from", unless: ""});
-const $c869 = $made(Entry, {key: "to", kind: $c845, required: true, alias: "", example: "", attribute: "to", unless: ""});
-const $c874 = $made(Text, {longest: 300, lines: false});
-const $c870 = $made(Entry, {key: "A", kind: $c874, required: true, alias: "", example: "", attribute: "A", unless: ""});
-const $c871 = $made(Entry, {key: "b", kind: $c874, required: true, alias: "", example: "", attribute: "b", unless: ""});
-const $c872 = $made(Entry, {key: "post_peak_slope", kind: $c874, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c873 = $made(Entry, {key: "residual_friction", kind: $c874, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c866 = [$c868, $c869, $c870, $c871, $c872, $c873];
-const $c867 = new Map([["from", $c868], ["to", $c869], ["A", $c870], ["b", $c871], ["post_peak_slope", $c872], ["residual_friction", $c873]]);
-const $c865 = $made(Table, {of: null, entries: $c866, _known: $c867});
-const $c864 = $made(Rows, {kind: $c865, least: 1, most: 50});
-const $c795 = $made(Entry, {key: "pieces", kind: $c864, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
-const $c875 = $made(Text, {longest: 20, lines: false});
-const $c796 = $made(Entry, {key: "slip_unit", kind: $c875, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
-const $c876 = $made(Text, {longest: 20, lines: false});
-const $c797 = $made(Entry, {key: "pressure_unit", kind: $c876, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
-const $c878 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c877 = $made(Quantity, {dimension: "number", limit: $c878});
-const $c798 = $made(Entry, {key: "continuity", kind: $c877, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
-const $c780 = [$c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c796, $c797, $c798];
-const $c781 = new Map([["kind", $c782], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["knots", $c794], ["pieces", $c795], ["slip_unit", $c796], ["pressure_unit", $c797], ["continuity", $c798]]);
-const $c775 = $made(Table, {of: IntegralLog, entries: $c780, _known: $c781});
-const $c884 = ["constant"];
-const $c883 = $made(Choice, {options: $c884});
-const $c881 = $made(Entry, {key: "kind", kind: $c883, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c882 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c879 = [$c881, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c882];
-const $c880 = new Map([["kind", $c881], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c882]]);
-const $c776 = $made(Table, {of: Constant, entries: $c879, _known: $c880});
-const $c890 = ["elastic-plastic"];
-const $c889 = $made(Choice, {options: $c890});
-const $c887 = $made(Entry, {key: "kind", kind: $c889, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c892 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
-const $c891 = $made(Quantity, {dimension: "pressure_per_length", limit: $c892});
-const $c888 = $made(Entry, {key: "stiffness", kind: $c891, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
-const $c885 = [$c887, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c888, $c882];
-const $c886 = new Map([["kind", $c887], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["stiffness", $c888], ["friction", $c882]]);
-const $c777 = $made(Table, {of: ElasticPlastic, entries: $c885, _known: $c886});
-const $c900 = ["power"];
-const $c899 = $made(Choice, {options: $c900});
-const $c895 = $made(Entry, {key: "kind", kind: $c899, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c896 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c897 = $made(Entry, {key: "reference_pressure", kind: $c845, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
-const $c898 = $made(Entry, {key: "exponent", kind: $c759, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
-const $c893 = [$c895, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c896, $c897, $c898];
-const $c894 = new Map([["kind", $c895], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c896], ["reference_pressure", $c897], ["exponent", $c898]]);
-const $c778 = $made(Table, {of: PressurePower, entries: $c893, _known: $c894});
-const $c907 = ["table"];
-const $c906 = $made(Choice, {options: $c907});
-const $c903 = $made(Entry, {key: "kind", kind: $c906, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c910 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c909 = $made(Quantity, {dimension: "length", limit: $c910});
-const $c908 = $made(Rows, {kind: $c909, least: 2, most: 1000});
-const $c904 = $made(Entry, {key: "slip", kind: $c908, required: true, alias: "", example: "", attribute: "slip", unless: ""});
-const $c915 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c919 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
-const $c918 = $made(Quantity, {dimension: "number", limit: $c919});
-const $c917 = $made(Rows, {kind: $c918, least: 2, most: 1000});
-const $c916 = $made(Entry, {key: "friction", kind: $c917, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c913 = [$c915, $c916];
-const $c914 = new Map([["pressure", $c915], ["friction", $c916]]);
-const $c912 = $made(Table, {of: null, entries: $c913, _known: $c914});
-const $c911 = $made(Rows, {kind: $c912, least: 1, most: 200});
-const $c905 = $made(Entry, {key: "rows", kind: $c911, required: true, alias: "", example: "", attribute: "rows", unless: ""});
-const $c901 = [$c903, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c904, $c905];
-const $c902 = new Map([["kind", $c903], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["slip", $c904], ["rows", $c905]]);
-const $c779 = $made(Table, {of: MeasuredTable, entries: $c901, _known: $c902});
-const $c774 = new Map([["integral-log", $c775], ["constant", $c776], ["elastic-plastic", $c777], ["power", $c778], ["table", $c779]]);
-const $c53 = $made(Variant, {tag: "kind", tables: $c774});
-const $c773 = $made(OneOrMore, {kind: $c53, most: 50});
-const $c711 = $made(Entry, {key: "law", kind: $c773, required: false, alias: "", example: "", attribute: "law", unless: ""});
-const $c712 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c691 = [$c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c692 = new Map([["preset", $c693], ["name", $c694], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c698], ["elastic_modulus", $c699], ["shear_modulus", $c700], ["compression_modulus", $c701], ["block", $c702], ["wear_coefficient", $c703], ["belt_energy_share", $c704], ["bond_strength", $c705], ["fatigue_limit", $c706], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c690 = $made(Table, {of: Lagging, entries: $c691, _known: $c692});
-const $c159 = $made(TextOr, {text: $c689, table: $c690});
-const $c141 = $made(Entry, {key: "lagging", kind: $c159, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
-const $c142 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c581 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c161 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c143 = $made(Entry, {key: "entry_tension", kind: $c161, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c144 = $made(Entry, {key: "exit_tension", kind: $c161, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c162 = $made(Quantity, {dimension: "force", limit: null});
-const $c145 = $made(Entry, {key: "effective_tension", kind: $c162, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c163 = $made(Quantity, {dimension: "torque", limit: null});
-const $c146 = $made(Entry, {key: "torque", kind: $c163, required: false, alias: "", example: "", attribute: "torque", unless: ""});
-const $c164 = $made(Quantity, {dimension: "power", limit: null});
-const $c147 = $made(Entry, {key: "power", kind: $c164, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c920 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
-const $c166 = $made(Quantity, {dimension: "length", limit: $c920});
-const $c165 = $made(WordOr, {word: "formula", kind: $c166, meaning: null});
-const $c148 = $made(Entry, {key: "overrun", kind: $c165, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
-const $c167 = $made(Flag, {});
-const $c149 = $made(Entry, {key: "recovery", kind: $c167, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
-const $c921 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c168 = $made(Quantity, {dimension: "length", limit: $c921});
-const $c150 = $made(Entry, {key: "creep_limit", kind: $c168, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c604 = ["pulley", "carry"];
-const $c169 = $made(Choice, {options: $c604});
-const $c151 = $made(Entry, {key: "side", kind: $c169, required: false, alias: "", example: "", attribute: "side", unless: ""});
-const $c922 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c170 = $made(Quantity, {dimension: "mass", limit: $c922});
-const $c152 = $made(Entry, {key: "mass", kind: $c170, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c1357 = $made(Quantity, {dimension: "length", limit: null});
-const $c1358 = $made(Quantity, {dimension: "length", limit: null});
-const $c1356 = [$c1357, $c1358];
-const $c1283 = $made(_Pair, {kinds: $c1356});
-const $c1281 = $made(Rows, {kind: $c1283, least: 0, most: 500});
-const $c1287 = $made(Entry, {key: "rows", kind: $c1281, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1292 = $made(Quantity, {dimension: "length", limit: null});
-const $c1288 = $made(Entry, {key: "crown", kind: $c1292, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1294 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1293 = $made(Quantity, {dimension: "number", limit: $c1294});
-const $c1289 = $made(Entry, {key: "factor", kind: $c1293, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1296 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1295 = $made(Quantity, {dimension: "length", limit: $c1296});
-const $c1290 = $made(Entry, {key: "uncertainty", kind: $c1295, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1298 = ["radius", "diameter"];
-const $c1297 = $made(Choice, {options: $c1298});
-const $c1291 = $made(Entry, {key: "on", kind: $c1297, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1285 = [$c1287, $c1288, $c1289, $c1290, $c1291];
-const $c1286 = new Map([["rows", $c1287], ["crown", $c1288], ["factor", $c1289], ["uncertainty", $c1290], ["on", $c1291]]);
-const $c1284 = $made(Table, {of: null, entries: $c1285, _known: $c1286});
-const $c1282 = $made(TextOr, {text: $c1281, table: $c1284});
-const $c934 = $made(Profile, {dimension: "length", diameters: true, rows: $c1281, within: $c1282});
-const $c925 = $made(Entry, {key: "shell_profile", kind: $c934, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
-const $c1360 = $made(Quantity, {dimension: "length", limit: null});
-const $c1361 = $made(Quantity, {dimension: "length", limit: null});
-const $c1359 = [$c1360, $c1361];
-const $c1301 = $made(_Pair, {kinds: $c1359});
-const $c1299 = $made(Rows, {kind: $c1301, least: 0, most: 500});
-const $c1305 = $made(Entry, {key: "rows", kind: $c1299, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1310 = $made(Quantity, {dimension: "length", limit: null});
-const $c1306 = $made(Entry, {key: "crown", kind: $c1310, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1312 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1311 = $made(Quantity, {dimension: "number", limit: $c1312});
-const $c1307 = $made(Entry, {key: "factor", kind: $c1311, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1314 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1313 = $made(Quantity, {dimension: "length", limit: $c1314});
-const $c1308 = $made(Entry, {key: "uncertainty", kind: $c1313, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1315 = $made(Choice, {options: $c1298});
-const $c1309 = $made(Entry, {key: "on", kind: $c1315, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1303 = [$c1305, $c1306, $c1307, $c1308, $c1309];
-const $c1304 = new Map([["rows", $c1305], ["crown", $c1306], ["factor", $c1307], ["uncertainty", $c1308], ["on", $c1309]]);
-const $c1302 = $made(Table, {of: null, entries: $c1303, _known: $c1304});
-const $c1300 = $made(TextOr, {text: $c1299, table: $c1302});
-const $c935 = $made(Profile, {dimension: "length", diameters: true, rows: $c1299, within: $c1300});
-const $c926 = $made(Entry, {key: "worn_depth", kind: $c935, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
-const $c1363 = $made(Quantity, {dimension: "length", limit: null});
-const $c1364 = $made(Quantity, {dimension: "length", limit: null});
-const $c1362 = [$c1363, $c1364];
-const $c1318 = $made(_Pair, {kinds: $c1362});
-const $c1316 = $made(Rows, {kind: $c1318, least: 0, most: 500});
-const $c1322 = $made(Entry, {key: "rows", kind: $c1316, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1327 = $made(Quantity, {dimension: "length", limit: null});
-const $c1323 = $made(Entry, {key: "crown", kind: $c1327, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1329 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1328 = $made(Quantity, {dimension: "number", limit: $c1329});
-const $c1324 = $made(Entry, {key: "factor", kind: $c1328, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1331 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1330 = $made(Quantity, {dimension: "length", limit: $c1331});
-const $c1325 = $made(Entry, {key: "uncertainty", kind: $c1330, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1332 = $made(Choice, {options: $c1298});
-const $c1326 = $made(Entry, {key: "on", kind: $c1332, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1320 = [$c1322, $c1323, $c1324, $c1325, $c1326];
-const $c1321 = new Map([["rows", $c1322], ["crown", $c1323], ["factor", $c1324], ["uncertainty", $c1325], ["on", $c1326]]);
-const $c1319 = $made(Table, {of: null, entries: $c1320, _known: $c1321});
-const $c1317 = $made(TextOr, {text: $c1316, table: $c1319});
-const $c936 = $made(Profile, {dimension: "length", diameters: true, rows: $c1316, within: $c1317});
-const $c927 = $made(Entry, {key: "build_up", kind: $c936, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
-const $c938 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c937 = $made(Quantity, {dimension: "number", limit: $c938});
-const $c928 = $made(Entry, {key: "misalignment", kind: $c937, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
-const $c940 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c939 = $made(Quantity, {dimension: "length", limit: $c940});
-const $c929 = $made(Entry, {key: "deflection", kind: $c939, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
-const $c1366 = $made(Quantity, {dimension: "length", limit: null});
-const $c1367 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1365 = [$c1366, $c1367];
-const $c1335 = $made(_Pair, {kinds: $c1365});
-const $c1333 = $made(Rows, {kind: $c1335, least: 0, most: 500});
-const $c1339 = $made(Entry, {key: "rows", kind: $c1333, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1343 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1340 = $made(Entry, {key: "crown", kind: $c1343, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1345 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1344 = $made(Quantity, {dimension: "number", limit: $c1345});
-const $c1341 = $made(Entry, {key: "factor", kind: $c1344, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1347 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1346 = $made(Quantity, {dimension: "force_per_width", limit: $c1347});
-const $c1342 = $made(Entry, {key: "uncertainty", kind: $c1346, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1337 = [$c1339, $c1340, $c1341, $c1342];
-const $c1338 = new Map([["rows", $c1339], ["crown", $c1340], ["factor", $c1341], ["uncertainty", $c1342]]);
-const $c1336 = $made(Table, {of: null, entries: $c1337, _known: $c1338});
-const $c1334 = $made(TextOr, {text: $c1333, table: $c1336});
-const $c941 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1333, within: $c1334});
-const $c930 = $made(Entry, {key: "entry_profile", kind: $c941, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
-const $c951 = ["pulley"];
-const $c950 = $made(Choice, {options: $c951});
-const $c948 = $made(Entry, {key: "kind", kind: $c950, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c953 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c952 = $made(Quantity, {dimension: "length", limit: $c953});
-const $c949 = $made(Entry, {key: "distance", kind: $c952, required: true, alias: "", example: "", attribute: "distance", unless: ""});
-const $c946 = [$c948, $c949];
-const $c947 = new Map([["kind", $c948], ["distance", $c949]]);
-const $c944 = $made(Table, {of: GrippingPulley, entries: $c946, _known: $c947});
-const $c962 = ["transition"];
-const $c961 = $made(Choice, {options: $c962});
-const $c956 = $made(Entry, {key: "kind", kind: $c961, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c964 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c963 = $made(Quantity, {dimension: "length", limit: $c964});
-const $c957 = $made(Entry, {key: "length", kind: $c963, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
-const $c966 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
-const $c965 = $made(Quantity, {dimension: "angle", limit: $c966});
-const $c958 = $made(Entry, {key: "trough_angle", kind: $c965, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
-const $c968 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c967 = $made(Quantity, {dimension: "length", limit: $c968});
-const $c959 = $made(Entry, {key: "centre_roll", kind: $c967, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
-const $c970 = ["full", "half"];
-const $c969 = $made(Choice, {options: $c970});
-const $c960 = $made(Entry, {key: "depth", kind: $c969, required: false, alias: "", example: "", attribute: "depth", unless: ""});
-const $c954 = [$c956, $c957, $c958, $c959, $c960];
-const $c955 = new Map([["kind", $c956], ["length", $c957], ["trough_angle", $c958], ["centre_roll", $c959], ["depth", $c960]]);
-const $c945 = $made(Table, {of: Transition, entries: $c954, _known: $c955});
-const $c943 = new Map([["pulley", $c944], ["transition", $c945]]);
-const $c29 = $made(Variant, {tag: "kind", tables: $c943});
-const $c942 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
-const $c931 = $made(Entry, {key: "before", kind: $c942, required: false, alias: "", example: "", attribute: "before", unless: ""});
-const $c978 = ["pulley"];
-const $c977 = $made(Choice, {options: $c978});
-const $c976 = $made(Entry, {key: "kind", kind: $c977, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c974 = [$c976, $c949];
-const $c975 = new Map([["kind", $c976], ["distance", $c949]]);
-const $c973 = $made(Table, {of: GrippingPulley, entries: $c974, _known: $c975});
-const $c972 = new Map([["pulley", $c973]]);
-const $c30 = $made(Variant, {tag: "kind", tables: $c972});
-const $c971 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
-const $c932 = $made(Entry, {key: "after", kind: $c971, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c979 = $made(Count, {least: 4, most: 128});
-const $c933 = $made(Entry, {key: "strips", kind: $c979, required: false, alias: "", example: "", attribute: "strips", unless: ""});
-const $c923 = [$c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932, $c933];
-const $c924 = new Map([["shell_profile", $c925], ["worn_depth", $c926], ["build_up", $c927], ["misalignment", $c928], ["deflection", $c929], ["entry_profile", $c930], ["before", $c931], ["after", $c932], ["strips", $c933]]);
-const $c31 = $made(Table, {of: Across, entries: $c923, _known: $c924});
-const $c153 = $made(Entry, {key: "across", kind: $c31, required: false, alias: "", example: "", attribute: "across", unless: ""});
-const $c171 = $made(ByName, {kind: $c2, most: 200});
-const $c154 = $made(Entry, {key: "sources", kind: $c171, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c9 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
-const $c666 = new Map([["name", $c137], ["diameter", $c138], ["wrap_angle", $c139], ["belt_path", $c140], ["lagging", $c141], ["condition", $c142], ["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147], ["overrun", $c148], ["recovery", $c149], ["creep_limit", $c150], ["side", $c151], ["mass", $c152], ["across", $c153], ["sources", $c154]]);
-const $c32 = $made(Table, {of: Pulley, entries: $c9, _known: $c666});
-const $c665 = $made(Rows, {kind: $c32, least: 1, most: 10});
-const $c629 = $made(Entry, {key: "pulley", kind: $c665, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
-const $c980 = $made(ByName, {kind: $c690, most: 200});
-const $c630 = $made(Entry, {key: "lagging", kind: $c980, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
-const $c991 = $made(Name, {longest: 60});
-const $c985 = $made(Entry, {key: "name", kind: $c991, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
-const $c992 = $made(Text, {longest: 1000, lines: true});
-const $c986 = $made(Entry, {key: "description", kind: $c992, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c63 = ["running", "starting", "braking"];
-const $c993 = $made(Choice, {options: $c63});
-const $c987 = $made(Entry, {key: "kind", kind: $c993, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c988 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c996 = [$c143, $c144, $c145, $c146, $c147];
-const $c997 = new Map([["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147]]);
-const $c995 = $made(Table, {of: null, entries: $c996, _known: $c997});
-const $c994 = $made(ByName, {kind: $c995, most: 200});
-const $c989 = $made(Entry, {key: "pulley", kind: $c994, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
-const $c998 = $made(Elsewhere, {});
-const $c990 = $made(Entry, {key: "train", kind: $c998, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c983 = [$c985, $c986, $c987, $c988, $c989, $c990];
-const $c984 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c990]]);
-const $c982 = $made(Table, {of: null, entries: $c983, _known: $c984});
-const $c981 = $made(Rows, {kind: $c982, least: 1, most: 1000});
-const $c631 = $made(Entry, {key: "load_case", kind: $c981, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1021 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1020 = $made(Quantity, {dimension: "length", limit: $c1021});
-const $c1001 = $made(Entry, {key: "length", kind: $c1020, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
-const $c1023 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
-const $c1022 = $made(Quantity, {dimension: "length", limit: $c1023});
-const $c1002 = $made(Entry, {key: "lift", kind: $c1022, required: false, alias: "", example: "", attribute: "lift", unless: ""});
-const $c1025 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1024 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1003 = $made(Entry, {key: "belt_mass", kind: $c1024, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
-const $c1027 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1026 = $made(Quantity, {dimension: "mass_per_length", limit: $c1027});
-const $c1004 = $made(Entry, {key: "carry_idler_mass", kind: $c1026, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
-const $c1029 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1028 = $made(Quantity, {dimension: "mass_per_length", limit: $c1029});
-const $c1005 = $made(Entry, {key: "return_idler_mass", kind: $c1028, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
-const $c1030 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1006 = $made(Entry, {key: "material_mass", kind: $c1030, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
-const $c1032 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1031 = $made(Quantity, {dimension: "mass_flow", limit: $c1032});
-const $c1007 = $made(Entry, {key: "capacity", kind: $c1031, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
-const $c1034 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
-const $c1033 = $made(Quantity, {dimension: "number", limit: $c1034});
-const $c1008 = $made(Entry, {key: "friction_factor", kind: $c1033, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
-const $c1036 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1035 = $made(Quantity, {dimension: "number", limit: $c1036});
-const $c1009 = $made(Entry, {key: "length_coefficient", kind: $c1035, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
-const $c1038 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
-const $c1037 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1010 = $made(Entry, {key: "secondary_resistance", kind: $c1037, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
-const $c1039 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1011 = $made(Entry, {key: "special_resistance", kind: $c1039, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
-const $c1041 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c1040 = $made(Quantity, {dimension: "number", limit: $c1041});
-const $c1012 = $made(Entry, {key: "return_share", kind: $c1040, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
-const $c1043 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
-const $c1042 = $made(Quantity, {dimension: "number", limit: $c1043});
-const $c1013 = $made(Entry, {key: "start_factor", kind: $c1042, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1045 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
-const $c1044 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1014 = $made(Entry, {key: "start_time", kind: $c1044, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
-const $c1046 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1015 = $made(Entry, {key: "stop_time", kind: $c1046, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
-const $c1048 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
-const $c1047 = $made(Quantity, {dimension: "force", limit: $c1048});
-const $c1016 = $made(Entry, {key: "take_up_tension", kind: $c1047, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
-const $c1050 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
-const $c1049 = $made(Quantity, {dimension: "mass", limit: $c1050});
-const $c1017 = $made(Entry, {key: "counterweight", kind: $c1049, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
-const $c1052 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
-const $c1051 = $made(Quantity, {dimension: "length", limit: $c1052});
-const $c1018 = $made(Entry, {key: "take_up_distance", kind: $c1051, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
-const $c605 = ["head", "tail"];
-const $c1053 = $made(Choice, {options: $c605});
-const $c1019 = $made(Entry, {key: "drive_at", kind: $c1053, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
-const $c999 = [$c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018, $c1019];
-const $c1000 = new Map([["length", $c1001], ["lift", $c1002], ["belt_mass", $c1003], ["carry_idler_mass", $c1004], ["return_idler_mass", $c1005], ["material_mass", $c1006], ["capacity", $c1007], ["friction_factor", $c1008], ["length_coefficient", $c1009], ["secondary_resistance", $c1010], ["special_resistance", $c1011], ["return_share", $c1012], ["start_factor", $c1013], ["start_time", $c1014], ["stop_time", $c1015], ["take_up_tension", $c1016], ["counterweight", $c1017], ["take_up_distance", $c1018], ["drive_at", $c1019]]);
-const $c38 = $made(Table, {of: Conveyor, entries: $c999, _known: $c1000});
-const $c632 = $made(Entry, {key: "conveyor", kind: $c38, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
-const $c599 = ["gravity", "winch", "fixed"];
-const $c1059 = $made(Choice, {options: $c599});
-const $c1056 = $made(Entry, {key: "kind", kind: $c1059, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c594 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c1060 = $made(Quantity, {dimension: "number", limit: $c594});
-const $c1057 = $made(Entry, {key: "sheave_ratio", kind: $c1060, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
-const $c1061 = $made(Name, {longest: 60});
-const $c1058 = $made(Entry, {key: "after", kind: $c1061, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c1054 = [$c1056, $c1057, $c1058];
-const $c1055 = new Map([["kind", $c1056], ["sheave_ratio", $c1057], ["after", $c1058]]);
-const $c500 = $made(Table, {of: TakeUp, entries: $c1054, _known: $c1055});
-const $c496 = $made(Entry, {key: "take_up", kind: $c500, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
-const $c600 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1069 = $made(Choice, {options: $c600});
-const $c1064 = $made(Entry, {key: "name", kind: $c1069, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c601 = ["dry", "wet", "wet and dirty"];
-const $c1070 = $made(Choice, {options: $c601});
-const $c1065 = $made(Entry, {key: "condition", kind: $c1070, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c595 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
-const $c1071 = $made(Quantity, {dimension: "number", limit: $c595});
-const $c1066 = $made(Entry, {key: "friction", kind: $c1071, required: false, alias: "", example: "", attribute: "friction", unless: ""});
-const $c596 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1072 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1067 = $made(Entry, {key: "start_factor", kind: $c1072, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1073 = $made(Flag, {});
-const $c1068 = $made(Entry, {key: "binding", kind: $c1073, required: false, alias: "", example: "", attribute: "binding", unless: ""});
-const $c1062 = [$c1064, $c1065, $c1066, $c1067, $c1068];
-const $c1063 = new Map([["name", $c1064], ["condition", $c1065], ["friction", $c1066], ["start_factor", $c1067], ["binding", $c1068]]);
-const $c501 = $made(Table, {of: DesignStandard, entries: $c1062, _known: $c1063});
-const $c497 = $made(Entry, {key: "design_standard", kind: $c501, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c1080 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1076 = $made(Entry, {key: "running", kind: $c1080, required: false, alias: "", example: "", attribute: "running", unless: ""});
-const $c1081 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1077 = $made(Entry, {key: "starting", kind: $c1081, required: false, alias: "", example: "", attribute: "starting", unless: ""});
-const $c1082 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1078 = $made(Entry, {key: "braking", kind: $c1082, required: false, alias: "", example: "", attribute: "braking", unless: ""});
-const $c1083 = $made(Text, {longest: 500, lines: false});
-const $c1079 = $made(Entry, {key: "source", kind: $c1083, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c1074 = [$c1076, $c1077, $c1078, $c1079];
-const $c1075 = new Map([["running", $c1076], ["starting", $c1077], ["braking", $c1078], ["source", $c1079]]);
-const $c502 = $made(Table, {of: SafetyFactors, entries: $c1074, _known: $c1075});
-const $c498 = $made(Entry, {key: "safety_factor", kind: $c502, required: false, alias: "", example: "", attribute: "safety", unless: ""});
-const $c1090 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
-const $c1089 = $made(Quantity, {dimension: "length", limit: $c1090});
-const $c1086 = $made(Entry, {key: "idler_spacing", kind: $c1089, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
-const $c1092 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1091 = $made(Quantity, {dimension: "mass_per_length", limit: $c1092});
-const $c1087 = $made(Entry, {key: "line_mass", kind: $c1091, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
-const $c1094 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
-const $c1093 = $made(Quantity, {dimension: "number", limit: $c1094});
-const $c1088 = $made(Entry, {key: "share", kind: $c1093, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1084 = [$c1086, $c1087, $c1088];
-const $c1085 = new Map([["idler_spacing", $c1086], ["line_mass", $c1087], ["share", $c1088]]);
-const $c503 = $made(Table, {of: Sag, entries: $c1084, _known: $c1085});
-const $c499 = $made(Entry, {key: "sag", kind: $c503, required: false, alias: "", example: "", attribute: "sag", unless: ""});
-const $c1095 = $made(Elsewhere, {});
-const $c633 = $made(Entry, {key: "train", kind: $c1095, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1096 = $made(Elsewhere, {});
-const $c634 = $made(Entry, {key: "motion", kind: $c1096, required: false, alias: "", example: "", attribute: "motion", unless: ""});
-const $c621 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c496, $c497, $c498, $c499, $c633, $c634];
-const $c622 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c631], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c633], ["motion", $c634]]);
-const $c0 = $made(Table, {of: Drive, entries: $c621, _known: $c622});
+const $c749 = $made(Quantity, {dimension: "number", limit: null});
+const $c737 = $made(Entry, {key: "format", kind: $c749, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
+const $c750 = $made(Text, {longest: 200, lines: false});
+const $c738 = $made(Entry, {key: "title", kind: $c750, required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c751 = $made(Text, {longest: 5000, lines: true});
+const $c739 = $made(Entry, {key: "description", kind: $c751, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c686 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c752 = $made(Quantity, {dimension: "length", limit: $c686});
+const $c740 = $made(Entry, {key: "creep_limit", kind: $c752, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c754 = $made(Name, {longest: 60});
+const $c762 = $made(Name, {longest: 60});
+const $c757 = $made(Entry, {key: "name", kind: $c762, required: true, alias: "", example: "", attribute: "name", unless: ""});
+const $c682 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
+const $c763 = $made(Quantity, {dimension: "number", limit: $c682});
+const $c758 = $made(Entry, {key: "friction_factor", kind: $c763, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c764 = $made(ByName, {kind: $c763, most: 200});
+const $c759 = $made(Entry, {key: "friction_factors", kind: $c764, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
+const $c766 = ["DIN 22101", "practice"];
+const $c765 = $made(Choice, {options: $c766});
+const $c760 = $made(Entry, {key: "standard", kind: $c765, required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c774 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c773 = $made(Choice, {options: $c774});
+const $c769 = $made(Entry, {key: "kind", kind: $c773, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c775 = $made(Text, {longest: 500, lines: false});
+const $c770 = $made(Entry, {key: "source", kind: $c775, required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c776 = $made(Text, {longest: 60, lines: false});
+const $c771 = $made(Entry, {key: "date", kind: $c776, required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c777 = $made(Text, {longest: 1000, lines: false});
+const $c772 = $made(Entry, {key: "note", kind: $c777, required: false, alias: "", example: "", attribute: "note", unless: ""});
+const $c767 = [$c769, $c770, $c771, $c772];
+const $c768 = new Map([["kind", $c769], ["source", $c770], ["date", $c771], ["note", $c772]]);
+const $c2 = $made(tables$Table, {of: Provenance, entries: $c767, _known: $c768});
+const $c761 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c755 = [$c757, $c758, $c759, $c760, $c761];
+const $c756 = new Map([["name", $c757], ["friction_factor", $c758], ["friction_factors", $c759], ["standard", $c760], ["provenance", $c761]]);
+const $c8 = $made(tables$Table, {of: Condition, entries: $c755, _known: $c756});
+const $c185 = $made(TextOr, {text: $c754, table: $c8});
+const $c753 = $made(OneOrMore, {kind: $c185, most: 8});
+const $c741 = $made(Entry, {key: "condition", kind: $c753, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c124 = $made(Name, {longest: 60});
+const $c104 = $made(Entry, {key: "preset", kind: $c124, required: false, alias: "", example: "", attribute: "preset", unless: ""});
+const $c125 = $made(Name, {longest: 60});
+const $c105 = $made(Entry, {key: "name", kind: $c125, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c126 = $made(Text, {longest: 60, lines: false});
+const $c106 = $made(Entry, {key: "kind", kind: $c126, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c128 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c127 = $made(Quantity, {dimension: "length", limit: $c128});
+const $c107 = $made(Entry, {key: "width", kind: $c127, required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c131 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c130 = $made(Quantity, {dimension: "force_per_width", limit: $c131});
+const $c129 = $made(WordOr, {word: "rigid", kind: $c130, meaning: Infinity});
+const $c108 = $made(Entry, {key: "modulus", kind: $c129, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
+const $c133 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c132 = $made(Quantity, {dimension: "force_per_width", limit: $c133});
+const $c109 = $made(Entry, {key: "rating", kind: $c132, required: false, alias: "", example: "", attribute: "rating", unless: ""});
+const $c135 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c134 = $made(Quantity, {dimension: "force_per_width", limit: $c135});
+const $c110 = $made(Entry, {key: "strength", kind: $c134, required: false, alias: "", example: "", attribute: "strength", unless: ""});
+const $c137 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c136 = $made(Quantity, {dimension: "speed", limit: $c137});
+const $c111 = $made(Entry, {key: "speed", kind: $c136, required: false, alias: "", example: "", attribute: "speed", unless: ""});
+const $c139 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c138 = $made(Quantity, {dimension: "number", limit: $c139});
+const $c112 = $made(Entry, {key: "momentary_factor", kind: $c138, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
+const $c141 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c140 = $made(Quantity, {dimension: "length", limit: $c141});
+const $c113 = $made(Entry, {key: "least_pulley_diameter", kind: $c140, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
+const $c143 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c142 = $made(Quantity, {dimension: "pressure", limit: $c143});
+const $c114 = $made(Entry, {key: "largest_wrap_pressure", kind: $c142, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
+const $c145 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
+const $c144 = $made(Quantity, {dimension: "force_per_width", limit: $c145});
+const $c115 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c144, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
+const $c147 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c146 = $made(Quantity, {dimension: "length", limit: $c147});
+const $c116 = $made(Entry, {key: "pulley_cover", kind: $c146, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
+const $c149 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c148 = $made(Quantity, {dimension: "length", limit: $c149});
+const $c117 = $made(Entry, {key: "carry_cover", kind: $c148, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
+const $c151 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
+const $c150 = $made(Quantity, {dimension: "length", limit: $c151});
+const $c118 = $made(Entry, {key: "carcass", kind: $c150, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
+const $c153 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
+const $c152 = $made(Quantity, {dimension: "length", limit: $c153});
+const $c119 = $made(Entry, {key: "thickness", kind: $c152, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c156 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
+const $c155 = $made(Quantity, {dimension: "pressure", limit: $c156});
+const $c154 = $made(WordOr, {word: "rigid", kind: $c155, meaning: Infinity});
+const $c120 = $made(Entry, {key: "cover_shear_modulus", kind: $c154, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
+const $c158 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c157 = $made(Quantity, {dimension: "mass_per_length", limit: $c158});
+const $c121 = $made(Entry, {key: "mass", kind: $c157, required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c122 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c159 = $made(ByName, {kind: $c2, most: 200});
+const $c123 = $made(Entry, {key: "sources", kind: $c159, required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c1 = [$c104, $c105, $c106, $c107, $c108, $c109, $c110, $c111, $c112, $c113, $c114, $c115, $c116, $c117, $c118, $c119, $c120, $c121, $c122, $c123];
+const $c778 = new Map([["preset", $c104], ["name", $c105], ["kind", $c106], ["width", $c107], ["modulus", $c108], ["rating", $c109], ["strength", $c110], ["speed", $c111], ["momentary_factor", $c112], ["least_pulley_diameter", $c113], ["largest_wrap_pressure", $c114], ["in_plane_shear_stiffness", $c115], ["pulley_cover", $c116], ["carry_cover", $c117], ["carcass", $c118], ["thickness", $c119], ["cover_shear_modulus", $c120], ["mass", $c121], ["provenance", $c122], ["sources", $c123]]);
+const $c5 = $made(tables$Table, {of: Belt, entries: $c1, _known: $c778});
+const $c742 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
+const $c178 = $made(Name, {longest: 60});
+const $c160 = $made(Entry, {key: "name", kind: $c178, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
+const $c180 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c179 = $made(Quantity, {dimension: "length", limit: $c180});
+const $c161 = $made(Entry, {key: "diameter", kind: $c179, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c182 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
+const $c181 = $made(Quantity, {dimension: "angle", limit: $c182});
+const $c162 = $made(Entry, {key: "wrap_angle", kind: $c181, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
+const $c683 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
+const $c788 = $made(Quantity, {dimension: "length", limit: $c683});
+const $c783 = $made(Entry, {key: "x", kind: $c788, required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c789 = $made(Quantity, {dimension: "length", limit: $c683});
+const $c784 = $made(Entry, {key: "y", kind: $c789, required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c791 = ["clockwise", "counterclockwise"];
+const $c790 = $made(Choice, {options: $c791});
+const $c785 = $made(Entry, {key: "turn", kind: $c790, required: false, alias: "", example: "", attribute: "turn", unless: ""});
+const $c798 = $made(Quantity, {dimension: "length", limit: $c683});
+const $c795 = $made(Entry, {key: "x", kind: $c798, required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c799 = $made(Quantity, {dimension: "length", limit: $c683});
+const $c796 = $made(Entry, {key: "y", kind: $c799, required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c684 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
+const $c800 = $made(Quantity, {dimension: "length", limit: $c684});
+const $c797 = $made(Entry, {key: "diameter", kind: $c800, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c793 = [$c795, $c796, $c797, $c785];
+const $c794 = new Map([["x", $c795], ["y", $c796], ["diameter", $c797], ["turn", $c785]]);
+const $c792 = $made(tables$Table, {of: Point, entries: $c793, _known: $c794});
+const $c786 = $made(Entry, {key: "before", kind: $c792, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
+const $c787 = $made(Entry, {key: "after", kind: $c792, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
+const $c781 = [$c783, $c784, $c785, $c786, $c787];
+const $c782 = new Map([["x", $c783], ["y", $c784], ["turn", $c785], ["before", $c786], ["after", $c787]]);
+const $c183 = $made(tables$Table, {of: Point, entries: $c781, _known: $c782});
+const $c163 = $made(Entry, {key: "belt_path", kind: $c183, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
+const $c801 = $made(Name, {longest: 500});
+const $c825 = $made(Name, {longest: 500});
+const $c805 = $made(Entry, {key: "preset", kind: $c825, required: false, alias: "", example: "", attribute: "preset", unless: ""});
+const $c826 = $made(Name, {longest: 60});
+const $c806 = $made(Entry, {key: "name", kind: $c826, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c827 = $made(Text, {longest: 200, lines: false});
+const $c807 = $made(Entry, {key: "title", kind: $c827, required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c828 = $made(Text, {longest: 5000, lines: true});
+const $c808 = $made(Entry, {key: "description", kind: $c828, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c711 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c829 = $made(Choice, {options: $c711});
+const $c809 = $made(Entry, {key: "surface", kind: $c829, required: false, alias: "", example: "", attribute: "surface", unless: ""});
+const $c694 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c830 = $made(Quantity, {dimension: "length", limit: $c694});
+const $c810 = $made(Entry, {key: "thickness", kind: $c830, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c697 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
+const $c831 = $made(Quantity, {dimension: "pressure", limit: $c697});
+const $c811 = $made(Entry, {key: "elastic_modulus", kind: $c831, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c695 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c833 = $made(Quantity, {dimension: "pressure", limit: $c695});
+const $c832 = $made(WordOr, {word: "rigid", kind: $c833, meaning: Infinity});
+const $c812 = $made(Entry, {key: "shear_modulus", kind: $c832, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
+const $c696 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c835 = $made(Quantity, {dimension: "pressure", limit: $c696});
+const $c834 = $made(WordOr, {word: "rigid", kind: $c835, meaning: Infinity});
+const $c813 = $made(Entry, {key: "compression_modulus", kind: $c834, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c721 = ["square", "strip"];
+const $c843 = $made(Choice, {options: $c721});
+const $c838 = $made(Entry, {key: "shape", kind: $c843, required: false, alias: "", example: "", attribute: "shape", unless: ""});
+const $c845 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
+const $c844 = $made(Quantity, {dimension: "length", limit: $c845});
+const $c839 = $made(Entry, {key: "width", kind: $c844, required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c847 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
+const $c846 = $made(Quantity, {dimension: "length", limit: $c847});
+const $c840 = $made(Entry, {key: "height", kind: $c846, required: false, alias: "", example: "", attribute: "height", unless: ""});
+const $c849 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c848 = $made(Quantity, {dimension: "number", limit: $c849});
+const $c841 = $made(Entry, {key: "stiffening", kind: $c848, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
+const $c851 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
+const $c850 = $made(Quantity, {dimension: "number", limit: $c851});
+const $c842 = $made(Entry, {key: "contact_fraction", kind: $c850, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
+const $c836 = [$c838, $c839, $c840, $c841, $c842];
+const $c837 = new Map([["shape", $c838], ["width", $c839], ["height", $c840], ["stiffening", $c841], ["contact_fraction", $c842]]);
+const $c67 = $made(tables$Table, {of: Block, entries: $c836, _known: $c837});
+const $c814 = $made(Entry, {key: "block", kind: $c67, required: false, alias: "", example: "", attribute: "block", unless: ""});
+const $c698 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c852 = $made(Quantity, {dimension: "wear_coefficient", limit: $c698});
+const $c815 = $made(Entry, {key: "wear_coefficient", kind: $c852, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c699 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c853 = $made(Quantity, {dimension: "number", limit: $c699});
+const $c816 = $made(Entry, {key: "belt_energy_share", kind: $c853, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c700 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c854 = $made(Quantity, {dimension: "pressure", limit: $c700});
+const $c817 = $made(Entry, {key: "bond_strength", kind: $c854, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
+const $c701 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c855 = $made(Quantity, {dimension: "pressure", limit: $c701});
+const $c818 = $made(Entry, {key: "fatigue_limit", kind: $c855, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c864 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c863 = $made(Quantity, {dimension: "number", limit: $c864});
+const $c858 = $made(Entry, {key: "material", kind: $c863, required: true, alias: "", example: "", attribute: "material", unless: ""});
+const $c866 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c865 = $made(Quantity, {dimension: "number", limit: $c866});
+const $c859 = $made(Entry, {key: "installation", kind: $c865, required: true, alias: "", example: "", attribute: "installation", unless: ""});
+const $c867 = $made(Name, {longest: 12});
+const $c860 = $made(Entry, {key: "currency", kind: $c867, required: true, alias: "", example: "", attribute: "currency", unless: ""});
+const $c869 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c868 = $made(Quantity, {dimension: "area", limit: $c869});
+const $c861 = $made(Entry, {key: "area", kind: $c868, required: true, alias: "", example: "", attribute: "area", unless: ""});
+const $c871 = $made(Quantity, {dimension: "number", limit: null});
+const $c870 = $made(Rows, {kind: $c871, least: 2, most: 2});
+const $c862 = $made(Entry, {key: "life_years", kind: $c870, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
+const $c856 = [$c858, $c859, $c860, $c861, $c862];
+const $c857 = new Map([["material", $c858], ["installation", $c859], ["currency", $c860], ["area", $c861], ["life_years", $c862]]);
+const $c64 = $made(tables$Table, {of: Cost, entries: $c856, _known: $c857});
+const $c819 = $made(Entry, {key: "cost", kind: $c64, required: false, alias: "", example: "", attribute: "cost", unless: ""});
+const $c873 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c872 = $made(Quantity, {dimension: "speed", limit: $c873});
+const $c820 = $made(Entry, {key: "slip_speed", kind: $c872, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
+const $c875 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c874 = $made(Quantity, {dimension: "temperature", limit: $c875});
+const $c821 = $made(Entry, {key: "temperature", kind: $c874, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
+const $c882 = $made(Name, {longest: 60});
+const $c879 = $made(Entry, {key: "condition", kind: $c882, required: true, alias: "", example: "", attribute: "condition", unless: ""});
+const $c884 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c883 = $made(Quantity, {dimension: "number", limit: $c884});
+const $c880 = $made(Entry, {key: "factor", kind: $c883, required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c881 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c877 = [$c879, $c880, $c881];
+const $c878 = new Map([["condition", $c879], ["factor", $c880], ["provenance", $c881]]);
+const $c68 = $made(tables$Table, {of: ConditionFactor, entries: $c877, _known: $c878});
+const $c876 = $made(Rows, {kind: $c68, least: 0, most: 20});
+const $c822 = $made(Entry, {key: "condition_factor", kind: $c876, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
+const $c912 = ["integral-log"];
+const $c911 = $made(Choice, {options: $c912});
+const $c894 = $made(Entry, {key: "kind", kind: $c911, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c913 = $made(Name, {longest: 60});
+const $c895 = $made(Entry, {key: "condition", kind: $c913, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c896 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c897 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
+const $c926 = $made(Name, {longest: 120});
+const $c925 = $made(Rows, {kind: $c926, least: 1, most: 1000});
+const $c916 = $made(Entry, {key: "parameters", kind: $c925, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
+const $c927 = $made(Rows, {kind: $c871, least: 1, most: 1000});
+const $c917 = $made(Entry, {key: "values", kind: $c927, required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c929 = $made(Rows, {kind: $c871, least: 1, most: 1000});
+const $c928 = $made(Rows, {kind: $c929, least: 1, most: 1000});
+const $c918 = $made(Entry, {key: "covariance", kind: $c928, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
+const $c931 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c930 = $made(Quantity, {dimension: "number", limit: $c931});
+const $c919 = $made(Entry, {key: "residual_noise", kind: $c930, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
+const $c933 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c932 = $made(Quantity, {dimension: "number", limit: $c933});
+const $c920 = $made(Entry, {key: "coverage_factor", kind: $c932, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
+const $c934 = $made(Text, {longest: 60, lines: false});
+const $c921 = $made(Entry, {key: "date", kind: $c934, required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c935 = $made(Text, {longest: 500, lines: false});
+const $c922 = $made(Entry, {key: "method", kind: $c935, required: false, alias: "", example: "", attribute: "method", unless: ""});
+const $c937 = $made(Text, {longest: 2000, lines: true});
+const $c936 = $made(Rows, {kind: $c937, least: 0, most: 50});
+const $c923 = $made(Entry, {key: "misfit", kind: $c936, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
+const $c938 = $made(Text, {longest: 500, lines: false});
+const $c924 = $made(Entry, {key: "misfit_accepted", kind: $c938, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
+const $c914 = [$c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924];
+const $c915 = new Map([["parameters", $c916], ["values", $c917], ["covariance", $c918], ["residual_noise", $c919], ["coverage_factor", $c920], ["date", $c921], ["method", $c922], ["misfit", $c923], ["misfit_accepted", $c924]]);
+const $c75 = $made(tables$Table, {of: Fit, entries: $c914, _known: $c915});
+const $c898 = $made(Entry, {key: "fit", kind: $c75, required: false, alias: "", example: "", attribute: "fit", unless: ""});
+const $c941 = ["lagging shear", "cover shear"];
+const $c940 = $made(Choice, {options: $c941});
+const $c939 = $made(Rows, {kind: $c940, least: 0, most: 2});
+const $c899 = $made(Entry, {key: "slip_includes", kind: $c939, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
+const $c948 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c947 = $made(Quantity, {dimension: "speed", limit: $c948});
+const $c946 = $made(Rows, {kind: $c947, least: 2, most: 100});
+const $c944 = $made(Entry, {key: "slip_speed", kind: $c946, required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c949 = $made(Rows, {kind: $c883, least: 2, most: 100});
+const $c945 = $made(Entry, {key: "factor", kind: $c949, required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c942 = [$c944, $c945, $c881];
+const $c943 = new Map([["slip_speed", $c944], ["factor", $c945], ["provenance", $c881]]);
+const $c73 = $made(tables$Table, {of: FrictionFactor, entries: $c942, _known: $c943});
+const $c900 = $made(Entry, {key: "slip_speed_factor", kind: $c73, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
+const $c955 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c954 = $made(Quantity, {dimension: "temperature", limit: $c955});
+const $c953 = $made(Rows, {kind: $c954, least: 2, most: 100});
+const $c952 = $made(Entry, {key: "temperature", kind: $c953, required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c950 = [$c952, $c945, $c881];
+const $c951 = new Map([["temperature", $c952], ["factor", $c945], ["provenance", $c881]]);
+const $c74 = $made(tables$Table, {of: FrictionFactor, entries: $c950, _known: $c951});
+const $c901 = $made(Entry, {key: "temperature_factor", kind: $c74, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
+const $c902 = $made(Entry, {key: "notes", kind: $c936, required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c958 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c957 = $made(Quantity, {dimension: "pressure", limit: $c958});
+const $c956 = $made(Rows, {kind: $c957, least: 2, most: 2});
+const $c903 = $made(Entry, {key: "tested_pressure", kind: $c956, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
+const $c960 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c959 = $made(Quantity, {dimension: "length", limit: $c960});
+const $c904 = $made(Entry, {key: "tested_slip", kind: $c959, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
+const $c962 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c961 = $made(Quantity, {dimension: "speed", limit: $c962});
+const $c905 = $made(Entry, {key: "tested_slip_speed", kind: $c961, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
+const $c967 = $made(Entry, {key: "pressure", kind: $c957, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c973 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
+const $c972 = $made(Quantity, {dimension: "number", limit: $c973});
+const $c968 = $made(Entry, {key: "peak_friction", kind: $c972, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
+const $c969 = $made(Entry, {key: "peak_slip", kind: $c959, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
+const $c975 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
+const $c974 = $made(Quantity, {dimension: "per_length", limit: $c975});
+const $c970 = $made(Entry, {key: "post_peak_slope", kind: $c974, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c971 = $made(Entry, {key: "residual_friction", kind: $c972, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c965 = [$c967, $c968, $c969, $c970, $c971];
+const $c966 = new Map([["pressure", $c967], ["peak_friction", $c968], ["peak_slip", $c969], ["post_peak_slope", $c970], ["residual_friction", $c971]]);
+const $c964 = $made(tables$Table, {of: null, entries: $c965, _known: $c966});
+const $c963 = $made(Rows, {kind: $c964, least: 1, most: 200});
+const $c906 = $made(Entry, {key: "knots", kind: $c963, required: false, alias: "", example: "", attribute: "knots", unless: ""});
+const $c980 = $made(Entry, {key: "from", kind: $c957, required: true, alias: "", example: "", attribute: "from", unless: ""});
+const $c981 = $made(Entry, {key: "to", kind: $c957, required: true, alias: "", example: "", attribute: "to", unless: ""});
+const $c986 = $made(Text, {longest: 300, lines: false});
+const $c982 = $made(Entry, {key: "A", kind: $c986, required: true, alias: "", example: "", attribute: "A", unless: ""});
+const $c983 = $made(Entry, {key: "b", kind: $c986, required: true, alias: "", example: "", attribute: "b", unless: ""});
+const $c984 = $made(Entry, {key: "post_peak_slope", kind: $c986, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c985 = $made(Entry, {key: "residual_friction", kind: $c986, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c978 = [$c980, $c981, $c982, $c983, $c984, $c985];
+const $c979 = new Map([["from", $c980], ["to", $c981], ["A", $c982], ["b", $c983], ["post_peak_slope", $c984], ["residual_friction", $c985]]);
+const $c977 = $made(tables$Table, {of: null, entries: $c978, _known: $c979});
+const $c976 = $made(Rows, {kind: $c977, least: 1, most: 50});
+const $c907 = $made(Entry, {key: "pieces", kind: $c976, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
+const $c987 = $made(Text, {longest: 20, lines: false});
+const $c908 = $made(Entry, {key: "slip_unit", kind: $c987, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
+const $c988 = $made(Text, {longest: 20, lines: false});
+const $c909 = $made(Entry, {key: "pressure_unit", kind: $c988, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
+const $c990 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c989 = $made(Quantity, {dimension: "number", limit: $c990});
+const $c910 = $made(Entry, {key: "continuity", kind: $c989, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
+const $c892 = [$c894, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c906, $c907, $c908, $c909, $c910];
+const $c893 = new Map([["kind", $c894], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["knots", $c906], ["pieces", $c907], ["slip_unit", $c908], ["pressure_unit", $c909], ["continuity", $c910]]);
+const $c887 = $made(tables$Table, {of: IntegralLog, entries: $c892, _known: $c893});
+const $c996 = ["constant"];
+const $c995 = $made(Choice, {options: $c996});
+const $c993 = $made(Entry, {key: "kind", kind: $c995, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c994 = $made(Entry, {key: "friction", kind: $c972, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c991 = [$c993, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c994];
+const $c992 = new Map([["kind", $c993], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["friction", $c994]]);
+const $c888 = $made(tables$Table, {of: Constant, entries: $c991, _known: $c992});
+const $c1002 = ["elastic-plastic"];
+const $c1001 = $made(Choice, {options: $c1002});
+const $c999 = $made(Entry, {key: "kind", kind: $c1001, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1004 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
+const $c1003 = $made(Quantity, {dimension: "pressure_per_length", limit: $c1004});
+const $c1000 = $made(Entry, {key: "stiffness", kind: $c1003, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
+const $c997 = [$c999, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c1000, $c994];
+const $c998 = new Map([["kind", $c999], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["stiffness", $c1000], ["friction", $c994]]);
+const $c889 = $made(tables$Table, {of: ElasticPlastic, entries: $c997, _known: $c998});
+const $c1012 = ["power"];
+const $c1011 = $made(Choice, {options: $c1012});
+const $c1007 = $made(Entry, {key: "kind", kind: $c1011, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1008 = $made(Entry, {key: "friction", kind: $c972, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c1009 = $made(Entry, {key: "reference_pressure", kind: $c957, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
+const $c1010 = $made(Entry, {key: "exponent", kind: $c871, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
+const $c1005 = [$c1007, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c1008, $c1009, $c1010];
+const $c1006 = new Map([["kind", $c1007], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["friction", $c1008], ["reference_pressure", $c1009], ["exponent", $c1010]]);
+const $c890 = $made(tables$Table, {of: PressurePower, entries: $c1005, _known: $c1006});
+const $c1019 = ["table"];
+const $c1018 = $made(Choice, {options: $c1019});
+const $c1015 = $made(Entry, {key: "kind", kind: $c1018, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1022 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c1021 = $made(Quantity, {dimension: "length", limit: $c1022});
+const $c1020 = $made(Rows, {kind: $c1021, least: 2, most: 1000});
+const $c1016 = $made(Entry, {key: "slip", kind: $c1020, required: true, alias: "", example: "", attribute: "slip", unless: ""});
+const $c1027 = $made(Entry, {key: "pressure", kind: $c957, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c1031 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
+const $c1030 = $made(Quantity, {dimension: "number", limit: $c1031});
+const $c1029 = $made(Rows, {kind: $c1030, least: 2, most: 1000});
+const $c1028 = $made(Entry, {key: "friction", kind: $c1029, required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c1025 = [$c1027, $c1028];
+const $c1026 = new Map([["pressure", $c1027], ["friction", $c1028]]);
+const $c1024 = $made(tables$Table, {of: null, entries: $c1025, _known: $c1026});
+const $c1023 = $made(Rows, {kind: $c1024, least: 1, most: 200});
+const $c1017 = $made(Entry, {key: "rows", kind: $c1023, required: true, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1013 = [$c1015, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c1016, $c1017];
+const $c1014 = new Map([["kind", $c1015], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["slip", $c1016], ["rows", $c1017]]);
+const $c891 = $made(tables$Table, {of: MeasuredTable, entries: $c1013, _known: $c1014});
+const $c886 = new Map([["integral-log", $c887], ["constant", $c888], ["elastic-plastic", $c889], ["power", $c890], ["table", $c891]]);
+const $c71 = $made(Variant, {tag: "kind", tables: $c886});
+const $c885 = $made(OneOrMore, {kind: $c71, most: 50});
+const $c823 = $made(Entry, {key: "law", kind: $c885, required: false, alias: "", example: "", attribute: "law", unless: ""});
+const $c824 = $made(Entry, {key: "notes", kind: $c936, required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c803 = [$c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812, $c813, $c814, $c815, $c816, $c817, $c818, $c819, $c820, $c821, $c822, $c823, $c122, $c123, $c824];
+const $c804 = new Map([["preset", $c805], ["name", $c806], ["title", $c807], ["description", $c808], ["surface", $c809], ["thickness", $c810], ["elastic_modulus", $c811], ["shear_modulus", $c812], ["compression_modulus", $c813], ["block", $c814], ["wear_coefficient", $c815], ["belt_energy_share", $c816], ["bond_strength", $c817], ["fatigue_limit", $c818], ["cost", $c819], ["slip_speed", $c820], ["temperature", $c821], ["condition_factor", $c822], ["law", $c823], ["provenance", $c122], ["sources", $c123], ["notes", $c824]]);
+const $c802 = $made(tables$Table, {of: Lagging, entries: $c803, _known: $c804});
+const $c184 = $made(TextOr, {text: $c801, table: $c802});
+const $c164 = $made(Entry, {key: "lagging", kind: $c184, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
+const $c165 = $made(Entry, {key: "condition", kind: $c185, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c187 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c186 = $made(Quantity, {dimension: "force", limit: $c187});
+const $c166 = $made(Entry, {key: "entry_tension", kind: $c186, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c167 = $made(Entry, {key: "exit_tension", kind: $c186, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c188 = $made(Quantity, {dimension: "force", limit: null});
+const $c168 = $made(Entry, {key: "effective_tension", kind: $c188, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c189 = $made(Quantity, {dimension: "torque", limit: null});
+const $c169 = $made(Entry, {key: "torque", kind: $c189, required: false, alias: "", example: "", attribute: "torque", unless: ""});
+const $c190 = $made(Quantity, {dimension: "power", limit: null});
+const $c170 = $made(Entry, {key: "power", kind: $c190, required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c193 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
+const $c192 = $made(Quantity, {dimension: "length", limit: $c193});
+const $c191 = $made(WordOr, {word: "formula", kind: $c192, meaning: null});
+const $c171 = $made(Entry, {key: "overrun", kind: $c191, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
+const $c194 = $made(Flag, {});
+const $c172 = $made(Entry, {key: "recovery", kind: $c194, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
+const $c196 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c195 = $made(Quantity, {dimension: "length", limit: $c196});
+const $c173 = $made(Entry, {key: "creep_limit", kind: $c195, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c718 = ["pulley", "carry"];
+const $c197 = $made(Choice, {options: $c718});
+const $c174 = $made(Entry, {key: "side", kind: $c197, required: false, alias: "", example: "", attribute: "side", unless: ""});
+const $c199 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c198 = $made(Quantity, {dimension: "mass", limit: $c199});
+const $c175 = $made(Entry, {key: "mass", kind: $c198, required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c1460 = $made(Quantity, {dimension: "length", limit: null});
+const $c1461 = $made(Quantity, {dimension: "length", limit: null});
+const $c1459 = [$c1460, $c1461];
+const $c1386 = $made(_Pair, {kinds: $c1459});
+const $c1384 = $made(Rows, {kind: $c1386, least: 0, most: 500});
+const $c1390 = $made(Entry, {key: "rows", kind: $c1384, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1395 = $made(Quantity, {dimension: "length", limit: null});
+const $c1391 = $made(Entry, {key: "crown", kind: $c1395, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1397 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1396 = $made(Quantity, {dimension: "number", limit: $c1397});
+const $c1392 = $made(Entry, {key: "factor", kind: $c1396, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1399 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1398 = $made(Quantity, {dimension: "length", limit: $c1399});
+const $c1393 = $made(Entry, {key: "uncertainty", kind: $c1398, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1401 = ["radius", "diameter"];
+const $c1400 = $made(Choice, {options: $c1401});
+const $c1394 = $made(Entry, {key: "on", kind: $c1400, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1388 = [$c1390, $c1391, $c1392, $c1393, $c1394];
+const $c1389 = new Map([["rows", $c1390], ["crown", $c1391], ["factor", $c1392], ["uncertainty", $c1393], ["on", $c1394]]);
+const $c1387 = $made(tables$Table, {of: null, entries: $c1388, _known: $c1389});
+const $c1385 = $made(TextOr, {text: $c1384, table: $c1387});
+const $c1043 = $made(Profile, {dimension: "length", diameters: true, rows: $c1384, within: $c1385});
+const $c1034 = $made(Entry, {key: "shell_profile", kind: $c1043, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
+const $c1463 = $made(Quantity, {dimension: "length", limit: null});
+const $c1464 = $made(Quantity, {dimension: "length", limit: null});
+const $c1462 = [$c1463, $c1464];
+const $c1404 = $made(_Pair, {kinds: $c1462});
+const $c1402 = $made(Rows, {kind: $c1404, least: 0, most: 500});
+const $c1408 = $made(Entry, {key: "rows", kind: $c1402, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1413 = $made(Quantity, {dimension: "length", limit: null});
+const $c1409 = $made(Entry, {key: "crown", kind: $c1413, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1415 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1414 = $made(Quantity, {dimension: "number", limit: $c1415});
+const $c1410 = $made(Entry, {key: "factor", kind: $c1414, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1417 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1416 = $made(Quantity, {dimension: "length", limit: $c1417});
+const $c1411 = $made(Entry, {key: "uncertainty", kind: $c1416, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1418 = $made(Choice, {options: $c1401});
+const $c1412 = $made(Entry, {key: "on", kind: $c1418, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1406 = [$c1408, $c1409, $c1410, $c1411, $c1412];
+const $c1407 = new Map([["rows", $c1408], ["crown", $c1409], ["factor", $c1410], ["uncertainty", $c1411], ["on", $c1412]]);
+const $c1405 = $made(tables$Table, {of: null, entries: $c1406, _known: $c1407});
+const $c1403 = $made(TextOr, {text: $c1402, table: $c1405});
+const $c1044 = $made(Profile, {dimension: "length", diameters: true, rows: $c1402, within: $c1403});
+const $c1035 = $made(Entry, {key: "worn_depth", kind: $c1044, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
+const $c1466 = $made(Quantity, {dimension: "length", limit: null});
+const $c1467 = $made(Quantity, {dimension: "length", limit: null});
+const $c1465 = [$c1466, $c1467];
+const $c1421 = $made(_Pair, {kinds: $c1465});
+const $c1419 = $made(Rows, {kind: $c1421, least: 0, most: 500});
+const $c1425 = $made(Entry, {key: "rows", kind: $c1419, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1430 = $made(Quantity, {dimension: "length", limit: null});
+const $c1426 = $made(Entry, {key: "crown", kind: $c1430, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1432 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1431 = $made(Quantity, {dimension: "number", limit: $c1432});
+const $c1427 = $made(Entry, {key: "factor", kind: $c1431, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1434 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1433 = $made(Quantity, {dimension: "length", limit: $c1434});
+const $c1428 = $made(Entry, {key: "uncertainty", kind: $c1433, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1435 = $made(Choice, {options: $c1401});
+const $c1429 = $made(Entry, {key: "on", kind: $c1435, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1423 = [$c1425, $c1426, $c1427, $c1428, $c1429];
+const $c1424 = new Map([["rows", $c1425], ["crown", $c1426], ["factor", $c1427], ["uncertainty", $c1428], ["on", $c1429]]);
+const $c1422 = $made(tables$Table, {of: null, entries: $c1423, _known: $c1424});
+const $c1420 = $made(TextOr, {text: $c1419, table: $c1422});
+const $c1045 = $made(Profile, {dimension: "length", diameters: true, rows: $c1419, within: $c1420});
+const $c1036 = $made(Entry, {key: "build_up", kind: $c1045, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
+const $c1047 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c1046 = $made(Quantity, {dimension: "number", limit: $c1047});
+const $c1037 = $made(Entry, {key: "misalignment", kind: $c1046, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
+const $c1049 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c1048 = $made(Quantity, {dimension: "length", limit: $c1049});
+const $c1038 = $made(Entry, {key: "deflection", kind: $c1048, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
+const $c1469 = $made(Quantity, {dimension: "length", limit: null});
+const $c1470 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1468 = [$c1469, $c1470];
+const $c1438 = $made(_Pair, {kinds: $c1468});
+const $c1436 = $made(Rows, {kind: $c1438, least: 0, most: 500});
+const $c1442 = $made(Entry, {key: "rows", kind: $c1436, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1446 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1443 = $made(Entry, {key: "crown", kind: $c1446, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1448 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1447 = $made(Quantity, {dimension: "number", limit: $c1448});
+const $c1444 = $made(Entry, {key: "factor", kind: $c1447, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1450 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1449 = $made(Quantity, {dimension: "force_per_width", limit: $c1450});
+const $c1445 = $made(Entry, {key: "uncertainty", kind: $c1449, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1440 = [$c1442, $c1443, $c1444, $c1445];
+const $c1441 = new Map([["rows", $c1442], ["crown", $c1443], ["factor", $c1444], ["uncertainty", $c1445]]);
+const $c1439 = $made(tables$Table, {of: null, entries: $c1440, _known: $c1441});
+const $c1437 = $made(TextOr, {text: $c1436, table: $c1439});
+const $c1050 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1436, within: $c1437});
+const $c1039 = $made(Entry, {key: "entry_profile", kind: $c1050, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
+const $c1060 = ["pulley"];
+const $c1059 = $made(Choice, {options: $c1060});
+const $c1057 = $made(Entry, {key: "kind", kind: $c1059, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1062 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1061 = $made(Quantity, {dimension: "length", limit: $c1062});
+const $c1058 = $made(Entry, {key: "distance", kind: $c1061, required: true, alias: "", example: "", attribute: "distance", unless: ""});
+const $c1055 = [$c1057, $c1058];
+const $c1056 = new Map([["kind", $c1057], ["distance", $c1058]]);
+const $c1053 = $made(tables$Table, {of: GrippingPulley, entries: $c1055, _known: $c1056});
+const $c1071 = ["transition"];
+const $c1070 = $made(Choice, {options: $c1071});
+const $c1065 = $made(Entry, {key: "kind", kind: $c1070, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1073 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c1072 = $made(Quantity, {dimension: "length", limit: $c1073});
+const $c1066 = $made(Entry, {key: "length", kind: $c1072, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
+const $c1075 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
+const $c1074 = $made(Quantity, {dimension: "angle", limit: $c1075});
+const $c1067 = $made(Entry, {key: "trough_angle", kind: $c1074, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
+const $c1077 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1076 = $made(Quantity, {dimension: "length", limit: $c1077});
+const $c1068 = $made(Entry, {key: "centre_roll", kind: $c1076, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
+const $c1079 = ["full", "half"];
+const $c1078 = $made(Choice, {options: $c1079});
+const $c1069 = $made(Entry, {key: "depth", kind: $c1078, required: false, alias: "", example: "", attribute: "depth", unless: ""});
+const $c1063 = [$c1065, $c1066, $c1067, $c1068, $c1069];
+const $c1064 = new Map([["kind", $c1065], ["length", $c1066], ["trough_angle", $c1067], ["centre_roll", $c1068], ["depth", $c1069]]);
+const $c1054 = $made(tables$Table, {of: Transition, entries: $c1063, _known: $c1064});
+const $c1052 = new Map([["pulley", $c1053], ["transition", $c1054]]);
+const $c29 = $made(Variant, {tag: "kind", tables: $c1052});
+const $c1051 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
+const $c1040 = $made(Entry, {key: "before", kind: $c1051, required: false, alias: "", example: "", attribute: "before", unless: ""});
+const $c1087 = ["pulley"];
+const $c1086 = $made(Choice, {options: $c1087});
+const $c1085 = $made(Entry, {key: "kind", kind: $c1086, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1083 = [$c1085, $c1058];
+const $c1084 = new Map([["kind", $c1085], ["distance", $c1058]]);
+const $c1082 = $made(tables$Table, {of: GrippingPulley, entries: $c1083, _known: $c1084});
+const $c1081 = new Map([["pulley", $c1082]]);
+const $c30 = $made(Variant, {tag: "kind", tables: $c1081});
+const $c1080 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
+const $c1041 = $made(Entry, {key: "after", kind: $c1080, required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c1088 = $made(Count, {least: 4, most: 128});
+const $c1042 = $made(Entry, {key: "strips", kind: $c1088, required: false, alias: "", example: "", attribute: "strips", unless: ""});
+const $c1032 = [$c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042];
+const $c1033 = new Map([["shell_profile", $c1034], ["worn_depth", $c1035], ["build_up", $c1036], ["misalignment", $c1037], ["deflection", $c1038], ["entry_profile", $c1039], ["before", $c1040], ["after", $c1041], ["strips", $c1042]]);
+const $c31 = $made(tables$Table, {of: Across, entries: $c1032, _known: $c1033});
+const $c176 = $made(Entry, {key: "across", kind: $c31, required: false, alias: "", example: "", attribute: "across", unless: ""});
+const $c200 = $made(ByName, {kind: $c2, most: 200});
+const $c177 = $made(Entry, {key: "sources", kind: $c200, required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c9 = [$c160, $c161, $c162, $c163, $c164, $c165, $c166, $c167, $c168, $c169, $c170, $c171, $c172, $c173, $c174, $c175, $c176, $c177];
+const $c780 = new Map([["name", $c160], ["diameter", $c161], ["wrap_angle", $c162], ["belt_path", $c163], ["lagging", $c164], ["condition", $c165], ["entry_tension", $c166], ["exit_tension", $c167], ["effective_tension", $c168], ["torque", $c169], ["power", $c170], ["overrun", $c171], ["recovery", $c172], ["creep_limit", $c173], ["side", $c174], ["mass", $c175], ["across", $c176], ["sources", $c177]]);
+const $c32 = $made(tables$Table, {of: Pulley, entries: $c9, _known: $c780});
+const $c779 = $made(Rows, {kind: $c32, least: 1, most: 10});
+const $c743 = $made(Entry, {key: "pulley", kind: $c779, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
+const $c1089 = $made(ByName, {kind: $c802, most: 200});
+const $c744 = $made(Entry, {key: "lagging", kind: $c1089, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
+const $c1100 = $made(Name, {longest: 60});
+const $c1094 = $made(Entry, {key: "name", kind: $c1100, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
+const $c1101 = $made(Text, {longest: 1000, lines: true});
+const $c1095 = $made(Entry, {key: "description", kind: $c1101, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c80 = ["running", "starting", "braking"];
+const $c1102 = $made(Choice, {options: $c80});
+const $c1096 = $made(Entry, {key: "kind", kind: $c1102, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1097 = $made(Entry, {key: "condition", kind: $c185, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c1105 = [$c166, $c167, $c168, $c169, $c170];
+const $c1106 = new Map([["entry_tension", $c166], ["exit_tension", $c167], ["effective_tension", $c168], ["torque", $c169], ["power", $c170]]);
+const $c1104 = $made(tables$Table, {of: null, entries: $c1105, _known: $c1106});
+const $c1103 = $made(ByName, {kind: $c1104, most: 200});
+const $c1098 = $made(Entry, {key: "pulley", kind: $c1103, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
+const $c1107 = $made(Elsewhere, {});
+const $c1099 = $made(Entry, {key: "train", kind: $c1107, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1092 = [$c1094, $c1095, $c1096, $c1097, $c1098, $c1099];
+const $c1093 = new Map([["name", $c1094], ["description", $c1095], ["kind", $c1096], ["condition", $c1097], ["pulley", $c1098], ["train", $c1099]]);
+const $c1091 = $made(tables$Table, {of: null, entries: $c1092, _known: $c1093});
+const $c1090 = $made(Rows, {kind: $c1091, least: 1, most: 1000});
+const $c745 = $made(Entry, {key: "load_case", kind: $c1090, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1130 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1129 = $made(Quantity, {dimension: "length", limit: $c1130});
+const $c1110 = $made(Entry, {key: "length", kind: $c1129, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
+const $c1132 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
+const $c1131 = $made(Quantity, {dimension: "length", limit: $c1132});
+const $c1111 = $made(Entry, {key: "lift", kind: $c1131, required: false, alias: "", example: "", attribute: "lift", unless: ""});
+const $c1134 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1133 = $made(Quantity, {dimension: "mass_per_length", limit: $c1134});
+const $c1112 = $made(Entry, {key: "belt_mass", kind: $c1133, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
+const $c1136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1135 = $made(Quantity, {dimension: "mass_per_length", limit: $c1136});
+const $c1113 = $made(Entry, {key: "carry_idler_mass", kind: $c1135, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
+const $c1138 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1137 = $made(Quantity, {dimension: "mass_per_length", limit: $c1138});
+const $c1114 = $made(Entry, {key: "return_idler_mass", kind: $c1137, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
+const $c1139 = $made(Quantity, {dimension: "mass_per_length", limit: $c1134});
+const $c1115 = $made(Entry, {key: "material_mass", kind: $c1139, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
+const $c1141 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1140 = $made(Quantity, {dimension: "mass_flow", limit: $c1141});
+const $c1116 = $made(Entry, {key: "capacity", kind: $c1140, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
+const $c1143 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
+const $c1142 = $made(Quantity, {dimension: "number", limit: $c1143});
+const $c1117 = $made(Entry, {key: "friction_factor", kind: $c1142, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
+const $c1145 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c1144 = $made(Quantity, {dimension: "number", limit: $c1145});
+const $c1118 = $made(Entry, {key: "length_coefficient", kind: $c1144, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
+const $c1147 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
+const $c1146 = $made(Quantity, {dimension: "force", limit: $c1147});
+const $c1119 = $made(Entry, {key: "secondary_resistance", kind: $c1146, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
+const $c1148 = $made(Quantity, {dimension: "force", limit: $c1147});
+const $c1120 = $made(Entry, {key: "special_resistance", kind: $c1148, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
+const $c1150 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c1149 = $made(Quantity, {dimension: "number", limit: $c1150});
+const $c1121 = $made(Entry, {key: "return_share", kind: $c1149, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
+const $c1152 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
+const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
+const $c1122 = $made(Entry, {key: "start_factor", kind: $c1151, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1154 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
+const $c1153 = $made(Quantity, {dimension: "time", limit: $c1154});
+const $c1123 = $made(Entry, {key: "start_time", kind: $c1153, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
+const $c1155 = $made(Quantity, {dimension: "time", limit: $c1154});
+const $c1124 = $made(Entry, {key: "stop_time", kind: $c1155, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
+const $c1157 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
+const $c1156 = $made(Quantity, {dimension: "force", limit: $c1157});
+const $c1125 = $made(Entry, {key: "take_up_tension", kind: $c1156, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
+const $c1159 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
+const $c1158 = $made(Quantity, {dimension: "mass", limit: $c1159});
+const $c1126 = $made(Entry, {key: "counterweight", kind: $c1158, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
+const $c1161 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
+const $c1160 = $made(Quantity, {dimension: "length", limit: $c1161});
+const $c1127 = $made(Entry, {key: "take_up_distance", kind: $c1160, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
+const $c719 = ["head", "tail"];
+const $c1162 = $made(Choice, {options: $c719});
+const $c1128 = $made(Entry, {key: "drive_at", kind: $c1162, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
+const $c1108 = [$c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1116, $c1117, $c1118, $c1119, $c1120, $c1121, $c1122, $c1123, $c1124, $c1125, $c1126, $c1127, $c1128];
+const $c1109 = new Map([["length", $c1110], ["lift", $c1111], ["belt_mass", $c1112], ["carry_idler_mass", $c1113], ["return_idler_mass", $c1114], ["material_mass", $c1115], ["capacity", $c1116], ["friction_factor", $c1117], ["length_coefficient", $c1118], ["secondary_resistance", $c1119], ["special_resistance", $c1120], ["return_share", $c1121], ["start_factor", $c1122], ["start_time", $c1123], ["stop_time", $c1124], ["take_up_tension", $c1125], ["counterweight", $c1126], ["take_up_distance", $c1127], ["drive_at", $c1128]]);
+const $c36 = $made(tables$Table, {of: Conveyor, entries: $c1108, _known: $c1109});
+const $c746 = $made(Entry, {key: "conveyor", kind: $c36, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
+const $c712 = ["gravity", "winch", "fixed"];
+const $c1168 = $made(Choice, {options: $c712});
+const $c1165 = $made(Entry, {key: "kind", kind: $c1168, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c703 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c1169 = $made(Quantity, {dimension: "number", limit: $c703});
+const $c1166 = $made(Entry, {key: "sheave_ratio", kind: $c1169, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
+const $c1170 = $made(Name, {longest: 60});
+const $c1167 = $made(Entry, {key: "after", kind: $c1170, required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c1163 = [$c1165, $c1166, $c1167];
+const $c1164 = new Map([["kind", $c1165], ["sheave_ratio", $c1166], ["after", $c1167]]);
+const $c529 = $made(tables$Table, {of: TakeUp, entries: $c1163, _known: $c1164});
+const $c525 = $made(Entry, {key: "take_up", kind: $c529, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
+const $c713 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1178 = $made(Choice, {options: $c713});
+const $c1173 = $made(Entry, {key: "name", kind: $c1178, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c714 = ["dry", "wet", "wet and dirty"];
+const $c1179 = $made(Choice, {options: $c714});
+const $c1174 = $made(Entry, {key: "condition", kind: $c1179, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c704 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
+const $c1180 = $made(Quantity, {dimension: "number", limit: $c704});
+const $c1175 = $made(Entry, {key: "friction", kind: $c1180, required: false, alias: "", example: "", attribute: "friction", unless: ""});
+const $c705 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c1181 = $made(Quantity, {dimension: "number", limit: $c705});
+const $c1176 = $made(Entry, {key: "start_factor", kind: $c1181, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1182 = $made(Flag, {});
+const $c1177 = $made(Entry, {key: "binding", kind: $c1182, required: false, alias: "", example: "", attribute: "binding", unless: ""});
+const $c1171 = [$c1173, $c1174, $c1175, $c1176, $c1177];
+const $c1172 = new Map([["name", $c1173], ["condition", $c1174], ["friction", $c1175], ["start_factor", $c1176], ["binding", $c1177]]);
+const $c530 = $made(tables$Table, {of: DesignStandard, entries: $c1171, _known: $c1172});
+const $c526 = $made(Entry, {key: "design_standard", kind: $c530, required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c1189 = $made(Quantity, {dimension: "number", limit: $c705});
+const $c1185 = $made(Entry, {key: "running", kind: $c1189, required: false, alias: "", example: "", attribute: "running", unless: ""});
+const $c1190 = $made(Quantity, {dimension: "number", limit: $c705});
+const $c1186 = $made(Entry, {key: "starting", kind: $c1190, required: false, alias: "", example: "", attribute: "starting", unless: ""});
+const $c1191 = $made(Quantity, {dimension: "number", limit: $c705});
+const $c1187 = $made(Entry, {key: "braking", kind: $c1191, required: false, alias: "", example: "", attribute: "braking", unless: ""});
+const $c1192 = $made(Text, {longest: 500, lines: false});
+const $c1188 = $made(Entry, {key: "source", kind: $c1192, required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c1183 = [$c1185, $c1186, $c1187, $c1188];
+const $c1184 = new Map([["running", $c1185], ["starting", $c1186], ["braking", $c1187], ["source", $c1188]]);
+const $c531 = $made(tables$Table, {of: SafetyFactors, entries: $c1183, _known: $c1184});
+const $c527 = $made(Entry, {key: "safety_factor", kind: $c531, required: false, alias: "", example: "", attribute: "safety", unless: ""});
+const $c1199 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
+const $c1198 = $made(Quantity, {dimension: "length", limit: $c1199});
+const $c1195 = $made(Entry, {key: "idler_spacing", kind: $c1198, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
+const $c1201 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1200 = $made(Quantity, {dimension: "mass_per_length", limit: $c1201});
+const $c1196 = $made(Entry, {key: "line_mass", kind: $c1200, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
+const $c1203 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
+const $c1202 = $made(Quantity, {dimension: "number", limit: $c1203});
+const $c1197 = $made(Entry, {key: "share", kind: $c1202, required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1193 = [$c1195, $c1196, $c1197];
+const $c1194 = new Map([["idler_spacing", $c1195], ["line_mass", $c1196], ["share", $c1197]]);
+const $c532 = $made(tables$Table, {of: Sag, entries: $c1193, _known: $c1194});
+const $c528 = $made(Entry, {key: "sag", kind: $c532, required: false, alias: "", example: "", attribute: "sag", unless: ""});
+const $c1204 = $made(Elsewhere, {});
+const $c747 = $made(Entry, {key: "train", kind: $c1204, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1205 = $made(Elsewhere, {});
+const $c748 = $made(Entry, {key: "motion", kind: $c1205, required: false, alias: "", example: "", attribute: "motion", unless: ""});
+const $c735 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c525, $c526, $c527, $c528, $c747, $c748];
+const $c736 = new Map([["format", $c737], ["title", $c738], ["description", $c739], ["creep_limit", $c740], ["condition", $c741], ["belt", $c742], ["pulley", $c743], ["lagging", $c744], ["load_case", $c745], ["conveyor", $c746], ["take_up", $c525], ["design_standard", $c526], ["safety_factor", $c527], ["sag", $c528], ["train", $c747], ["motion", $c748]]);
+const $c0 = $made(tables$Table, {of: Drive, entries: $c735, _known: $c736});
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c122], ["modulus", $c123], ["rating", $c124], ["strength", $c125], ["speed", $c126], ["momentary_factor", $c127], ["least_pulley_diameter", $c128], ["largest_wrap_pressure", $c129], ["in_plane_shear_stiffness", $c130], ["pulley_cover", $c131], ["carry_cover", $c132], ["carcass", $c133], ["thickness", $c134], ["cover_shear_modulus", $c135], ["mass", $c136]]);
+const $c4 = new Map([["width", $c128], ["modulus", $c131], ["rating", $c133], ["strength", $c135], ["speed", $c137], ["momentary_factor", $c139], ["least_pulley_diameter", $c141], ["largest_wrap_pressure", $c143], ["in_plane_shear_stiffness", $c145], ["pulley_cover", $c147], ["carry_cover", $c149], ["carcass", $c151], ["thickness", $c153], ["cover_shear_modulus", $c156], ["mass", $c158]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, {});
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c197 = [10000, "m"];
-const $c196 = [$c197];
-const $c174 = ["mm", $c196];
-const $c175 = ["kN", []];
-const $c176 = ["kN/m", []];
-const $c199 = [10000, "MPa"];
-const $c198 = [$c199];
-const $c177 = ["kPa", $c198];
-const $c178 = ["kPa/mm", []];
-const $c179 = ["m/s", []];
-const $c180 = ["deg", []];
-const $c181 = ["kW", []];
-const $c182 = ["kN m", []];
-const $c183 = ["m2", []];
-const $c184 = ["s", []];
-const $c185 = ["degC", []];
-const $c186 = ["1/mm", []];
-const $c187 = ["mm3/J", []];
-const $c188 = ["J/m2", []];
-const $c201 = [10000, "kW/m2"];
-const $c200 = [$c201];
-const $c189 = ["W/m2", $c200];
-const $c190 = ["rpm", []];
-const $c191 = ["kg", []];
-const $c192 = ["kg/m", []];
-const $c193 = ["t/h", []];
-const $c194 = ["kg m2", []];
-const $c195 = ["", []];
-const $c172 = new Map([["length", $c174], ["force", $c175], ["force_per_width", $c176], ["spring_rate", $c176], ["pressure", $c177], ["pressure_per_length", $c178], ["speed", $c179], ["angle", $c180], ["power", $c181], ["torque", $c182], ["area", $c183], ["time", $c184], ["temperature", $c185], ["per_length", $c186], ["wear_coefficient", $c187], ["energy_per_area", $c188], ["power_per_area", $c189], ["rotation_speed", $c190], ["mass", $c191], ["mass_per_length", $c192], ["mass_flow", $c193], ["moment_of_inertia", $c194], ["number", $c195]]);
-const $c222 = [400, "ft"];
-const $c221 = [$c222];
-const $c202 = ["in", $c221];
-const $c203 = ["lbf", []];
-const $c204 = ["PIW", []];
-const $c205 = ["lbf/in", []];
-const $c224 = [10000, "ksi"];
-const $c223 = [$c224];
-const $c206 = ["psi", $c223];
-const $c207 = ["psi/in", []];
-const $c208 = ["fpm", []];
-const $c209 = ["hp", []];
-const $c210 = ["lbf ft", []];
-const $c211 = ["in2", []];
-const $c212 = ["degF", []];
-const $c213 = ["1/in", []];
-const $c214 = ["in3/(ft lbf)", []];
-const $c215 = ["ft lbf/ft2", []];
-const $c216 = ["hp/ft2", []];
-const $c217 = ["lbm", []];
-const $c218 = ["lbm/ft", []];
-const $c219 = ["lbm/h", []];
-const $c220 = ["lbm ft2", []];
-const $c173 = new Map([["length", $c202], ["force", $c203], ["force_per_width", $c204], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c180], ["power", $c209], ["torque", $c210], ["area", $c211], ["time", $c184], ["temperature", $c212], ["per_length", $c213], ["wear_coefficient", $c214], ["energy_per_area", $c215], ["power_per_area", $c216], ["rotation_speed", $c190], ["mass", $c217], ["mass_per_length", $c218], ["mass_flow", $c219], ["moment_of_inertia", $c220], ["number", $c195]]);
-const $c11 = new Map([["si", $c172], ["us", $c173]]);
-const $c225 = new DimensionText("m", "a length", "1200 mm");
-const $c226 = new DimensionText("N", "a force", "150 kN");
-const $c227 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c228 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c229 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c230 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c231 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c232 = new DimensionText("rad", "an angle", "180 deg");
-const $c233 = new DimensionText("W", "a power", "250 kW");
-const $c234 = new DimensionText("N m", "a torque", "40 kN m");
-const $c235 = new DimensionText("m2", "an area", "2500 mm2");
-const $c236 = new DimensionText("s", "a time", "10 s");
-const $c237 = new DimensionText("K", "a temperature", "20 degC");
-const $c238 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c239 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c240 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c241 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c242 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c243 = new DimensionText("kg", "a mass", "500 kg");
-const $c244 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c245 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c246 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c247 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
+const $c226 = [10000, "m"];
+const $c225 = [$c226];
+const $c203 = ["mm", $c225];
+const $c204 = ["kN", []];
+const $c205 = ["kN/m", []];
+const $c228 = [10000, "MPa"];
+const $c227 = [$c228];
+const $c206 = ["kPa", $c227];
+const $c207 = ["kPa/mm", []];
+const $c208 = ["m/s", []];
+const $c209 = ["deg", []];
+const $c210 = ["kW", []];
+const $c211 = ["kN m", []];
+const $c212 = ["m2", []];
+const $c213 = ["s", []];
+const $c214 = ["degC", []];
+const $c215 = ["1/mm", []];
+const $c216 = ["mm3/J", []];
+const $c217 = ["J/m2", []];
+const $c230 = [10000, "kW/m2"];
+const $c229 = [$c230];
+const $c218 = ["W/m2", $c229];
+const $c219 = ["rpm", []];
+const $c220 = ["kg", []];
+const $c221 = ["kg/m", []];
+const $c222 = ["t/h", []];
+const $c223 = ["kg m2", []];
+const $c224 = ["", []];
+const $c201 = new Map([["length", $c203], ["force", $c204], ["force_per_width", $c205], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c209], ["power", $c210], ["torque", $c211], ["area", $c212], ["time", $c213], ["temperature", $c214], ["per_length", $c215], ["wear_coefficient", $c216], ["energy_per_area", $c217], ["power_per_area", $c218], ["rotation_speed", $c219], ["mass", $c220], ["mass_per_length", $c221], ["mass_flow", $c222], ["moment_of_inertia", $c223], ["number", $c224]]);
+const $c251 = [400, "ft"];
+const $c250 = [$c251];
+const $c231 = ["in", $c250];
+const $c232 = ["lbf", []];
+const $c233 = ["PIW", []];
+const $c234 = ["lbf/in", []];
+const $c253 = [10000, "ksi"];
+const $c252 = [$c253];
+const $c235 = ["psi", $c252];
+const $c236 = ["psi/in", []];
+const $c237 = ["fpm", []];
+const $c238 = ["hp", []];
+const $c239 = ["lbf ft", []];
+const $c240 = ["in2", []];
+const $c241 = ["degF", []];
+const $c242 = ["1/in", []];
+const $c243 = ["in3/(ft lbf)", []];
+const $c244 = ["ft lbf/ft2", []];
+const $c245 = ["hp/ft2", []];
+const $c246 = ["lbm", []];
+const $c247 = ["lbm/ft", []];
+const $c248 = ["lbm/h", []];
+const $c249 = ["lbm ft2", []];
+const $c202 = new Map([["length", $c231], ["force", $c232], ["force_per_width", $c233], ["spring_rate", $c234], ["pressure", $c235], ["pressure_per_length", $c236], ["speed", $c237], ["angle", $c209], ["power", $c238], ["torque", $c239], ["area", $c240], ["time", $c213], ["temperature", $c241], ["per_length", $c242], ["wear_coefficient", $c243], ["energy_per_area", $c244], ["power_per_area", $c245], ["rotation_speed", $c219], ["mass", $c246], ["mass_per_length", $c247], ["mass_flow", $c248], ["moment_of_inertia", $c249], ["number", $c224]]);
+const $c11 = new Map([["si", $c201], ["us", $c202]]);
+const $c254 = new DimensionText("m", "a length", "1200 mm");
+const $c255 = new DimensionText("N", "a force", "150 kN");
+const $c256 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c257 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c258 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c259 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c260 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c261 = new DimensionText("rad", "an angle", "180 deg");
+const $c262 = new DimensionText("W", "a power", "250 kW");
+const $c263 = new DimensionText("N m", "a torque", "40 kN m");
+const $c264 = new DimensionText("m2", "an area", "2500 mm2");
+const $c265 = new DimensionText("s", "a time", "10 s");
+const $c266 = new DimensionText("K", "a temperature", "20 degC");
+const $c267 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c268 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c269 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c270 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c271 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c272 = new DimensionText("kg", "a mass", "500 kg");
+const $c273 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c274 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c275 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c276 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c254], ["force", $c255], ["force_per_width", $c256], ["spring_rate", $c257], ["pressure", $c258], ["pressure_per_length", $c259], ["speed", $c260], ["angle", $c261], ["power", $c262], ["torque", $c263], ["area", $c264], ["time", $c265], ["temperature", $c266], ["per_length", $c267], ["wear_coefficient", $c268], ["energy_per_area", $c269], ["power_per_area", $c270], ["rotation_speed", $c271], ["mass", $c272], ["mass_per_length", $c273], ["mass_flow", $c274], ["moment_of_inertia", $c275], ["number", $c276]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -5107,586 +7383,689 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c310 = ["meter", "meters", "metre", "metres"];
-const $c311 = $Decimal.of("1");
-const $c312 = $Decimal.of("0");
-const $c248 = new Definition($c310, $c311, "m", $c312);
-const $c313 = ["km"];
-const $c314 = $Decimal.of("1000");
-const $c315 = $Decimal.of("0");
-const $c249 = new Definition($c313, $c314, "m", $c315);
-const $c316 = ["dm"];
-const $c317 = $Decimal.of("0.1");
-const $c318 = $Decimal.of("0");
-const $c250 = new Definition($c316, $c317, "m", $c318);
-const $c319 = ["cm"];
-const $c320 = $Decimal.of("0.01");
-const $c321 = $Decimal.of("0");
-const $c251 = new Definition($c319, $c320, "m", $c321);
-const $c322 = ["mm"];
-const $c323 = $Decimal.of("0.001");
-const $c324 = $Decimal.of("0");
-const $c252 = new Definition($c322, $c323, "m", $c324);
-const $c325 = ["um", "micron", "microns"];
-const $c326 = $Decimal.of("0.000001");
-const $c327 = $Decimal.of("0");
-const $c253 = new Definition($c325, $c326, "m", $c327);
-const $c328 = ["in", "inch", "inches", "\""];
-const $c329 = $Decimal.of("0.0254");
-const $c330 = $Decimal.of("0");
-const $c254 = new Definition($c328, $c329, "m", $c330);
-const $c331 = ["ft", "foot", "feet"];
-const $c332 = $Decimal.of("12");
-const $c333 = $Decimal.of("0");
-const $c255 = new Definition($c331, $c332, "in", $c333);
-const $c334 = ["yd"];
-const $c335 = $Decimal.of("3");
-const $c336 = $Decimal.of("0");
-const $c256 = new Definition($c334, $c335, "ft", $c336);
-const $c337 = ["mi", "mile", "miles"];
-const $c338 = $Decimal.of("5280");
-const $c339 = $Decimal.of("0");
-const $c257 = new Definition($c337, $c338, "ft", $c339);
-const $c340 = ["thou"];
-const $c341 = $Decimal.of("0.001");
-const $c342 = $Decimal.of("0");
-const $c258 = new Definition($c340, $c341, "in", $c342);
-const $c343 = ["g"];
-const $c344 = $Decimal.of("0.001");
-const $c345 = $Decimal.of("0");
-const $c259 = new Definition($c343, $c344, "kg", $c345);
-const $c346 = ["t", "tonne", "tonnes"];
-const $c347 = $Decimal.of("1000");
-const $c348 = $Decimal.of("0");
-const $c260 = new Definition($c346, $c347, "kg", $c348);
-const $c349 = ["lbm"];
-const $c350 = $Decimal.of("0.45359237");
-const $c351 = $Decimal.of("0");
-const $c261 = new Definition($c349, $c350, "kg", $c351);
-const $c352 = ["sec", "second", "seconds"];
-const $c353 = $Decimal.of("1");
-const $c354 = $Decimal.of("0");
-const $c262 = new Definition($c352, $c353, "s", $c354);
-const $c355 = ["ms"];
-const $c356 = $Decimal.of("0.001");
-const $c357 = $Decimal.of("0");
-const $c263 = new Definition($c355, $c356, "s", $c357);
-const $c358 = ["min", "minute", "minutes"];
-const $c359 = $Decimal.of("60");
-const $c360 = $Decimal.of("0");
-const $c264 = new Definition($c358, $c359, "s", $c360);
-const $c361 = ["h", "hr", "hour", "hours"];
-const $c362 = $Decimal.of("60");
-const $c363 = $Decimal.of("0");
-const $c265 = new Definition($c361, $c362, "min", $c363);
-const $c364 = ["d", "day", "days"];
-const $c365 = $Decimal.of("24");
-const $c366 = $Decimal.of("0");
-const $c266 = new Definition($c364, $c365, "h", $c366);
-const $c367 = ["N", "newton", "newtons"];
-const $c368 = $Decimal.of("1");
-const $c369 = $Decimal.of("0");
-const $c267 = new Definition($c367, $c368, "kg m/s2", $c369);
-const $c370 = ["mN"];
-const $c371 = $Decimal.of("0.001");
-const $c372 = $Decimal.of("0");
-const $c268 = new Definition($c370, $c371, "N", $c372);
-const $c373 = ["daN"];
-const $c374 = $Decimal.of("10");
-const $c375 = $Decimal.of("0");
-const $c269 = new Definition($c373, $c374, "N", $c375);
-const $c376 = ["kN"];
-const $c377 = $Decimal.of("1000");
-const $c378 = $Decimal.of("0");
-const $c270 = new Definition($c376, $c377, "N", $c378);
-const $c379 = ["MN"];
-const $c380 = $Decimal.of("1E+6");
-const $c381 = $Decimal.of("0");
-const $c271 = new Definition($c379, $c380, "N", $c381);
-const $c382 = ["kgf", "kp"];
-const $c383 = $Decimal.of("9.80665");
-const $c384 = $Decimal.of("0");
-const $c272 = new Definition($c382, $c383, "N", $c384);
-const $c385 = ["gf"];
-const $c386 = $Decimal.of("0.001");
-const $c387 = $Decimal.of("0");
-const $c273 = new Definition($c385, $c386, "kgf", $c387);
-const $c388 = ["tf"];
-const $c389 = $Decimal.of("1000");
-const $c390 = $Decimal.of("0");
-const $c274 = new Definition($c388, $c389, "kgf", $c390);
-const $c391 = ["lbf", "lb", "lbs"];
-const $c392 = $Decimal.of("4.4482216152605");
-const $c393 = $Decimal.of("0");
-const $c275 = new Definition($c391, $c392, "N", $c393);
-const $c394 = ["klbf", "kip", "kips"];
-const $c395 = $Decimal.of("1000");
-const $c396 = $Decimal.of("0");
-const $c276 = new Definition($c394, $c395, "lbf", $c396);
-const $c397 = ["PIW", "piw", "PLI", "pli"];
-const $c398 = $Decimal.of("1");
-const $c399 = $Decimal.of("0");
-const $c277 = new Definition($c397, $c398, "lbf/in", $c399);
-const $c400 = ["Pa"];
-const $c401 = $Decimal.of("1");
-const $c402 = $Decimal.of("0");
-const $c278 = new Definition($c400, $c401, "N/m2", $c402);
-const $c403 = ["hPa"];
-const $c404 = $Decimal.of("100");
-const $c405 = $Decimal.of("0");
-const $c279 = new Definition($c403, $c404, "Pa", $c405);
-const $c406 = ["kPa"];
-const $c407 = $Decimal.of("1000");
-const $c408 = $Decimal.of("0");
-const $c280 = new Definition($c406, $c407, "Pa", $c408);
-const $c409 = ["MPa"];
-const $c410 = $Decimal.of("1E+6");
-const $c411 = $Decimal.of("0");
-const $c281 = new Definition($c409, $c410, "Pa", $c411);
-const $c412 = ["GPa"];
-const $c413 = $Decimal.of("1E+9");
-const $c414 = $Decimal.of("0");
-const $c282 = new Definition($c412, $c413, "Pa", $c414);
-const $c415 = ["bar"];
-const $c416 = $Decimal.of("1E+5");
-const $c417 = $Decimal.of("0");
-const $c283 = new Definition($c415, $c416, "Pa", $c417);
-const $c418 = ["mbar"];
-const $c419 = $Decimal.of("100");
-const $c420 = $Decimal.of("0");
-const $c284 = new Definition($c418, $c419, "Pa", $c420);
-const $c421 = ["psi", "PSI"];
-const $c422 = $Decimal.of("1");
-const $c423 = $Decimal.of("0");
-const $c285 = new Definition($c421, $c422, "lbf/in2", $c423);
-const $c424 = ["ksi"];
-const $c425 = $Decimal.of("1000");
-const $c426 = $Decimal.of("0");
-const $c286 = new Definition($c424, $c425, "psi", $c426);
-const $c427 = ["J", "joule"];
-const $c428 = $Decimal.of("1");
-const $c429 = $Decimal.of("0");
-const $c287 = new Definition($c427, $c428, "N m", $c429);
-const $c430 = ["mJ"];
-const $c431 = $Decimal.of("0.001");
-const $c432 = $Decimal.of("0");
-const $c288 = new Definition($c430, $c431, "J", $c432);
-const $c433 = ["kJ"];
-const $c434 = $Decimal.of("1000");
-const $c435 = $Decimal.of("0");
-const $c289 = new Definition($c433, $c434, "J", $c435);
-const $c436 = ["MJ"];
-const $c437 = $Decimal.of("1E+6");
-const $c438 = $Decimal.of("0");
-const $c290 = new Definition($c436, $c437, "J", $c438);
-const $c439 = ["Nm"];
-const $c440 = $Decimal.of("1");
-const $c441 = $Decimal.of("0");
-const $c291 = new Definition($c439, $c440, "N m", $c441);
-const $c442 = ["kNm"];
-const $c443 = $Decimal.of("1000");
-const $c444 = $Decimal.of("0");
-const $c292 = new Definition($c442, $c443, "N m", $c444);
-const $c445 = ["MNm"];
-const $c446 = $Decimal.of("1E+6");
-const $c447 = $Decimal.of("0");
-const $c293 = new Definition($c445, $c446, "N m", $c447);
-const $c448 = ["W", "watt", "watts"];
-const $c449 = $Decimal.of("1");
-const $c450 = $Decimal.of("0");
-const $c294 = new Definition($c448, $c449, "J/s", $c450);
-const $c451 = ["kW"];
-const $c452 = $Decimal.of("1000");
-const $c453 = $Decimal.of("0");
-const $c295 = new Definition($c451, $c452, "W", $c453);
-const $c454 = ["MW"];
-const $c455 = $Decimal.of("1E+6");
-const $c456 = $Decimal.of("0");
-const $c296 = new Definition($c454, $c455, "W", $c456);
-const $c457 = ["hp", "HP", "bhp", "BHP"];
-const $c458 = $Decimal.of("550");
-const $c459 = $Decimal.of("0");
-const $c297 = new Definition($c457, $c458, "ft lbf/s", $c459);
-const $c460 = ["PS", "cv", "CV", "hp(metric)"];
-const $c461 = $Decimal.of("75");
-const $c462 = $Decimal.of("0");
-const $c298 = new Definition($c460, $c461, "kgf m/s", $c462);
-const $c463 = ["fpm", "FPM"];
-const $c464 = $Decimal.of("1");
-const $c465 = $Decimal.of("0");
-const $c299 = new Definition($c463, $c464, "ft/min", $c465);
-const $c466 = ["fps"];
-const $c467 = $Decimal.of("1");
-const $c468 = $Decimal.of("0");
-const $c300 = new Definition($c466, $c467, "ft/s", $c468);
-const $c469 = ["kph", "kmh"];
-const $c470 = $Decimal.of("1");
-const $c471 = $Decimal.of("0");
-const $c301 = new Definition($c469, $c470, "km/h", $c471);
-const $c472 = ["mph"];
-const $c473 = $Decimal.of("1");
-const $c474 = $Decimal.of("0");
-const $c302 = new Definition($c472, $c473, "mi/h", $c474);
-const $c475 = ["mrad"];
-const $c476 = $Decimal.of("0.001");
-const $c477 = $Decimal.of("0");
-const $c303 = new Definition($c475, $c476, "rad", $c477);
-const $c478 = ["deg", "degree", "degrees", "°"];
-const $c479 = $Decimal.of("0.01745329251994329576923690768");
-const $c480 = $Decimal.of("0");
-const $c304 = new Definition($c478, $c479, "rad", $c480);
-const $c481 = ["rev", "turn", "turns"];
-const $c482 = $Decimal.of("360");
-const $c483 = $Decimal.of("0");
-const $c305 = new Definition($c481, $c482, "deg", $c483);
-const $c484 = ["rpm", "RPM"];
-const $c485 = $Decimal.of("1");
-const $c486 = $Decimal.of("0");
-const $c306 = new Definition($c484, $c485, "rev/min", $c486);
-const $c487 = ["degC", "°C"];
-const $c488 = $Decimal.of("1");
-const $c489 = $Decimal.of("-273.15");
-const $c307 = new Definition($c487, $c488, "K", $c489);
-const $c490 = ["degF", "°F"];
-const $c491 = $Decimal.of("0.5555555555555555555555555556");
-const $c492 = $Decimal.of("-459.67");
-const $c308 = new Definition($c490, $c491, "K", $c492);
-const $c493 = ["%", "percent"];
-const $c494 = $Decimal.of("0.01");
-const $c495 = $Decimal.of("0");
-const $c309 = new Definition($c493, $c494, "", $c495);
-const $c22 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
+const $c339 = ["meter", "meters", "metre", "metres"];
+const $c340 = $Decimal.of("1");
+const $c341 = $Decimal.of("0");
+const $c277 = new Definition($c339, $c340, "m", $c341);
+const $c342 = ["km"];
+const $c343 = $Decimal.of("1000");
+const $c344 = $Decimal.of("0");
+const $c278 = new Definition($c342, $c343, "m", $c344);
+const $c345 = ["dm"];
+const $c346 = $Decimal.of("0.1");
+const $c347 = $Decimal.of("0");
+const $c279 = new Definition($c345, $c346, "m", $c347);
+const $c348 = ["cm"];
+const $c349 = $Decimal.of("0.01");
+const $c350 = $Decimal.of("0");
+const $c280 = new Definition($c348, $c349, "m", $c350);
+const $c351 = ["mm"];
+const $c352 = $Decimal.of("0.001");
+const $c353 = $Decimal.of("0");
+const $c281 = new Definition($c351, $c352, "m", $c353);
+const $c354 = ["um", "micron", "microns"];
+const $c355 = $Decimal.of("0.000001");
+const $c356 = $Decimal.of("0");
+const $c282 = new Definition($c354, $c355, "m", $c356);
+const $c357 = ["in", "inch", "inches", "\""];
+const $c358 = $Decimal.of("0.0254");
+const $c359 = $Decimal.of("0");
+const $c283 = new Definition($c357, $c358, "m", $c359);
+const $c360 = ["ft", "foot", "feet"];
+const $c361 = $Decimal.of("12");
+const $c362 = $Decimal.of("0");
+const $c284 = new Definition($c360, $c361, "in", $c362);
+const $c363 = ["yd"];
+const $c364 = $Decimal.of("3");
+const $c365 = $Decimal.of("0");
+const $c285 = new Definition($c363, $c364, "ft", $c365);
+const $c366 = ["mi", "mile", "miles"];
+const $c367 = $Decimal.of("5280");
+const $c368 = $Decimal.of("0");
+const $c286 = new Definition($c366, $c367, "ft", $c368);
+const $c369 = ["thou"];
+const $c370 = $Decimal.of("0.001");
+const $c371 = $Decimal.of("0");
+const $c287 = new Definition($c369, $c370, "in", $c371);
+const $c372 = ["g"];
+const $c373 = $Decimal.of("0.001");
+const $c374 = $Decimal.of("0");
+const $c288 = new Definition($c372, $c373, "kg", $c374);
+const $c375 = ["t", "tonne", "tonnes"];
+const $c376 = $Decimal.of("1000");
+const $c377 = $Decimal.of("0");
+const $c289 = new Definition($c375, $c376, "kg", $c377);
+const $c378 = ["lbm"];
+const $c379 = $Decimal.of("0.45359237");
+const $c380 = $Decimal.of("0");
+const $c290 = new Definition($c378, $c379, "kg", $c380);
+const $c381 = ["sec", "second", "seconds"];
+const $c382 = $Decimal.of("1");
+const $c383 = $Decimal.of("0");
+const $c291 = new Definition($c381, $c382, "s", $c383);
+const $c384 = ["ms"];
+const $c385 = $Decimal.of("0.001");
+const $c386 = $Decimal.of("0");
+const $c292 = new Definition($c384, $c385, "s", $c386);
+const $c387 = ["min", "minute", "minutes"];
+const $c388 = $Decimal.of("60");
+const $c389 = $Decimal.of("0");
+const $c293 = new Definition($c387, $c388, "s", $c389);
+const $c390 = ["h", "hr", "hour", "hours"];
+const $c391 = $Decimal.of("60");
+const $c392 = $Decimal.of("0");
+const $c294 = new Definition($c390, $c391, "min", $c392);
+const $c393 = ["d", "day", "days"];
+const $c394 = $Decimal.of("24");
+const $c395 = $Decimal.of("0");
+const $c295 = new Definition($c393, $c394, "h", $c395);
+const $c396 = ["N", "newton", "newtons"];
+const $c397 = $Decimal.of("1");
+const $c398 = $Decimal.of("0");
+const $c296 = new Definition($c396, $c397, "kg m/s2", $c398);
+const $c399 = ["mN"];
+const $c400 = $Decimal.of("0.001");
+const $c401 = $Decimal.of("0");
+const $c297 = new Definition($c399, $c400, "N", $c401);
+const $c402 = ["daN"];
+const $c403 = $Decimal.of("10");
+const $c404 = $Decimal.of("0");
+const $c298 = new Definition($c402, $c403, "N", $c404);
+const $c405 = ["kN"];
+const $c406 = $Decimal.of("1000");
+const $c407 = $Decimal.of("0");
+const $c299 = new Definition($c405, $c406, "N", $c407);
+const $c408 = ["MN"];
+const $c409 = $Decimal.of("1E+6");
+const $c410 = $Decimal.of("0");
+const $c300 = new Definition($c408, $c409, "N", $c410);
+const $c411 = ["kgf", "kp"];
+const $c412 = $Decimal.of("9.80665");
+const $c413 = $Decimal.of("0");
+const $c301 = new Definition($c411, $c412, "N", $c413);
+const $c414 = ["gf"];
+const $c415 = $Decimal.of("0.001");
+const $c416 = $Decimal.of("0");
+const $c302 = new Definition($c414, $c415, "kgf", $c416);
+const $c417 = ["tf"];
+const $c418 = $Decimal.of("1000");
+const $c419 = $Decimal.of("0");
+const $c303 = new Definition($c417, $c418, "kgf", $c419);
+const $c420 = ["lbf", "lb", "lbs"];
+const $c421 = $Decimal.of("4.4482216152605");
+const $c422 = $Decimal.of("0");
+const $c304 = new Definition($c420, $c421, "N", $c422);
+const $c423 = ["klbf", "kip", "kips"];
+const $c424 = $Decimal.of("1000");
+const $c425 = $Decimal.of("0");
+const $c305 = new Definition($c423, $c424, "lbf", $c425);
+const $c426 = ["PIW", "piw", "PLI", "pli"];
+const $c427 = $Decimal.of("1");
+const $c428 = $Decimal.of("0");
+const $c306 = new Definition($c426, $c427, "lbf/in", $c428);
+const $c429 = ["Pa"];
+const $c430 = $Decimal.of("1");
+const $c431 = $Decimal.of("0");
+const $c307 = new Definition($c429, $c430, "N/m2", $c431);
+const $c432 = ["hPa"];
+const $c433 = $Decimal.of("100");
+const $c434 = $Decimal.of("0");
+const $c308 = new Definition($c432, $c433, "Pa", $c434);
+const $c435 = ["kPa"];
+const $c436 = $Decimal.of("1000");
+const $c437 = $Decimal.of("0");
+const $c309 = new Definition($c435, $c436, "Pa", $c437);
+const $c438 = ["MPa"];
+const $c439 = $Decimal.of("1E+6");
+const $c440 = $Decimal.of("0");
+const $c310 = new Definition($c438, $c439, "Pa", $c440);
+const $c441 = ["GPa"];
+const $c442 = $Decimal.of("1E+9");
+const $c443 = $Decimal.of("0");
+const $c311 = new Definition($c441, $c442, "Pa", $c443);
+const $c444 = ["bar"];
+const $c445 = $Decimal.of("1E+5");
+const $c446 = $Decimal.of("0");
+const $c312 = new Definition($c444, $c445, "Pa", $c446);
+const $c447 = ["mbar"];
+const $c448 = $Decimal.of("100");
+const $c449 = $Decimal.of("0");
+const $c313 = new Definition($c447, $c448, "Pa", $c449);
+const $c450 = ["psi", "PSI"];
+const $c451 = $Decimal.of("1");
+const $c452 = $Decimal.of("0");
+const $c314 = new Definition($c450, $c451, "lbf/in2", $c452);
+const $c453 = ["ksi"];
+const $c454 = $Decimal.of("1000");
+const $c455 = $Decimal.of("0");
+const $c315 = new Definition($c453, $c454, "psi", $c455);
+const $c456 = ["J", "joule"];
+const $c457 = $Decimal.of("1");
+const $c458 = $Decimal.of("0");
+const $c316 = new Definition($c456, $c457, "N m", $c458);
+const $c459 = ["mJ"];
+const $c460 = $Decimal.of("0.001");
+const $c461 = $Decimal.of("0");
+const $c317 = new Definition($c459, $c460, "J", $c461);
+const $c462 = ["kJ"];
+const $c463 = $Decimal.of("1000");
+const $c464 = $Decimal.of("0");
+const $c318 = new Definition($c462, $c463, "J", $c464);
+const $c465 = ["MJ"];
+const $c466 = $Decimal.of("1E+6");
+const $c467 = $Decimal.of("0");
+const $c319 = new Definition($c465, $c466, "J", $c467);
+const $c468 = ["Nm"];
+const $c469 = $Decimal.of("1");
+const $c470 = $Decimal.of("0");
+const $c320 = new Definition($c468, $c469, "N m", $c470);
+const $c471 = ["kNm"];
+const $c472 = $Decimal.of("1000");
+const $c473 = $Decimal.of("0");
+const $c321 = new Definition($c471, $c472, "N m", $c473);
+const $c474 = ["MNm"];
+const $c475 = $Decimal.of("1E+6");
+const $c476 = $Decimal.of("0");
+const $c322 = new Definition($c474, $c475, "N m", $c476);
+const $c477 = ["W", "watt", "watts"];
+const $c478 = $Decimal.of("1");
+const $c479 = $Decimal.of("0");
+const $c323 = new Definition($c477, $c478, "J/s", $c479);
+const $c480 = ["kW"];
+const $c481 = $Decimal.of("1000");
+const $c482 = $Decimal.of("0");
+const $c324 = new Definition($c480, $c481, "W", $c482);
+const $c483 = ["MW"];
+const $c484 = $Decimal.of("1E+6");
+const $c485 = $Decimal.of("0");
+const $c325 = new Definition($c483, $c484, "W", $c485);
+const $c486 = ["hp", "HP", "bhp", "BHP"];
+const $c487 = $Decimal.of("550");
+const $c488 = $Decimal.of("0");
+const $c326 = new Definition($c486, $c487, "ft lbf/s", $c488);
+const $c489 = ["PS", "cv", "CV", "hp(metric)"];
+const $c490 = $Decimal.of("75");
+const $c491 = $Decimal.of("0");
+const $c327 = new Definition($c489, $c490, "kgf m/s", $c491);
+const $c492 = ["fpm", "FPM"];
+const $c493 = $Decimal.of("1");
+const $c494 = $Decimal.of("0");
+const $c328 = new Definition($c492, $c493, "ft/min", $c494);
+const $c495 = ["fps"];
+const $c496 = $Decimal.of("1");
+const $c497 = $Decimal.of("0");
+const $c329 = new Definition($c495, $c496, "ft/s", $c497);
+const $c498 = ["kph", "kmh"];
+const $c499 = $Decimal.of("1");
+const $c500 = $Decimal.of("0");
+const $c330 = new Definition($c498, $c499, "km/h", $c500);
+const $c501 = ["mph"];
+const $c502 = $Decimal.of("1");
+const $c503 = $Decimal.of("0");
+const $c331 = new Definition($c501, $c502, "mi/h", $c503);
+const $c504 = ["mrad"];
+const $c505 = $Decimal.of("0.001");
+const $c506 = $Decimal.of("0");
+const $c332 = new Definition($c504, $c505, "rad", $c506);
+const $c507 = ["deg", "degree", "degrees", "°"];
+const $c508 = $Decimal.of("0.01745329251994329576923690768");
+const $c509 = $Decimal.of("0");
+const $c333 = new Definition($c507, $c508, "rad", $c509);
+const $c510 = ["rev", "turn", "turns"];
+const $c511 = $Decimal.of("360");
+const $c512 = $Decimal.of("0");
+const $c334 = new Definition($c510, $c511, "deg", $c512);
+const $c513 = ["rpm", "RPM"];
+const $c514 = $Decimal.of("1");
+const $c515 = $Decimal.of("0");
+const $c335 = new Definition($c513, $c514, "rev/min", $c515);
+const $c516 = ["degC", "°C"];
+const $c517 = $Decimal.of("1");
+const $c518 = $Decimal.of("-273.15");
+const $c336 = new Definition($c516, $c517, "K", $c518);
+const $c519 = ["degF", "°F"];
+const $c520 = $Decimal.of("0.5555555555555555555555555556");
+const $c521 = $Decimal.of("-459.67");
+const $c337 = new Definition($c519, $c520, "K", $c521);
+const $c522 = ["%", "percent"];
+const $c523 = $Decimal.of("0.01");
+const $c524 = $Decimal.of("0");
+const $c338 = new Definition($c522, $c523, "", $c524);
+const $c22 = [$c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
 const $c27 = ["wear_coefficient"];
 const $c28 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
-const $c33 = [$c496, $c497, $c498, $c499];
+const $c33 = [$c525, $c526, $c527, $c528];
 const $c34 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c35 = ["effective_tension", "torque", "power"];
-const $c36 = ["entry_tension", "exit_tension"];
-const $c37 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c504 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c505 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c506 = ["length_coefficient", "secondary_resistance", ""];
-const $c507 = ["start_factor", "start_time", ""];
-const $c39 = [$c504, $c505, $c506, $c507];
-const $c40 = ["capacity", "start_time", "stop_time"];
-const $c1116 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c1109 = $made(Entry, {key: "entry_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c1110 = $made(Entry, {key: "exit_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c1117 = $made(Quantity, {dimension: "force", limit: null});
-const $c1111 = $made(Entry, {key: "effective_tension", kind: $c1117, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c1118 = $made(Quantity, {dimension: "power", limit: null});
-const $c1112 = $made(Entry, {key: "power", kind: $c1118, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c1120 = $made(Quantity, {dimension: "force", limit: null});
-const $c1119 = $made(ByName, {kind: $c1120, most: 200});
-const $c1113 = $made(Entry, {key: "run", kind: $c1119, required: false, alias: "", example: "", attribute: "run", unless: ""});
-const $c1350 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
-const $c1348 = $made(Quantity, {dimension: "number", limit: $c1350});
-const $c1349 = $made(Quantity, {dimension: "power", limit: null});
-const $c1122 = $made(Either, {first: $c1348, second: $c1349, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
-const $c1121 = $made(Rows, {kind: $c1122, least: 1, most: 10});
-const $c1114 = $made(Entry, {key: "share", kind: $c1121, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1123 = $made(SpeedList, {});
-const $c1115 = $made(Entry, {key: "speeds", kind: $c1123, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
-const $c1107 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115];
-const $c1108 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115]]);
-const $c1106 = $made(Table, {of: null, entries: $c1107, _known: $c1108});
-const $c1105 = $made(Entry, {key: "train", kind: $c1106, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1103 = [$c985, $c986, $c987, $c988, $c989, $c1105];
-const $c1104 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c1105]]);
-const $c1102 = $made(Table, {of: null, entries: $c1103, _known: $c1104});
-const $c1101 = $made(Rows, {kind: $c1102, least: 1, most: 1000});
-const $c1099 = $made(Entry, {key: "load_case", kind: $c1101, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1130 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c1129 = $made(Rows, {kind: $c1130, least: 1, most: 10});
-const $c1127 = $made(Entry, {key: "diameters", kind: $c1129, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
-const $c1146 = ["converter"];
-const $c1145 = $made(Choice, {options: $c1146});
-const $c1134 = $made(Entry, {key: "kind", kind: $c1145, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1148 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c1147 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1135 = $made(Entry, {key: "rated_power", kind: $c1147, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1150 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1149 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1136 = $made(Entry, {key: "rated_speed", kind: $c1149, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1152 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1137 = $made(Entry, {key: "gear_ratio", kind: $c1151, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1154 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1153 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1138 = $made(Entry, {key: "gear_efficiency", kind: $c1153, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1156 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1155 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1139 = $made(Entry, {key: "motor_efficiency", kind: $c1155, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1157 = $made(Count, {least: 1, most: 8});
-const $c1140 = $made(Entry, {key: "count", kind: $c1157, required: false, alias: "", example: "", attribute: "count", unless: ""});
-const $c1158 = $made(Flag, {});
-const $c1141 = $made(Entry, {key: "brakes", kind: $c1158, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1160 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
-const $c1159 = $made(Quantity, {dimension: "number", limit: $c1160});
-const $c1142 = $made(Entry, {key: "setting", kind: $c1159, required: false, alias: "", example: "", attribute: "setting", unless: ""});
-const $c1162 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c1161 = $made(Quantity, {dimension: "number", limit: $c1162});
-const $c1143 = $made(Entry, {key: "droop", kind: $c1161, required: false, alias: "", example: "", attribute: "droop", unless: ""});
-const $c1165 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
-const $c1164 = $made(Quantity, {dimension: "number", limit: $c1165});
-const $c1163 = $made(WordOr, {word: "rigid", kind: $c1164, meaning: Infinity});
-const $c1144 = $made(Entry, {key: "torque_limit", kind: $c1163, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
-const $c1132 = [$c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144];
-const $c1133 = new Map([["kind", $c1134], ["rated_power", $c1135], ["rated_speed", $c1136], ["gear_ratio", $c1137], ["gear_efficiency", $c1138], ["motor_efficiency", $c1139], ["count", $c1140], ["brakes", $c1141], ["setting", $c1142], ["droop", $c1143], ["torque_limit", $c1144]]);
-const $c572 = $made(Table, {of: VariableSpeed, entries: $c1132, _known: $c1133});
-const $c1178 = ["induction"];
-const $c1177 = $made(Choice, {options: $c1178});
-const $c1168 = $made(Entry, {key: "kind", kind: $c1177, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1179 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1169 = $made(Entry, {key: "rated_power", kind: $c1179, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1180 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1170 = $made(Entry, {key: "rated_speed", kind: $c1180, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1181 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1171 = $made(Entry, {key: "gear_ratio", kind: $c1181, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1182 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1172 = $made(Entry, {key: "gear_efficiency", kind: $c1182, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1183 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1173 = $made(Entry, {key: "motor_efficiency", kind: $c1183, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1184 = $made(Flag, {});
-const $c1174 = $made(Entry, {key: "brakes", kind: $c1184, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1186 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1185 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1175 = $made(Entry, {key: "synchronous_speed", kind: $c1185, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1188 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
-const $c1187 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1176 = $made(Entry, {key: "breakdown_ratio", kind: $c1187, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1166 = [$c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1140, $c1174, $c1175, $c1176];
-const $c1167 = new Map([["kind", $c1168], ["rated_power", $c1169], ["rated_speed", $c1170], ["gear_ratio", $c1171], ["gear_efficiency", $c1172], ["motor_efficiency", $c1173], ["count", $c1140], ["brakes", $c1174], ["synchronous_speed", $c1175], ["breakdown_ratio", $c1176]]);
-const $c573 = $made(Table, {of: Induction, entries: $c1166, _known: $c1167});
-const $c1203 = ["fluid-coupling"];
-const $c1202 = $made(Choice, {options: $c1203});
-const $c1191 = $made(Entry, {key: "kind", kind: $c1202, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1204 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1192 = $made(Entry, {key: "rated_power", kind: $c1204, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1205 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1193 = $made(Entry, {key: "rated_speed", kind: $c1205, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1206 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1194 = $made(Entry, {key: "gear_ratio", kind: $c1206, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1207 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1195 = $made(Entry, {key: "gear_efficiency", kind: $c1207, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1208 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1196 = $made(Entry, {key: "motor_efficiency", kind: $c1208, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1209 = $made(Flag, {});
-const $c1197 = $made(Entry, {key: "brakes", kind: $c1209, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1210 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1198 = $made(Entry, {key: "synchronous_speed", kind: $c1210, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1211 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1199 = $made(Entry, {key: "breakdown_ratio", kind: $c1211, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1214 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c1213 = $made(Quantity, {dimension: "number", limit: $c1214});
-const $c1212 = $made(Rows, {kind: $c1213, least: 2, most: 200});
-const $c1200 = $made(Entry, {key: "coupling_load", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
-const $c1201 = $made(Entry, {key: "coupling_slip", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
-const $c1189 = [$c1191, $c1192, $c1193, $c1194, $c1195, $c1196, $c1140, $c1197, $c1198, $c1199, $c1200, $c1201];
-const $c1190 = new Map([["kind", $c1191], ["rated_power", $c1192], ["rated_speed", $c1193], ["gear_ratio", $c1194], ["gear_efficiency", $c1195], ["motor_efficiency", $c1196], ["count", $c1140], ["brakes", $c1197], ["synchronous_speed", $c1198], ["breakdown_ratio", $c1199], ["coupling_load", $c1200], ["coupling_slip", $c1201]]);
-const $c574 = $made(Table, {of: FluidCoupling, entries: $c1189, _known: $c1190});
-const $c1221 = ["follower"];
-const $c1220 = $made(Choice, {options: $c1221});
-const $c1217 = $made(Entry, {key: "kind", kind: $c1220, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1222 = $made(Name, {longest: 60});
-const $c1218 = $made(Entry, {key: "master", kind: $c1222, required: true, alias: "", example: "", attribute: "master", unless: ""});
-const $c593 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
-const $c1223 = $made(Quantity, {dimension: "number", limit: $c593});
-const $c1219 = $made(Entry, {key: "ratio", kind: $c1223, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
-const $c1215 = [$c1217, $c1218, $c1219];
-const $c1216 = new Map([["kind", $c1217], ["master", $c1218], ["ratio", $c1219]]);
-const $c575 = $made(Table, {of: TorqueFollower, entries: $c1215, _known: $c1216});
-const $c65 = new Map([["converter", $c572], ["induction", $c573], ["fluid-coupling", $c574], ["follower", $c575]]);
-const $c66 = $made(Variant, {tag: "kind", tables: $c65});
-const $c1131 = $made(ByName, {kind: $c66, most: 200});
-const $c1128 = $made(Entry, {key: "motor", kind: $c1131, required: false, alias: "", example: "", attribute: "motor", unless: ""});
-const $c1125 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1127, $c1128];
-const $c1126 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115], ["diameters", $c1127], ["motor", $c1128]]);
-const $c1124 = $made(Table, {of: null, entries: $c1125, _known: $c1126});
-const $c1100 = $made(Entry, {key: "train", kind: $c1124, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1097 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c1099, $c632, $c496, $c497, $c498, $c499, $c1100, $c634];
-const $c1098 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c1099], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c1100], ["motion", $c634]]);
-const $c41 = $made(Table, {of: Drive, entries: $c1097, _known: $c1098});
-const $c42 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c43 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c44 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c45 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c47 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c48 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c51 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c52 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c54 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1235 = $made(Name, {longest: 60});
-const $c1226 = $made(Entry, {key: "name", kind: $c1235, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
-const $c1236 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c1227 = $made(Entry, {key: "thickness", kind: $c1236, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c1237 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c1228 = $made(Entry, {key: "elastic_modulus", kind: $c1237, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c1239 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c1238 = $made(WordOr, {word: "rigid", kind: $c1239, meaning: Infinity});
-const $c1229 = $made(Entry, {key: "shear_modulus", kind: $c1238, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c1241 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c1240 = $made(WordOr, {word: "rigid", kind: $c1241, meaning: Infinity});
-const $c1230 = $made(Entry, {key: "compression_modulus", kind: $c1240, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c1242 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c1231 = $made(Entry, {key: "wear_coefficient", kind: $c1242, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c1243 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c1232 = $made(Entry, {key: "belt_energy_share", kind: $c1243, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c1244 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c1233 = $made(Entry, {key: "bond_strength", kind: $c1244, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c1245 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c1234 = $made(Entry, {key: "fatigue_limit", kind: $c1245, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c1224 = [$c623, $c1226, $c695, $c696, $c697, $c1227, $c1228, $c1229, $c1230, $c702, $c1231, $c1232, $c1233, $c1234, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c1225 = new Map([["format", $c623], ["name", $c1226], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c1227], ["elastic_modulus", $c1228], ["shear_modulus", $c1229], ["compression_modulus", $c1230], ["block", $c702], ["wear_coefficient", $c1231], ["belt_energy_share", $c1232], ["bond_strength", $c1233], ["fatigue_limit", $c1234], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c58 = $made(Table, {of: Lagging, entries: $c1224, _known: $c1225});
-const $c508 = ["compression_modulus", "block"];
-const $c59 = [$c508];
-const $c60 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c530 = [0.25, 0.25];
-const $c531 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c530, provenance: $c531});
-const $c532 = [0.35, 0.35];
-const $c533 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c510 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c532, provenance: $c533});
-const $c534 = [0.5, 0.5];
-const $c535 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
-const $c511 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c534, provenance: $c535});
-const $c536 = [0.35, 0.4];
-const $c537 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c512 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c536, provenance: $c537});
-const $c538 = [0.1, 0.1];
-const $c539 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c513 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c538, provenance: $c539});
-const $c540 = [0.05, 0.1];
-const $c541 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c514 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c540, provenance: $c541});
-const $c542 = [0.4, 0.45];
-const $c543 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c515 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c542, provenance: $c543});
-const $c544 = [0.35, 0.35];
-const $c545 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
-const $c516 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c544, provenance: $c545});
-const $c546 = [0.25, 0.3];
-const $c547 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c517 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c546, provenance: $c547});
-const $c548 = [0.35, 0.4];
-const $c549 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c518 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c548, provenance: $c549});
-const $c550 = [0.35, 0.35];
-const $c551 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c519 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c550, provenance: $c551});
-const $c552 = [0.2, 0.2];
-const $c553 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c520 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c552, provenance: $c553});
-const $c554 = [0.4, 0.45];
-const $c555 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c521 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c554, provenance: $c555});
-const $c556 = [0.35, 0.4];
-const $c557 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c522 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c556, provenance: $c557});
-const $c558 = [0.35, 0.35];
-const $c559 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c523 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c558, provenance: $c559});
-const $c560 = [0.35, 0.35];
-const $c561 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c524 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c560, provenance: $c561});
-const $c562 = [0.35, 0.35];
-const $c563 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c525 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c562, provenance: $c563});
-const $c564 = [0.3, 0.3];
-const $c565 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c526 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c564, provenance: $c565});
-const $c566 = [0.8, 0.8];
-const $c567 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c527 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c566, provenance: $c567});
-const $c568 = [0.45, 0.45];
-const $c569 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c568, provenance: $c569});
-const $c570 = [0.35, 0.35];
-const $c571 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c529 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c570, provenance: $c571});
-const $c61 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
-const $c62 = new RunsGain(0.0, 0.0);
-const $c64 = ["share", "speeds", "motor"];
-const $c67 = $Decimal.of("0");
-const $c576 = [0.0];
-const $c68 = $made(Trend, {form: "polynomial", coefficients: $c576, sign: 1});
-const $c577 = [1000000000.0];
-const $c69 = $made(Trend, {form: "polynomial", coefficients: $c577, sign: 1});
-const $c70 = new Map([["factor", $c578]]);
-const $c71 = new Map([["x", $c579], ["y", $c579], ["diameter", $c580]]);
-const $c582 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c72 = new Map([["entry", $c581], ["exit", $c582]]);
-const $c73 = new Map([["creep_limit", $c583]]);
-const $c584 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c74 = new Map([["creep_limit", $c584]]);
-const $c75 = new Map([["thickness", $c585], ["shear_modulus", $c586], ["compression_modulus", $c587], ["elastic_modulus", $c588], ["wear_coefficient", $c589], ["belt_energy_share", $c590], ["bond_strength", $c591], ["fatigue_limit", $c592]]);
-const $c76 = new Map([["ratio", $c593]]);
-const $c77 = new Map([["entry_tension", $c581], ["exit_tension", $c582]]);
-const $c78 = new Map([["sheave_ratio", $c594]]);
-const $c79 = new Map([["friction", $c595], ["start_factor", $c596]]);
-const $c80 = new Map([["running", $c596], ["starting", $c596], ["braking", $c596]]);
-const $c1246 = [false, false];
-const $c1247 = [true, false];
-const $c1248 = [true, true];
-const $c1249 = [false, true];
-const $c597 = new Map([["polynomial", $c1246], ["logarithmic", $c1247], ["power", $c1248], ["exponential", $c1249]]);
-const $c602 = $made(_OfClass, {});
-const $c603 = new Map([[10, null], [9, null]]);
-const $c1250 = [80.0, 1.92];
-const $c1251 = [90.0, 1.86];
-const $c1252 = [100.0, 1.78];
-const $c1253 = [120.0, 1.7];
-const $c1254 = [140.0, 1.63];
-const $c1255 = [160.0, 1.56];
-const $c1256 = [180.0, 1.5];
-const $c1257 = [200.0, 1.45];
-const $c1258 = [250.0, 1.38];
-const $c1259 = [300.0, 1.31];
-const $c1260 = [350.0, 1.27];
-const $c1261 = [400.0, 1.25];
-const $c1262 = [450.0, 1.22];
-const $c1263 = [500.0, 1.2];
-const $c1264 = [550.0, 1.18];
-const $c1265 = [600.0, 1.17];
-const $c1266 = [700.0, 1.14];
-const $c1267 = [800.0, 1.12];
-const $c1268 = [900.0, 1.1];
-const $c1269 = [1000.0, 1.09];
-const $c1270 = [1500.0, 1.06];
-const $c1271 = [2000.0, 1.05];
-const $c606 = [$c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271];
-const $c1272 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1273 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c608 = new Map([["residual_noise", $c1272], ["coverage_factor", $c1273]]);
-const $c609 = $Decimal.of("0");
-const $c610 = new Map([["misalignment", $c938], ["deflection", $c940]]);
-const $c611 = new Map([["diameter", $c667], ["wrap_angle", $c668], ["overrun", $c920], ["creep_limit", $c921], ["mass", $c922]]);
-const $c612 = new Map([["spacing", $c1090], ["line_mass", $c1092], ["share", $c1094]]);
-const $c1274 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1275 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c613 = new Map([["length", $c1021], ["lift", $c1023], ["belt_mass", $c1025], ["carry_idler_mass", $c1027], ["return_idler_mass", $c1029], ["material_mass", $c1025], ["capacity", $c1032], ["friction_factor", $c1034], ["length_coefficient", $c1036], ["secondary_resistance", $c1038], ["special_resistance", $c1038], ["return_share", $c1041], ["start_factor", $c1043], ["start_time", $c1045], ["stop_time", $c1045], ["take_up_tension", $c1048], ["counterweight", $c1050], ["take_up_distance", $c1052], ["speed", $c1274], ["sheave_ratio", $c1275]]);
-const $c614 = new Map([["material", $c752], ["installation", $c754], ["area", $c757]]);
-const $c615 = new Map([["width", $c733], ["height", $c735], ["stiffening", $c737], ["contact_fraction", $c739]]);
-const $c1276 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c616 = new Map([["factor", $c1276]]);
-const $c1277 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
-const $c617 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277]]);
-const $c618 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["setting", $c1160], ["droop", $c1162], ["torque_limit", $c1165]]);
-const $c619 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["synchronous_speed", $c1186], ["breakdown_ratio", $c1188]]);
-const $c620 = new Map([["length", $c964], ["trough_angle", $c966], ["centre_roll", $c968]]);
-const $c1278 = [0.016, 0.03];
-const $c1279 = new Map([["distance", $c953]]);
-const $c1354 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c1352 = $made(Quantity, {dimension: "number", limit: $c1354});
-const $c1355 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1353 = $made(Quantity, {dimension: "rotation_speed", limit: $c1355});
-const $c1351 = $made(Either, {first: $c1352, second: $c1353, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
-const $c1280 = $made(Rows, {kind: $c1351, least: 1, most: 10});
+const $c35 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c533 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c534 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c535 = ["length_coefficient", "secondary_resistance", ""];
+const $c536 = ["start_factor", "start_time", ""];
+const $c37 = [$c533, $c534, $c535, $c536];
+const $c38 = ["capacity", "start_time", "stop_time"];
+const $c1225 = $made(Quantity, {dimension: "force", limit: $c187});
+const $c1218 = $made(Entry, {key: "entry_tension", kind: $c1225, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c1219 = $made(Entry, {key: "exit_tension", kind: $c1225, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c1226 = $made(Quantity, {dimension: "force", limit: null});
+const $c1220 = $made(Entry, {key: "effective_tension", kind: $c1226, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c1227 = $made(Quantity, {dimension: "power", limit: null});
+const $c1221 = $made(Entry, {key: "power", kind: $c1227, required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c1229 = $made(Quantity, {dimension: "force", limit: null});
+const $c1228 = $made(ByName, {kind: $c1229, most: 200});
+const $c1222 = $made(Entry, {key: "run", kind: $c1228, required: false, alias: "", example: "", attribute: "run", unless: ""});
+const $c1453 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
+const $c1451 = $made(Quantity, {dimension: "number", limit: $c1453});
+const $c1452 = $made(Quantity, {dimension: "power", limit: null});
+const $c1231 = $made(Either, {first: $c1451, second: $c1452, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
+const $c1230 = $made(Rows, {kind: $c1231, least: 1, most: 10});
+const $c1223 = $made(Entry, {key: "share", kind: $c1230, required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1232 = $made(SpeedList, {});
+const $c1224 = $made(Entry, {key: "speeds", kind: $c1232, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
+const $c1216 = [$c1218, $c1219, $c1220, $c1221, $c1222, $c1223, $c1224];
+const $c1217 = new Map([["entry_tension", $c1218], ["exit_tension", $c1219], ["effective_tension", $c1220], ["power", $c1221], ["run", $c1222], ["share", $c1223], ["speeds", $c1224]]);
+const $c1215 = $made(tables$Table, {of: null, entries: $c1216, _known: $c1217});
+const $c1214 = $made(Entry, {key: "train", kind: $c1215, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1212 = [$c1094, $c1095, $c1096, $c1097, $c1098, $c1214];
+const $c1213 = new Map([["name", $c1094], ["description", $c1095], ["kind", $c1096], ["condition", $c1097], ["pulley", $c1098], ["train", $c1214]]);
+const $c1211 = $made(tables$Table, {of: null, entries: $c1212, _known: $c1213});
+const $c1210 = $made(Rows, {kind: $c1211, least: 1, most: 1000});
+const $c1208 = $made(Entry, {key: "load_case", kind: $c1210, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1239 = $made(Quantity, {dimension: "length", limit: $c180});
+const $c1238 = $made(Rows, {kind: $c1239, least: 1, most: 10});
+const $c1236 = $made(Entry, {key: "diameters", kind: $c1238, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
+const $c1255 = ["converter"];
+const $c1254 = $made(Choice, {options: $c1255});
+const $c1243 = $made(Entry, {key: "kind", kind: $c1254, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c688 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c1256 = $made(Quantity, {dimension: "power", limit: $c688});
+const $c1244 = $made(Entry, {key: "rated_power", kind: $c1256, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c689 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1257 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
+const $c1245 = $made(Entry, {key: "rated_speed", kind: $c1257, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c690 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1258 = $made(Quantity, {dimension: "number", limit: $c690});
+const $c1246 = $made(Entry, {key: "gear_ratio", kind: $c1258, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c691 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1259 = $made(Quantity, {dimension: "number", limit: $c691});
+const $c1247 = $made(Entry, {key: "gear_efficiency", kind: $c1259, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c692 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1260 = $made(Quantity, {dimension: "number", limit: $c692});
+const $c1248 = $made(Entry, {key: "motor_efficiency", kind: $c1260, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1261 = $made(Count, {least: 1, most: 8});
+const $c1249 = $made(Entry, {key: "count", kind: $c1261, required: false, alias: "", example: "", attribute: "count", unless: ""});
+const $c1262 = $made(Flag, {});
+const $c1250 = $made(Entry, {key: "brakes", kind: $c1262, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1264 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
+const $c1263 = $made(Quantity, {dimension: "number", limit: $c1264});
+const $c1251 = $made(Entry, {key: "setting", kind: $c1263, required: false, alias: "", example: "", attribute: "setting", unless: ""});
+const $c1266 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c1265 = $made(Quantity, {dimension: "number", limit: $c1266});
+const $c1252 = $made(Entry, {key: "droop", kind: $c1265, required: false, alias: "", example: "", attribute: "droop", unless: ""});
+const $c1269 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
+const $c1268 = $made(Quantity, {dimension: "number", limit: $c1269});
+const $c1267 = $made(WordOr, {word: "rigid", kind: $c1268, meaning: Infinity});
+const $c1253 = $made(Entry, {key: "torque_limit", kind: $c1267, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
+const $c1241 = [$c1243, $c1244, $c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253];
+const $c1242 = new Map([["kind", $c1243], ["rated_power", $c1244], ["rated_speed", $c1245], ["gear_ratio", $c1246], ["gear_efficiency", $c1247], ["motor_efficiency", $c1248], ["count", $c1249], ["brakes", $c1250], ["setting", $c1251], ["droop", $c1252], ["torque_limit", $c1253]]);
+const $c676 = $made(tables$Table, {of: VariableSpeed, entries: $c1241, _known: $c1242});
+const $c1282 = ["induction"];
+const $c1281 = $made(Choice, {options: $c1282});
+const $c1272 = $made(Entry, {key: "kind", kind: $c1281, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1283 = $made(Quantity, {dimension: "power", limit: $c688});
+const $c1273 = $made(Entry, {key: "rated_power", kind: $c1283, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1284 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
+const $c1274 = $made(Entry, {key: "rated_speed", kind: $c1284, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1285 = $made(Quantity, {dimension: "number", limit: $c690});
+const $c1275 = $made(Entry, {key: "gear_ratio", kind: $c1285, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1286 = $made(Quantity, {dimension: "number", limit: $c691});
+const $c1276 = $made(Entry, {key: "gear_efficiency", kind: $c1286, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1287 = $made(Quantity, {dimension: "number", limit: $c692});
+const $c1277 = $made(Entry, {key: "motor_efficiency", kind: $c1287, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1288 = $made(Flag, {});
+const $c1278 = $made(Entry, {key: "brakes", kind: $c1288, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1290 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1289 = $made(Quantity, {dimension: "rotation_speed", limit: $c1290});
+const $c1279 = $made(Entry, {key: "synchronous_speed", kind: $c1289, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1292 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
+const $c1291 = $made(Quantity, {dimension: "number", limit: $c1292});
+const $c1280 = $made(Entry, {key: "breakdown_ratio", kind: $c1291, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1270 = [$c1272, $c1273, $c1274, $c1275, $c1276, $c1277, $c1249, $c1278, $c1279, $c1280];
+const $c1271 = new Map([["kind", $c1272], ["rated_power", $c1273], ["rated_speed", $c1274], ["gear_ratio", $c1275], ["gear_efficiency", $c1276], ["motor_efficiency", $c1277], ["count", $c1249], ["brakes", $c1278], ["synchronous_speed", $c1279], ["breakdown_ratio", $c1280]]);
+const $c677 = $made(tables$Table, {of: Induction, entries: $c1270, _known: $c1271});
+const $c1307 = ["fluid-coupling"];
+const $c1306 = $made(Choice, {options: $c1307});
+const $c1295 = $made(Entry, {key: "kind", kind: $c1306, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1308 = $made(Quantity, {dimension: "power", limit: $c688});
+const $c1296 = $made(Entry, {key: "rated_power", kind: $c1308, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1309 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
+const $c1297 = $made(Entry, {key: "rated_speed", kind: $c1309, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1310 = $made(Quantity, {dimension: "number", limit: $c690});
+const $c1298 = $made(Entry, {key: "gear_ratio", kind: $c1310, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1311 = $made(Quantity, {dimension: "number", limit: $c691});
+const $c1299 = $made(Entry, {key: "gear_efficiency", kind: $c1311, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1312 = $made(Quantity, {dimension: "number", limit: $c692});
+const $c1300 = $made(Entry, {key: "motor_efficiency", kind: $c1312, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1313 = $made(Flag, {});
+const $c1301 = $made(Entry, {key: "brakes", kind: $c1313, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1314 = $made(Quantity, {dimension: "rotation_speed", limit: $c1290});
+const $c1302 = $made(Entry, {key: "synchronous_speed", kind: $c1314, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1315 = $made(Quantity, {dimension: "number", limit: $c1292});
+const $c1303 = $made(Entry, {key: "breakdown_ratio", kind: $c1315, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1318 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c1317 = $made(Quantity, {dimension: "number", limit: $c1318});
+const $c1316 = $made(Rows, {kind: $c1317, least: 2, most: 200});
+const $c1304 = $made(Entry, {key: "coupling_load", kind: $c1316, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
+const $c1305 = $made(Entry, {key: "coupling_slip", kind: $c1316, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
+const $c1293 = [$c1295, $c1296, $c1297, $c1298, $c1299, $c1300, $c1249, $c1301, $c1302, $c1303, $c1304, $c1305];
+const $c1294 = new Map([["kind", $c1295], ["rated_power", $c1296], ["rated_speed", $c1297], ["gear_ratio", $c1298], ["gear_efficiency", $c1299], ["motor_efficiency", $c1300], ["count", $c1249], ["brakes", $c1301], ["synchronous_speed", $c1302], ["breakdown_ratio", $c1303], ["coupling_load", $c1304], ["coupling_slip", $c1305]]);
+const $c678 = $made(tables$Table, {of: FluidCoupling, entries: $c1293, _known: $c1294});
+const $c1325 = ["follower"];
+const $c1324 = $made(Choice, {options: $c1325});
+const $c1321 = $made(Entry, {key: "kind", kind: $c1324, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1326 = $made(Name, {longest: 60});
+const $c1322 = $made(Entry, {key: "master", kind: $c1326, required: true, alias: "", example: "", attribute: "master", unless: ""});
+const $c702 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
+const $c1327 = $made(Quantity, {dimension: "number", limit: $c702});
+const $c1323 = $made(Entry, {key: "ratio", kind: $c1327, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
+const $c1319 = [$c1321, $c1322, $c1323];
+const $c1320 = new Map([["kind", $c1321], ["master", $c1322], ["ratio", $c1323]]);
+const $c679 = $made(tables$Table, {of: TorqueFollower, entries: $c1319, _known: $c1320});
+const $c83 = new Map([["converter", $c676], ["induction", $c677], ["fluid-coupling", $c678], ["follower", $c679]]);
+const $c84 = $made(Variant, {tag: "kind", tables: $c83});
+const $c1240 = $made(ByName, {kind: $c84, most: 200});
+const $c1237 = $made(Entry, {key: "motor", kind: $c1240, required: false, alias: "", example: "", attribute: "motor", unless: ""});
+const $c1234 = [$c1218, $c1219, $c1220, $c1221, $c1222, $c1223, $c1224, $c1236, $c1237];
+const $c1235 = new Map([["entry_tension", $c1218], ["exit_tension", $c1219], ["effective_tension", $c1220], ["power", $c1221], ["run", $c1222], ["share", $c1223], ["speeds", $c1224], ["diameters", $c1236], ["motor", $c1237]]);
+const $c1233 = $made(tables$Table, {of: null, entries: $c1234, _known: $c1235});
+const $c1209 = $made(Entry, {key: "train", kind: $c1233, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1206 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c1208, $c746, $c525, $c526, $c527, $c528, $c1209, $c748];
+const $c1207 = new Map([["format", $c737], ["title", $c738], ["description", $c739], ["creep_limit", $c740], ["condition", $c741], ["belt", $c742], ["pulley", $c743], ["lagging", $c744], ["load_case", $c1208], ["conveyor", $c746], ["take_up", $c525], ["design_standard", $c526], ["safety_factor", $c527], ["sag", $c528], ["train", $c1209], ["motion", $c748]]);
+const $c39 = $made(tables$Table, {of: Drive, entries: $c1206, _known: $c1207});
+const $c40 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c41 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
+const $c42 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
+const $c43 = ["illustrative", "calibrated", "estimated"];
+const $c537 = [0.2, 4.0];
+const $c538 = [100000.0, 1000000000.0];
+const $c539 = [0.05, 15.0];
+const $c540 = [0.15, 3.0];
+const $c541 = [0.17453292519943295, 4.71238898038469];
+const $c542 = [2.0943951023931953, 4.71238898038469];
+const $c543 = [5e-05, 0.061];
+const $c544 = [-0.002, 0.002];
+const $c545 = [0.0, 0.06];
+const $c546 = [100000.0, 50000000.0];
+const $c547 = [100000.0, 5000000000.0];
+const $c548 = [5000.0, 2000000.0];
+const $c549 = [10000.0, 50000000.0];
+const $c550 = [50000.0, 10000000.0];
+const $c551 = [0.1, 3.0];
+const $c552 = [500.0, 10000000.0];
+const $c553 = [15.0, 1000.0];
+const $c554 = [3.0, 20.0];
+const $c555 = [0.0, 1600000.0];
+const $c556 = [250.0, 20000000.0];
+const $c557 = [1.0, 130.0];
+const $c44 = [$c537, $c538, $c539, $c540, $c541, $c542, $c543, $c544, $c545, $c546, $c547, $c548, $c549, $c549, $c550, $c551, $c552, $c553, $c554, $c555, $c552, $c552, $c556, $c557];
+const $c45 = ["force", "mass_per_length"];
+const $c558 = ["mm", "m", "cm", "in", "ft"];
+const $c559 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c560 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c561 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c562 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c563 = ["deg", "rad"];
+const $c564 = ["kW", "W", "hp", "MW"];
+const $c565 = ["t", "kg", "g"];
+const $c566 = ["kg/m", "g/m", "t/m"];
+const $c567 = ["t/h", "kg/s", "kg/h"];
+const $c568 = ["kg m2", "t m2", "kg cm2"];
+const $c569 = ["kN m", "N m", "MN m"];
+const $c570 = ["s", "min", "ms", "h"];
+const $c46 = new Map([["length", $c558], ["force", $c559], ["force_per_width", $c560], ["pressure", $c561], ["speed", $c562], ["angle", $c563], ["power", $c564], ["mass", $c565], ["mass_per_length", $c566], ["mass_flow", $c567], ["moment_of_inertia", $c568], ["torque", $c569], ["time", $c570]]);
+const $c571 = $made(Rule, {name: "gross_slip", what: "the safety against gross slip", missed: "ATTENTION", at_most: false, fails_beyond: 1.0, tolerates: NaN});
+const $c572 = $made(Rule, {name: "design_standard", what: "the design standard", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
+const $c573 = $made(Rule, {name: "creep", what: "the creep limit", missed: "ATTENTION", at_most: true, fails_beyond: 0.0635, tolerates: 0.0127});
+const $c574 = $made(Rule, {name: "cover_creep", what: "the creep limit, with the cover of the belt in series", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c575 = $made(Rule, {name: "creep_interval", what: "the creep limit, at the end of the interval of the law", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c576 = $made(Rule, {name: "belt_tension", what: "the rating of the belt", missed: "FAILS", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c577 = $made(Rule, {name: "momentary_tension", what: "the momentary rating of the belt", missed: "FAILS", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c578 = $made(Rule, {name: "belt_safety", what: "the safety factor of the belt", missed: "ATTENTION", at_most: false, fails_beyond: 3.0, tolerates: NaN});
+const $c579 = $made(Rule, {name: "face_pressure", what: "the pressure on the pulley face", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c580 = $made(Rule, {name: "bond_stress", what: "the bond strength of the lagging", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c581 = $made(Rule, {name: "fatigue_stress", what: "the fatigue limit of the lagging", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c582 = $made(Rule, {name: "tested_pressure_max", what: "the largest wrap pressure tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c583 = $made(Rule, {name: "tested_pressure_min", what: "the least wrap pressure tested", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
+const $c584 = $made(Rule, {name: "condition", what: "friction that was not tested in the condition", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c585 = $made(Rule, {name: "fit", what: "friction that does not fit its tests", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c586 = $made(Rule, {name: "tested_slip", what: "the largest slip tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c587 = $made(Rule, {name: "tested_slip_speed", what: "the slip speed tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c588 = $made(Rule, {name: "balance", what: "the energy balance", missed: "FAULT OF THE PROGRAM", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c589 = $made(Rule, {name: "sag", what: "the sag of the belt", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
+const $c590 = $made(Rule, {name: "pulley_diameter", what: "the least pulley of the belt", missed: "FAILS", at_most: false, fails_beyond: NaN, tolerates: NaN});
+const $c591 = $made(Rule, {name: "belt_thickness", what: "a trim without the thickness of the belt", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c592 = $made(Rule, {name: "usual_sizes", what: "an unusual size", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c593 = $made(Rule, {name: "motor_load", what: "the rating of a motor", missed: "ATTENTION", at_most: true, fails_beyond: 1.15, tolerates: NaN});
+const $c594 = $made(Rule, {name: "momentary_load", what: "the torque that a motor bears in a start", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c595 = $made(Rule, {name: "motor_heat", what: "the heat that a motor bears", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c596 = $made(Rule, {name: "train_balance", what: "the balance of the train", missed: "FAULT OF THE PROGRAM", at_most: true, fails_beyond: NaN, tolerates: NaN});
+const $c47 = new Map([["gross_slip", $c571], ["design_standard", $c572], ["creep", $c573], ["cover_creep", $c574], ["creep_interval", $c575], ["belt_tension", $c576], ["momentary_tension", $c577], ["belt_safety", $c578], ["face_pressure", $c579], ["bond_stress", $c580], ["fatigue_stress", $c581], ["tested_pressure_max", $c582], ["tested_pressure_min", $c583], ["condition", $c584], ["fit", $c585], ["tested_slip", $c586], ["tested_slip_speed", $c587], ["balance", $c588], ["sag", $c589], ["pulley_diameter", $c590], ["belt_thickness", $c591], ["usual_sizes", $c592], ["motor_load", $c593], ["momentary_load", $c594], ["motor_heat", $c595], ["train_balance", $c596]]);
+const $c48 = new WeakMap();
+const $c49 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c597 = ["by creep", "The belt slides (creep of {slides})"];
+const $c598 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c599 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c50 = new Map([[0, $c597], [1, $c598], [2, $c599]]);
+const $c602 = [180.0, 1.2];
+const $c603 = [200.0, 1.0];
+const $c604 = [210.0, 1.0];
+const $c605 = [220.0, 0.9];
+const $c606 = [240.0, 0.8];
+const $c600 = [$c602, $c603, $c604, $c605, $c606];
+const $c607 = [180.0, 0.8];
+const $c608 = [200.0, 0.7];
+const $c609 = [210.0, 0.7];
+const $c610 = [220.0, 0.6];
+const $c611 = [240.0, 0.6];
+const $c601 = [$c607, $c608, $c609, $c610, $c611];
+const $c51 = new Map([["bare", $c600], ["lagged", $c601]]);
+const $c633 = [0.25, 0.25];
+const $c634 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c612 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c633, provenance: $c634});
+const $c635 = [0.35, 0.35];
+const $c636 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c613 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c635, provenance: $c636});
+const $c637 = [0.5, 0.5];
+const $c638 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
+const $c614 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c637, provenance: $c638});
+const $c639 = [0.35, 0.4];
+const $c640 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c615 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c639, provenance: $c640});
+const $c641 = [0.1, 0.1];
+const $c642 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c616 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c641, provenance: $c642});
+const $c643 = [0.05, 0.1];
+const $c644 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c617 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c643, provenance: $c644});
+const $c645 = [0.4, 0.45];
+const $c646 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c618 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c645, provenance: $c646});
+const $c647 = [0.35, 0.35];
+const $c648 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
+const $c619 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c647, provenance: $c648});
+const $c649 = [0.25, 0.3];
+const $c650 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c620 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c649, provenance: $c650});
+const $c651 = [0.35, 0.4];
+const $c652 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c621 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c651, provenance: $c652});
+const $c653 = [0.35, 0.35];
+const $c654 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c622 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c653, provenance: $c654});
+const $c655 = [0.2, 0.2];
+const $c656 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c623 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c655, provenance: $c656});
+const $c657 = [0.4, 0.45];
+const $c658 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c624 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c657, provenance: $c658});
+const $c659 = [0.35, 0.4];
+const $c660 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c625 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c659, provenance: $c660});
+const $c661 = [0.35, 0.35];
+const $c662 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c626 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c661, provenance: $c662});
+const $c663 = [0.35, 0.35];
+const $c664 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c627 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c663, provenance: $c664});
+const $c665 = [0.35, 0.35];
+const $c666 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c628 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c665, provenance: $c666});
+const $c667 = [0.3, 0.3];
+const $c668 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c629 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c667, provenance: $c668});
+const $c669 = [0.8, 0.8];
+const $c670 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c630 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c669, provenance: $c670});
+const $c671 = [0.45, 0.45];
+const $c672 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c631 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c671, provenance: $c672});
+const $c673 = [0.35, 0.35];
+const $c674 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c632 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c673, provenance: $c674});
+const $c52 = [$c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632];
+const $c53 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c54 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c55 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c56 = new WeakMap();
+const $c57 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c58 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c59 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c60 = new WeakMap();
+const $c61 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c62 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c63 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c65 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c66 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c69 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c70 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c72 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1339 = $made(Name, {longest: 60});
+const $c1330 = $made(Entry, {key: "name", kind: $c1339, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
+const $c1340 = $made(Quantity, {dimension: "length", limit: $c694});
+const $c1331 = $made(Entry, {key: "thickness", kind: $c1340, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c1341 = $made(Quantity, {dimension: "pressure", limit: $c697});
+const $c1332 = $made(Entry, {key: "elastic_modulus", kind: $c1341, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c1343 = $made(Quantity, {dimension: "pressure", limit: $c695});
+const $c1342 = $made(WordOr, {word: "rigid", kind: $c1343, meaning: Infinity});
+const $c1333 = $made(Entry, {key: "shear_modulus", kind: $c1342, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
+const $c1345 = $made(Quantity, {dimension: "pressure", limit: $c696});
+const $c1344 = $made(WordOr, {word: "rigid", kind: $c1345, meaning: Infinity});
+const $c1334 = $made(Entry, {key: "compression_modulus", kind: $c1344, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c1346 = $made(Quantity, {dimension: "wear_coefficient", limit: $c698});
+const $c1335 = $made(Entry, {key: "wear_coefficient", kind: $c1346, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c1347 = $made(Quantity, {dimension: "number", limit: $c699});
+const $c1336 = $made(Entry, {key: "belt_energy_share", kind: $c1347, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c1348 = $made(Quantity, {dimension: "pressure", limit: $c700});
+const $c1337 = $made(Entry, {key: "bond_strength", kind: $c1348, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
+const $c1349 = $made(Quantity, {dimension: "pressure", limit: $c701});
+const $c1338 = $made(Entry, {key: "fatigue_limit", kind: $c1349, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c1328 = [$c737, $c1330, $c807, $c808, $c809, $c1331, $c1332, $c1333, $c1334, $c814, $c1335, $c1336, $c1337, $c1338, $c819, $c820, $c821, $c822, $c823, $c122, $c123, $c824];
+const $c1329 = new Map([["format", $c737], ["name", $c1330], ["title", $c807], ["description", $c808], ["surface", $c809], ["thickness", $c1331], ["elastic_modulus", $c1332], ["shear_modulus", $c1333], ["compression_modulus", $c1334], ["block", $c814], ["wear_coefficient", $c1335], ["belt_energy_share", $c1336], ["bond_strength", $c1337], ["fatigue_limit", $c1338], ["cost", $c819], ["slip_speed", $c820], ["temperature", $c821], ["condition_factor", $c822], ["law", $c823], ["provenance", $c122], ["sources", $c123], ["notes", $c824]]);
+const $c76 = $made(tables$Table, {of: Lagging, entries: $c1328, _known: $c1329});
+const $c675 = ["compression_modulus", "block"];
+const $c77 = [$c675];
+const $c78 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c79 = new RunsGain(0.0, 0.0);
+const $c81 = ["effective_tension", "torque", "power"];
+const $c82 = ["share", "speeds", "motor"];
+const $c85 = ["data", "sense"];
+const $c86 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c87 = $Decimal.of("0");
+const $c88 = new Place("", "", "");
+const $c89 = [""];
+const $c680 = [0.0];
+const $c90 = $made(Trend, {form: "polynomial", coefficients: $c680, sign: 1});
+const $c681 = [1000000000.0];
+const $c91 = $made(Trend, {form: "polynomial", coefficients: $c681, sign: 1});
+const $c92 = new Map([["factor", $c682]]);
+const $c93 = new Map([["x", $c683], ["y", $c683], ["diameter", $c684]]);
+const $c685 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c94 = new Map([["entry", $c187], ["exit", $c685]]);
+const $c95 = new Map([["creep_limit", $c686]]);
+const $c687 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c96 = new Map([["creep_limit", $c687]]);
+const $c693 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
+const $c97 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693]]);
+const $c98 = new Map([["thickness", $c694], ["shear_modulus", $c695], ["compression_modulus", $c696], ["elastic_modulus", $c697], ["wear_coefficient", $c698], ["belt_energy_share", $c699], ["bond_strength", $c700], ["fatigue_limit", $c701]]);
+const $c99 = new Map([["ratio", $c702]]);
+const $c100 = new Map([["entry_tension", $c187], ["exit_tension", $c685]]);
+const $c101 = new Map([["sheave_ratio", $c703]]);
+const $c102 = new Map([["friction", $c704], ["start_factor", $c705]]);
+const $c103 = new Map([["running", $c705], ["starting", $c705], ["braking", $c705]]);
+const $c706 = ["balance", "train_balance", "across_balance"];
+const $c707 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c708 = ["gross_slip", "operating_point"];
+const $c709 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1350 = [false, false];
+const $c1351 = [true, false];
+const $c1352 = [true, true];
+const $c1353 = [false, true];
+const $c710 = new Map([["polynomial", $c1350], ["logarithmic", $c1351], ["power", $c1352], ["exponential", $c1353]]);
+const $c715 = $made(_OfClass, {});
+const $c716 = new Map([[10, null], [9, null]]);
+const $c717 = $re("ST[ -]?(\\d{3,5})\\b", "");
+const $c1354 = [80.0, 1.92];
+const $c1355 = [90.0, 1.86];
+const $c1356 = [100.0, 1.78];
+const $c1357 = [120.0, 1.7];
+const $c1358 = [140.0, 1.63];
+const $c1359 = [160.0, 1.56];
+const $c1360 = [180.0, 1.5];
+const $c1361 = [200.0, 1.45];
+const $c1362 = [250.0, 1.38];
+const $c1363 = [300.0, 1.31];
+const $c1364 = [350.0, 1.27];
+const $c1365 = [400.0, 1.25];
+const $c1366 = [450.0, 1.22];
+const $c1367 = [500.0, 1.2];
+const $c1368 = [550.0, 1.18];
+const $c1369 = [600.0, 1.17];
+const $c1370 = [700.0, 1.14];
+const $c1371 = [800.0, 1.12];
+const $c1372 = [900.0, 1.1];
+const $c1373 = [1000.0, 1.09];
+const $c1374 = [1500.0, 1.06];
+const $c1375 = [2000.0, 1.05];
+const $c720 = [$c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361, $c1362, $c1363, $c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372, $c1373, $c1374, $c1375];
+const $c1376 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1377 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c722 = new Map([["residual_noise", $c1376], ["coverage_factor", $c1377]]);
+const $c723 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c724 = $Decimal.of("0");
+const $c725 = new Map([["misalignment", $c1047], ["deflection", $c1049]]);
+const $c726 = new Map([["diameter", $c180], ["wrap_angle", $c182], ["overrun", $c193], ["creep_limit", $c196], ["mass", $c199]]);
+const $c727 = new Map([["spacing", $c1199], ["line_mass", $c1201], ["share", $c1203]]);
+const $c1378 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1379 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c728 = new Map([["length", $c1130], ["lift", $c1132], ["belt_mass", $c1134], ["carry_idler_mass", $c1136], ["return_idler_mass", $c1138], ["material_mass", $c1134], ["capacity", $c1141], ["friction_factor", $c1143], ["length_coefficient", $c1145], ["secondary_resistance", $c1147], ["special_resistance", $c1147], ["return_share", $c1150], ["start_factor", $c1152], ["start_time", $c1154], ["stop_time", $c1154], ["take_up_tension", $c1157], ["counterweight", $c1159], ["take_up_distance", $c1161], ["speed", $c1378], ["sheave_ratio", $c1379]]);
+const $c729 = new Map([["material", $c864], ["installation", $c866], ["area", $c869]]);
+const $c730 = new Map([["width", $c845], ["height", $c847], ["stiffening", $c849], ["contact_fraction", $c851]]);
+const $c1380 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c731 = new Map([["factor", $c1380]]);
+const $c732 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693], ["setting", $c1264], ["droop", $c1266], ["torque_limit", $c1269]]);
+const $c733 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693], ["synchronous_speed", $c1290], ["breakdown_ratio", $c1292]]);
+const $c734 = new Map([["length", $c1073], ["trough_angle", $c1075], ["centre_roll", $c1077]]);
+const $c1381 = [0.016, 0.03];
+const $c1382 = new Map([["distance", $c1062]]);
+const $c1457 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c1455 = $made(Quantity, {dimension: "number", limit: $c1457});
+const $c1458 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1456 = $made(Quantity, {dimension: "rotation_speed", limit: $c1458});
+const $c1454 = $made(Either, {first: $c1455, second: $c1456, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
+const $c1383 = $made(Rows, {kind: $c1454, least: 1, most: 10});
 $sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
 Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
 $sig(InputError, ["problems"], false);
@@ -5698,12 +8077,12 @@ Provenance.$compared = ["kind", "source", "date", "note"];
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 $sig(Condition, ["name", "factor", "factors", "standard", "source"]);
 Condition.$compared = ["name", "factor", "factors", "standard", "source"];
-Condition.LIMITS = Condition.prototype.LIMITS = $c70;
+Condition.LIMITS = Condition.prototype.LIMITS = $c92;
 $sig(Conditions, ["main", "cases"]);
 Conditions.$compared = ["main", "cases"];
 $sig(Point, ["x", "y", "diameter", "turn"]);
 Point.$compared = ["x", "y", "diameter", "turn"];
-Point.LIMITS = Point.prototype.LIMITS = $c71;
+Point.LIMITS = Point.prototype.LIMITS = $c93;
 $sig(_UnitTextError, ["message", "remedy"], false);
 $sig(Unit, ["factor", "powers", "zero"]);
 Unit.$compared = ["factor", "powers", "zero"];
@@ -5718,22 +8097,67 @@ Given.$compared = ["name", "place", "values", "raw", "diameter", "inherited"];
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 $sig(NipTensions, ["entry", "exit"]);
 NipTensions.$compared = ["entry", "exit"];
-$sig(LoadFault, ["message", "remedy", "lacks"]);
-LoadFault.$compared = ["message", "remedy", "lacks"];
 $sig(Tensions, ["entry", "exit", "computed"]);
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c72;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c94;
 $sig(LoadCase, ["name", "tensions", "kind", "condition"]);
 LoadCase.$compared = ["name", "tensions", "kind", "condition"];
 $sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c73;
+Drive.LIMITS = Drive.prototype.LIMITS = $c95;
 $sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
 Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
-Train.LIMITS = Train.prototype.LIMITS = $c74;
+Train.LIMITS = Train.prototype.LIMITS = $c96;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 $sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
 CatalogueBelt.$compared = ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"];
+$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"]);
+WrapArc.$compared = ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"];
+$sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"]);
+in_page$Given.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"];
+$sig(Rise, ["tight", "slack"]);
+Rise.$compared = ["tight", "slack"];
+$sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"]);
+in_page$Criteria.$compared = ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"];
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"]);
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"]);
+$sig(DriveResult, ["drive", "arcs"]);
+$sig(TrainResult, ["train", "cases"]);
+$sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"]);
+$sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"]);
+$sig(Place, ["pulley", "load_case", "event"]);
+Place.$compared = ["pulley", "load_case", "event"];
+$sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"]);
+Sizes.$compared = ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"];
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"]);
+Check.$compared = ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"];
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"]);
+Miss.$compared = ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"];
+$sig(Motors, ["motors"]);
+Motors.$compared = ["motors"];
+$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
+Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
+Motor.LIMITS = Motor.prototype.LIMITS = $c97;
+$sig(Pulls, ["effective_tensions"]);
+Pulls.$compared = ["effective_tensions"];
+$sig(Speeds, ["rotation_speeds", "absolute"]);
+Speeds.$compared = ["rotation_speeds", "absolute"];
+$sig(Owner, ["of", "words", "place"]);
+Owner.$compared = ["of", "words", "place"];
+$sig(Sliding, ["place", "cause"]);
+Sliding.$compared = ["place", "cause"];
+$sig(Asked, ["rule", "wrap_factor", "source", "why_not"]);
+Asked.$compared = ["rule", "wrap_factor", "source", "why_not"];
+$sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"]);
+Figure.$compared = ["name", "title", "tension", "place", "binding", "at_least"];
+$sig(LeastTension, ["figures", "given", "counterweight"]);
+LeastTension.$compared = ["figures", "given", "counterweight"];
+$sig(Verdict, ["checks", "wet", "over_wet"]);
+Verdict.$compared = ["checks", "wet", "over_wet"];
+$sig(Row, ["title", "values", "symbol", "note", "name", "level"]);
+Row.$compared = ["title", "values", "symbol", "note", "name", "level"];
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"]);
+Table.$compared = ["title", "rows", "heads", "note", "name", "short", "brief"];
 $sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"]);
 TestedRange.$compared = ["pressure_min", "pressure_max", "slip_max", "slip_speed"];
 $sig(FrictionLaw, ["slip_includes"]);
@@ -5758,7 +8182,7 @@ $sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperat
 Factors.$compared = ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"];
 $sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c75;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c98;
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
 LoadGiven.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 $sig(DrumAt, ["diameter", "speed"]);
@@ -5767,42 +8191,38 @@ $sig(Shares, ["fractions"]);
 Shares.$compared = ["fractions"];
 $sig(Pair, ["entry", "exit"]);
 Pair.$compared = ["entry", "exit"];
-$sig(Pulls, ["effective_tensions"]);
-Pulls.$compared = ["effective_tensions"];
-$sig(Speeds, ["rotation_speeds", "absolute"]);
-Speeds.$compared = ["rotation_speeds", "absolute"];
 $sig(TorqueFollower, ["master", "ratio"]);
 TorqueFollower.$compared = ["master", "ratio"];
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c76;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c99;
 $sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
 TrainCase.$compared = ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"];
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c77;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c100;
 $sig(RunsGain, ["base", "case"]);
 RunsGain.$compared = ["base", "case"];
 $sig(BehindTakeUp, ["share", "behind", "runs"]);
 BehindTakeUp.$compared = ["share", "behind", "runs"];
-$sig(Motors, ["motors"]);
-Motors.$compared = ["motors"];
+$sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"]);
+Description.$compared = ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"];
 $sig(TakeUp, ["kind", "sheave_ratio", "after"]);
 TakeUp.$compared = ["kind", "sheave_ratio", "after"];
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c78;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c101;
 $sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
 DesignStandard.$compared = ["name", "condition", "friction", "start_factor", "binding"];
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c79;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c102;
 $sig(SafetyFactors, ["running", "starting", "braking", "source"]);
 SafetyFactors.$compared = ["running", "starting", "braking", "source"];
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c80;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c103;
 $sig(Kind.prototype.built, ["value", "report"], true);
-$sig(Table, ["title", "of", "on_one_line"], false);
-$sig(Table.prototype.built, ["value", "report"], true);
+$sig(tables$Table, ["title", "of", "on_one_line"], false);
+$sig(tables$Table.prototype.built, ["value", "report"], true);
 $sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"]);
 $sig(Name, ["longest"]);
 $sig(Text, ["longest", "lines"]);
 $sig(Quantity, ["dimension", "limit"]);
-$sig(WordOr, ["word", "kind", "meaning"]);
-$sig(ByName, ["kind", "most"]);
 $sig(Limit, ["dimension", "least", "most", "open", "rigid"]);
 Limit.$compared = ["dimension", "least", "most", "open", "rigid"];
+$sig(WordOr, ["word", "kind", "meaning"]);
+$sig(ByName, ["kind", "most"]);
 $sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"]);
 Belt.$compared = ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"];
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
@@ -5811,7 +8231,7 @@ $sig(Flag, []);
 $sig(Choice, ["options"]);
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
 Across.$compared = ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"];
-Across.LIMITS = Across.prototype.LIMITS = $c610;
+Across.LIMITS = Across.prototype.LIMITS = $c725;
 $sig(DimensionText, ["si_unit", "name", "example"]);
 DimensionText.$compared = ["si_unit", "name", "example"];
 $sig(Definition, ["names", "factor", "unit", "zero"]);
@@ -5820,42 +8240,46 @@ $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 $sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
 Pulley.$compared = ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"];
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c611;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c726;
 $sig(Sag, ["spacing", "line_mass", "share"]);
 Sag.$compared = ["spacing", "line_mass", "share"];
-Sag.LIMITS = Sag.prototype.LIMITS = $c612;
+Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
+Sag.LIMITS = Sag.prototype.LIMITS = $c727;
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
 Conveyor.$compared = ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"];
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c613;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c728;
+$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"]);
+Rule.$compared = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
+DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
 $sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
 Cost.$compared = ["material", "installation", "currency", "area", "life_years"];
-Cost.LIMITS = Cost.prototype.LIMITS = $c614;
+Cost.LIMITS = Cost.prototype.LIMITS = $c729;
 $sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
 Block.$compared = ["shape", "width", "height", "stiffening", "contact_fraction"];
-Block.LIMITS = Block.prototype.LIMITS = $c615;
+Block.LIMITS = Block.prototype.LIMITS = $c730;
 $sig(ConditionFactor, ["factor", "source"]);
 ConditionFactor.$compared = ["factor", "source"];
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c616;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c731;
 $sig(FrictionFactor, ["at", "factor", "source"]);
 FrictionFactor.$compared = ["at", "factor", "source"];
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
 Fit.$compared = ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"];
-$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
-DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
-$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
-Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
-Motor.LIMITS = Motor.prototype.LIMITS = $c617;
 $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
 VariableSpeed.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"];
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c618;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c732;
 $sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
 Induction.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"];
-Induction.LIMITS = Induction.prototype.LIMITS = $c619;
+Induction.LIMITS = Induction.prototype.LIMITS = $c733;
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
 FluidCoupling.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"];
+$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"]);
+Load.$compared = ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"];
+$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"]);
+CompactLaw.$compared = ["kind", "edges", "coefficients", "slips", "onset_compliance"];
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
 Transition.$compared = ["length", "trough_angle", "centre_roll", "depth"];
-Transition.LIMITS = Transition.prototype.LIMITS = $c620;
+Transition.LIMITS = Transition.prototype.LIMITS = $c734;
 $sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
 State.$compared = ["name", "kind", "resistances", "head", "tail", "entry", "exit"];
 $sig(Resistance, ["name", "carrying", "returning", "source"]);
@@ -5875,23 +8299,46 @@ $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(GrippingPulley, ["distance"]);
 GrippingPulley.$compared = ["distance"];
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1279;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1382;
 $sig(Count, ["least", "most"]);
 $sig(Elsewhere, []);
 $sig(Either, ["first", "second", "words"]);
 Either.$compared = ["first", "second", "words"];
 $sig(SpeedList, []);
 SpeedList.$compared = [];
-SpeedList.rows = SpeedList.prototype.rows = $c1280;
+SpeedList.rows = SpeedList.prototype.rows = $c1383;
 $sig(_Pair, ["dimension"], false);
 $sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
 $sig(display__display, ["value", "dimension", "system", "digits"], false);
 $sig(tensions__resolve, ["given", "speed", "report", "sure"], false);
+$sig(of_drive__judged, ["rule", "title", "value", "limit", "dimension", "place", "source", "says", "remedy", "otherwise", "short", "because", "allows", "binding", "more"], false);
+$sig(check__keeps, ["value", "limit", "at_most"], false);
+$sig(drive__named, ["what", "name", "among", "of"], false);
+$sig(errors__no_such, ["what", "name", "known", "of"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };
 export { InputError as InputError };
 export { CatalogueBelt as CatalogueBelt };
 export { Provenance as Provenance };
 export { source__syntax_problem as syntaxProblem };
-export { wrap_arc__of_belt as ofBelt };
-export { of_data__weak_sources as weakSources };
+export { in_page_checks__arcs_of as arcsOf };
+export { in_page_checks__given_of as givenOf };
+export { in_page_checks__criteria_of as criteriaOf };
+export { in_page_checks__results_of as resultsOf };
+export { in_page_checks__result_of as resultOf };
+export { in_page_checks__train_drive as trainDrive };
+export { in_page_checks__running_at as runningAt };
+export { TrainResult as TrainResult };
+export { CaseResult as CaseResult };
+export { MemberResult as MemberResult };
+export { in_page_checks__alone as alone };
+export { in_page_checks__weak_kinds as weakKinds };
+export { in_page_checks__unjudged as unjudged };
+export { judge__judge as judge };
+export { least_tension__least_tension as leastTension };
+export { least_tension__least_sentence as leastSentence };
+export { least_tension__least_table as leastTable };
+export { least_tension__shown_least as shownLeast };
+export { checks_table__check_table as checkTable };
+export { words__short as short };
+export { words__alone_of as aloneOf };
