@@ -12,9 +12,10 @@ app.form = form;
 const all = cases.map(({ doc, answer, changed }) => {
   const served = answer && asked(doc, answer, changed);
   if (answer && !served) return null;
-  const { judging } = assemble(changed, book, served ?? []);
-  const numbers = judging && numbersOfAll(arcsOf(judging));
-  if (!numbers) return null;
+  const { judging, problems } = assemble(changed, book, served ?? []);
+  if (!judging) return { problems };
+  const numbers = numbersOfAll(arcsOf(judging));
+  if (!numbers) return { problems: ["no answer"] };
   app.units = "si";
   const found = judge(judging, changed, numbers);
   const told = found.arcs.map((arc) => ({ ...arc, verdict: verdictOf(found, arc.load_case) }));
@@ -24,7 +25,7 @@ const all = cases.map(({ doc, answer, changed }) => {
     const cells = rows.map((r) => [r.title, ...r.values[units], r.note, r.level]);
     return { verdict: verdictOf(found), rows: cells, note, least: leastTold(found) };
   };
-  return { arcs: told, si: texts("si"), us: texts("us") };
+  return { problems, arcs: told, si: texts("si"), us: texts("us") };
 });
 const plain = (_, v) => (typeof v === "number" && !Number.isFinite(v) ? String(v) : v);
 process.stdout.write(JSON.stringify(all, plain));

@@ -54,8 +54,8 @@ _METHODS = frozenset(
     re.findall(
         r"\w+",
         """
-    strip lstrip rstrip lower upper capitalize casefold startswith endswith replace removeprefix removesuffix
-    partition rpartition split join isprintable isdecimal isascii translate get items keys values
+    strip lstrip rstrip lower upper capitalize casefold startswith endswith replace removeprefix
+    removesuffix partition rpartition split join isprintable isdecimal isascii translate get items keys values
     setdefault pop update append count index isdisjoint match fullmatch search findall sub group
     end start
 """,

@@ -1243,7 +1243,7 @@ return [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, fo
 function of_data__law_words(lagging) {
 let friction, law, untested, words;
 
-([law, friction] = [lagging.source_of("law").kind.value, ("" + "The friction of " + $str(lagging.name) + " is")]);
+([law, friction] = [$b.str($bound(lagging.source_of("law"), "kind")), ("" + "The friction of " + $str(lagging.name) + " is")]);
 (words = (($in(law, $c42)) ? [("" + $str(friction) + " " + $str($at($c42, law)) + ".")] : []));
 (untested = (lagging.law.tested == null));
 (words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
