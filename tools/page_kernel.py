@@ -130,6 +130,7 @@ READER: dict[str, Any] = {
     "CaseResult": CaseResult,
     "MemberResult": MemberResult,
     "alone": in_page_checks.alone,
+    "remarksOf": in_page_checks.remarks_of,
     "weakKinds": in_page_checks.weak_kinds,
     "unjudged": in_page_checks.unjudged,
     "judge": judge,

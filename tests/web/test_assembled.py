@@ -114,7 +114,7 @@ def some_drive(pick: random.Random) -> Data:
 
 
 def test_drives_of_any_choice_are_judged_as_by_the_program() -> None:
-    # expected: every check of Python's judgement, text and number; what it refuses, the page refuses
+    # expected: every check of Python's judgement, its text and numbers, or what it refuses
     pick = random.Random(11)  # noqa: S311 - drives to try, no secrets
     documents = [some_drive(pick) for _ in range(DRAWN)]
     wrong: dict[int, Any] = {}

@@ -55,9 +55,9 @@ _METHODS = frozenset(
         r"\w+",
         """
     strip lstrip rstrip lower upper capitalize casefold startswith endswith replace removeprefix
-    removesuffix partition rpartition split join isprintable isdecimal isascii translate get items keys values
-    setdefault pop update append count index isdisjoint match fullmatch search findall sub group
-    end start
+    removesuffix partition rpartition split join isprintable isdecimal isascii translate get items
+    keys values setdefault pop update append count index isdisjoint match fullmatch search findall
+    sub group end start
 """,
     )
 )
@@ -358,7 +358,8 @@ class Module:
             if not is_named_tuple(kind):
                 compared = [f.name for f in dataclasses.fields(kind) if f.compare]
             if is_named_tuple(kind) or kind.__dataclass_params__.eq:
-                yield f"{name}.$compared = {literal(compared, Where(name, 0))};"
+                told = f"{name}.$names" if compared == names else literal(compared, Where(name, 0))
+                yield f"{name}.$compared = {told};"
         elif "__init__" in vars(kind):
             yield _signature(name, vars(kind)["__init__"], 1)
 
@@ -804,20 +805,14 @@ class Function:
         if isinstance(node.func, ast.Attribute) and called is _ABSENT:
             return self._of_object(node, node.func, args)
         function = self.of(node.func)
-        if (
-            isinstance(called, type)
-            and not isinstance(called, enum.EnumMeta)
-            and (called not in _BUILT_IN)
-            and (called not in self.module.instead)
-        ):
-            if hasattr(called, "__total__"):  # a dict whose keys are known
-                return f"$map({self._by_name(node)})"
-            if not node.keywords:
-                return f"new {function}({', '.join(args)})"
-            return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
-        if not node.keywords:
-            new = function == local(self.itself) and self.itself == "cls"
-            return f"{'new ' if new else ''}{function}({', '.join(args)})"
+        kind = isinstance(called, type) and not isinstance(called, enum.EnumMeta)
+        kind = kind and called not in _BUILT_IN and called not in self.module.instead
+        if kind and hasattr(called, "__total__"):  # a dict whose keys are known
+            return f"$map({self._by_name(node)})"
+        in_order = self._in_order(node, args, called) if node.keywords else args
+        if in_order is not None:
+            new = kind or (function == local(self.itself) and self.itself == "cls")
+            return f"{'new ' if new else ''}{function}({', '.join(in_order)})"
         if (called is not _ABSENT and called in _BUILT_IN) or function.startswith("$math"):
             given = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
             mark = "" if function.startswith("$math") else "$k"
@@ -825,6 +820,24 @@ class Function:
         if isinstance(called, FunctionType):
             self.module.by_name.add(function)
         return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
+
+    def _in_order(self, node: ast.Call, args: list[str], called: Any) -> list[str] | None:
+        """Return arguments by name in the order of a function or class; None if not known."""
+        known = isinstance(called, type | FunctionType)
+        known = known and called not in self.module.instead and called not in _BUILT_IN
+        by = {keyword.arg: keyword.value for keyword in node.keywords}
+        if not known or None in by or any(isinstance(a, ast.Starred) for a in node.args):
+            return None
+        if isinstance(called, type) and _generated(called):
+            names = [*_fields(called)]
+        else:
+            given = [*inspect.signature(called).parameters.values()]
+            if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in given):
+                return None
+            names = [p.name for p in given]
+        last = max(names.index(str(name)) for name in by)
+        rest = names[len(args) : last + 1]
+        return [*args, *(self.of(by[name]) if name in by else "undefined" for name in rest)]
 
     def _argument(self, node: ast.expr) -> str:
         """Return an argument: a method keeps its object."""

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from wraparc.arc import ArcResult, Capacities, DriveResult, Energy, Status, WrapArc
-from wraparc.checks.check import Check, Level, Place
+from wraparc.checks.check import Check, Level, Place, Verdict
 from wraparc.checks.gross_slip import Rise, rises
 from wraparc.checks.of_arc import INTERVAL
 from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources, wet_factor
@@ -167,6 +167,16 @@ def weak_kinds(drive: Drive) -> list[str]:
     return [kind for kind in WEAK_KINDS if kind in found]
 
 
+def remarks_of(drive: Drive, verdict: Verdict) -> list[str]:
+    """Return on what data an answer of the page stands, and what it does not find of a fit."""
+    left = (_NO_INTERVAL.format(of.name) for of in drive.laggings if of.fit and of.fit.knots)
+    return [*verdict.data, *dict.fromkeys(left)]
+
+
+_NO_INTERVAL = (
+    "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
+    "tells it."
+)
 #: Why the page leaves a drive to the program.
 IDLE, UNUSUAL = 2, 3
 

@@ -1,12 +1,12 @@
 // The same drive with every lagging of the catalogue, or with belts of neighbouring rating.
 import { app, set } from "../static/base/design.js";
 import { dimensionOf, percent } from "../static/base/units.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
-import { leastTension } from "../static/reader.js";
 import { inBoth } from "../static/pages/drive/whole.js";
 import { quantity, verdictOf } from "../static/pages/drive/words.js";
-import { assemble } from "../static/pages/drive/assemble.js";
+import { leastTension } from "../static/reader.js";
 
 /** @import { Design } from "../static/types.d.ts" */
 /** @typedef {{path: string, value: any}[]} Change */
@@ -33,8 +33,7 @@ export async function compared({ document: doc, load_case, what }, data) {
   const shown = Math.max(cases.indexOf(load_case ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
-    if (numbers)
-      rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));
+    if (numbers) rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));
     else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
   }
   const { columns, remarks } = data.compare;

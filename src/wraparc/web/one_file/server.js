@@ -8,11 +8,11 @@ import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
-import { verdictOf } from "../static/pages/drive/words.js";
+import { remarksOf, verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
-import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { documentOf } from "./texts.js";
+import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
@@ -64,7 +64,7 @@ const ANSWERS = {
     const [arc] = judging.cases;
     const told = inBoth(() => ({
       ...verdictOf(judged, arc.load_case),
-      remarks: [...judged.verdict.data],
+      remarks: remarksOf(judged),
     }));
     const { level, levels, remarks, ...verdict } = told;
     const first = { ...firstAnswer(arc), ...shownOf(found), sequence };

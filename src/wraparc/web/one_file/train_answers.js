@@ -4,7 +4,7 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judged as judgedAs } from "../static/pages/drive/judge.js";
 import { shownOf } from "../static/pages/drive/own.js";
 import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
-import { tableOf, verdictOf } from "../static/pages/drive/words.js";
+import { remarksOf, tableOf, verdictOf } from "../static/pages/drive/words.js";
 import {
   CaseResult,
   MemberResult,
@@ -53,34 +53,39 @@ function trainResult(train, cases, arcs, numbers) {
       .slice(k * per, (k + 1) * per)
       .map((arc, i) => inClass(MemberResult, { arc, motor: told.points[i] }));
     const { status, reason, tension_error, speed_error } = told;
-    return inClass(CaseResult, { case: given, status, reason, members, tension_error, speed_error });
+    return inClass(CaseResult, {
+      case: given,
+      status,
+      reason,
+      members,
+      tension_error,
+      speed_error,
+    });
   };
   return inClass(TrainResult, { train, cases: cases.map(of) });
 }
 /** A case as the words of Python read one. @param {any} one @param {any[]} numbers */
 function resultOf({ c, system, told, own, quicks, divided }, numbers) {
-  const members = own.arcs.map(
-    (/** @type {any} */ of, /** @type {number} */ i) => {
-      const { pulley, side_of_belt, pitch_offset, creep_limit: limit, wrap_angle, diameter } = of;
-      const { summary, solved } = quicks[i];
-      const { compliance } = system.members[i];
-      const { entry_tension, exit_tension, effective_tension } = summary;
-      const { exit_creep, entry_creep_ratio } = summary;
-      const arc = {
-        ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
-        within_creep_limit: solved && Math.abs(exit_creep) <= limit,
-        arc: {
-          ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
-          ...{ diameter, pitch_offset, side_of_belt },
-        },
-        status: solved ? "solved" : "breakaway",
-        energy: { power_loss: summary.power_loss },
-        capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
-      };
-      const fields = { ...told.turnings[i], arc, motor: told.points[i] };
-      return Object.assign(Object.create(K.MemberResult.prototype), fields);
-    },
-  );
+  const members = own.arcs.map((/** @type {any} */ of, /** @type {number} */ i) => {
+    const { pulley, side_of_belt, pitch_offset, creep_limit: limit, wrap_angle, diameter } = of;
+    const { summary, solved } = quicks[i];
+    const { compliance } = system.members[i];
+    const { entry_tension, exit_tension, effective_tension } = summary;
+    const { exit_creep, entry_creep_ratio } = summary;
+    const arc = {
+      ...{ entry_tension, exit_tension, effective_tension, exit_creep, entry_creep_ratio },
+      within_creep_limit: solved && Math.abs(exit_creep) <= limit,
+      arc: {
+        ...{ pulley, creep_limit: limit, compliance, wrap_angle, entry_tension, exit_tension },
+        ...{ diameter, pitch_offset, side_of_belt },
+      },
+      status: solved ? "solved" : "breakaway",
+      energy: { power_loss: summary.power_loss },
+      capacities: { creep_limit_margin: numbers[i].capacities.creep_limit_margin },
+    };
+    const fields = { ...told.turnings[i], arc, motor: told.points[i] };
+    return Object.assign(Object.create(K.MemberResult.prototype), fields);
+  });
   const { parts, motors } = c.division;
   const runs = c.runs.slice(0, -1);
   const of = {
@@ -178,7 +183,7 @@ export async function quickTrain({ document: doc, pulley, load_case, sequence },
   const i = Math.max(names.indexOf(pulley), 0);
   const told = inBoth(() => ({
     ...verdictOf(judged, one.c.name, names[i]),
-    remarks: [...judged.verdict.data],
+    remarks: remarksOf(judged),
   }));
   const { level, levels, remarks, ...verdict } = told;
   const first = { ...firstAnswer(one.own.cases[i]), ...shownOf(one.quicks[i]), sequence };

@@ -1,6 +1,7 @@
 // Several drives on one belt: read, solved and judged by the functions of wraparc solve.
-import { in_page__quick as quick } from "../static/kernel.js";
+
 import { told as problemOf } from "../static/documents.js";
+import { in_page__quick as quick } from "../static/kernel.js";
 import {
   assembled,
   beyond,
@@ -48,7 +49,11 @@ function motorOf(motor) {
 function solved(train, given, names, nominal) {
   const c = caseAs(given, names);
   const ends = { entry: c.entry, exit: c.exit };
-  const drive = trainDrive(train, given, names.map(() => ends));
+  const drive = trainDrive(
+    train,
+    given,
+    names.map(() => ends),
+  );
   const start = assembled(drive, arcsOf(drive)).cases.map(({ prepared }) => prepared);
   const members = start.map(({ law, given: of }) => K.in_page_train__member_of(law, of));
   const { parts, speeds, absolute, motors: found } = c.division;

@@ -195,7 +195,8 @@ export const $pow = (a, b) => (a instanceof $Decimal ? a.to(b) : a ** b);
 export const $neg = (a) => (a instanceof $Decimal ? new $Decimal(-a.whole, a.power) : -a);
 export const $merged = (a, b) =>
   a instanceof Map ? new Map([...a, ...b]) : a instanceof Set ? new Set([...a, ...b]) : a | b;
-export const $common = (a, b) => (a instanceof Set ? new Set([...a].filter((x) => b.has(x))) : a & b);
+export const $common = (a, b) =>
+  a instanceof Set ? new Set([...a].filter((x) => b.has(x))) : a & b;
 /** The characters of a text, one a code point. */
 const letters = (text) => (/[\ud800-\udfff]/.test(text) ? [...text] : text);
 export function $at(of, key) {

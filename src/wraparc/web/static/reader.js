@@ -53,7 +53,7 @@ if (($truth(whole) && (given > 1))) {
 } else {
 ([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
 }
-throw new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["file", file], ["key", "format"], ["value", $shown(given)]]));
+throw new InputError(new Problem(message, remedy, file, "format", $shown(given)));
 }
 function source__read_tables(table, document, file) {
 let report;
@@ -201,7 +201,7 @@ let by_plain, remedy, texts;
 (by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
 (remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
-return new InputError($call(Problem, [], [["message", ("" + "the catalogue has no " + $str(what) + " of this name")], ["remedy", $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them."))], ["value", $shown(name)]]));
+return new InputError(new Problem(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name)));
 }
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
@@ -218,12 +218,12 @@ function conditions__condition_of(value, report) {
 let factors, made, source;
 
 if (!$truth($b.isinstance(value, Record))) {
-return $call(Condition, [], [["name", $b.str(value)]]);
+return new Condition($b.str(value));
 }
 (factors = $m.get(value, "friction_factors", $map([])));
 (source = $or(origins__own_provenance(value, report), () => new Provenance()));
 (made = $method($c8, "built", [value, report], [["factors", factors], ["source", source]]));
-return $or(made, () => $call(Condition, [], [["name", $b.str($m.get(value, "name", "dry"))]]));
+return $or(made, () => new Condition($b.str($m.get(value, "name", "dry"))));
 }
 function drive__repeated(key, names) {
 let found;
@@ -232,7 +232,7 @@ let found;
 if (($eq($b.len($b.set(found)), $b.len(found)))) {
 return [];
 }
-return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + ".name")], ["value", $shown(name)], ["message", ("" + "used " + $str(count) + " times")], ["remedy", "Give each its own name."]]); } })()];
+return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield new Problem(("" + "used " + $str(count) + " times"), "Give each its own name.", undefined, ("" + $str(key) + ".name"), $shown(name)); } })()];
 }
 function drive_build__build_pulley(record, laggings, conditions, report) {
 let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
@@ -320,7 +320,7 @@ for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
 if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
 (message = ("" + "its centre is only " + $str(display__display(distance, "length")) + " from that of the pulley, and the two overlap"));
 (remedy = "Check the coordinates and the diameters.");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, key));
 }
 }
 return problems;
@@ -388,7 +388,7 @@ throw numbers___refused(given, "too small to tell from zero", "Write 0, or check
 return value;
 }
 function numbers___refused(given, message, remedy) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
@@ -397,7 +397,7 @@ let kind, message;
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
 function parse___refused(given, message, remedy) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
 }
 function parse___read(text, dimension) {
 let number, unit, unit_text;
@@ -691,8 +691,8 @@ return [];
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
 if ((!$truth(cases) || $truth(tensions__complete(own, speed)))) {
-(tensions = $call(tensions__resolve, [own, speed, report], [["sure", sure]]));
-$m.append(built, $call(LoadCase, [], [["name", "design"], ["tensions", tensions]]));
+(tensions = tensions__resolve(own, speed, report, sure));
+$m.append(built, new LoadCase("design", tensions));
 }
 for (case_ of $iter(cases)) {
 if (($in("train", case_))) {
@@ -700,7 +700,7 @@ report.add([...$iter(case_.place), "train"], "there is no [train] table", "Write
 }
 (given = drive_file___of_case(case_, own, take_up, speed, report));
 (whole = $and(sure, () => case_.sound()));
-(tensions = $call(tensions__resolve, [given, speed, report], [["sure", whole]]));
+(tensions = tensions__resolve(given, speed, report, whole));
 if (($in("name", case_))) {
 (more = $map([["kind", $m.get(case_, "kind", "running")], ["condition", conditions__condition_name(case_)]]));
 $m.append(built, $call(LoadCase, [], [["name", $at(case_, "name")], ["tensions", tensions], ...more]));
@@ -830,7 +830,7 @@ try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
 (made = $map([...(function* () { for (const [key, name] of $iter($m.items($c35))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
-return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
+return new Tensions(entry, exit_, made);
 } catch ($error) {
 if ($error instanceof InputError) {
 ([side, tension] = ((exit_ <= 0.0) ? ["exit", exit_] : ["entry", entry]));
@@ -937,18 +937,18 @@ let example, first, key, message, problems, remedy, second;
 for ([first, second, example] of $iter($c37)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
-$m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
+$m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
 } else {
 if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
 (remedy = ("" + "Write " + $str(example) + ", or " + $str(second) + "."));
-$m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], ["remedy", remedy]]));
+$m.append(problems, new Problem("missing", remedy, undefined, first));
 }
 }
 }
 for (key of $iter($c38)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
+$m.append(problems, new Problem("needs the belt speed", remedy, undefined, key));
 }
 }
 return problems;
@@ -958,9 +958,9 @@ let kind, made, tensions, why;
 
 (why = "computed from the resistances of the conveyor");
 (made = $map([["entry", why], ["exit", why]]));
-(tensions = $call(Tensions, [], [["entry", state.entry], ["exit", state.exit], ["computed", made]]));
+(tensions = new Tensions(state.entry, state.exit, made));
 (kind = state.kind);
-return $call(LoadCase, [], [["name", state.name], ["tensions", $map([[pulley, tensions]])], ["kind", kind]]);
+return new LoadCase(state.name, $map([[pulley, tensions]]), kind);
 }
 function drive__least_tensions(cases) {
 
@@ -987,7 +987,7 @@ let force;
 if ((force < least)) {
 return [];
 }
-return [$call(Problem, [], [["message", ("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force")))], ["remedy", "Give the mass of a metre of belt, not that of the whole belt."], ["key", key]])];
+return [new Problem(("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force"))), "Give the mass of a metre of belt, not that of the whole belt.", undefined, key)];
 }
 function pitch__centrifugal_of(belt) {
 
@@ -1001,7 +1001,7 @@ function drive__side_problems(belt, pulleys) {
 if ($truth($b.all((function* () { for (const key of $iter([...$iter($c6), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
 return [];
 }
-return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield $call(Problem, [], [["message", "the pulley meets the carry side, and carry_cover of the belt is not given"], ["remedy", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers."], ["key", ("" + "pulley." + $str(pulley.name) + ".side")], ["value", $shown($bound(pulley, "side"))]]); } })()];
+return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield new Problem("the pulley meets the carry side, and carry_cover of the belt is not given", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers.", undefined, ("" + "pulley." + $str(pulley.name) + ".side"), $shown($bound(pulley, "side"))); } })()];
 }
 function conditions__in_each_condition(cases, conditions) {
 let case_, found, names, split;
@@ -1022,7 +1022,7 @@ let belt, belt_record, cases, conditions, criteria, drive, ends, error, known, l
 
 (document = $call(overridden, [document, overrides], [["file", file]]));
 if ((!$in("train", document))) {
-(drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
+(drive = drive_file__drive_from_document(document, file, folder, undefined, allow_paths));
 return Train.of(drive);
 }
 ([record, report] = source__read_tables($c39, document, file));
@@ -1123,7 +1123,7 @@ if (($in("\\", written))) {
 }
 }
 (value = ($truth(written) ? $shown(written) : ""));
-return $call(Problem, [], [["message", message], ["remedy", remedy], ["value", value], ["file", file], ["line", line]]);
+return new Problem(message, remedy, file, undefined, value, line);
 }
 function source___stands_before(written, lines) {
 let before, key, keys;
@@ -1146,7 +1146,7 @@ function in_page_checks__given_of(drive, arc) {
 let of;
 
 (of = arc.described());
-return $call(in_page$Given, [], [["entry_tension", of.entry_tension], ["exit_tension", of.exit_tension], ["effective_tension", NaN], ["torque", NaN], ["power", NaN], ["diameter", of.diameter], ["wrap_angle", of.wrap_angle], ["overrun", of.overrun], ["recovery", of.recovery], ["width", of.width], ["modulus", drive.belt.modulus], ["speed", in_page_checks___known($bound(drive.belt, "speed"))], ["thickness", of.thickness], ["shear_modulus", of.shear_modulus], ["compression_modulus", of.compression_modulus], ["wear_coefficient", of.wear_coefficient], ["creep_limit", arc.creep_limit], ["steepest_fall", arc.law.steepest_fall()], ["pitch_offset", of.pitch_offset], ["cover_compliance", arc.cover_compliance], ["mass", in_page_checks___known($bound(drive.belt, "mass"))], ["slip_with_shear", arc.slip_with_shear], ["belt_speed", of.belt_speed]]);
+return new in_page$Given(of.entry_tension, of.exit_tension, NaN, NaN, NaN, of.diameter, of.wrap_angle, of.overrun, of.recovery, of.width, drive.belt.modulus, in_page_checks___known($bound(drive.belt, "speed")), of.thickness, of.shear_modulus, of.compression_modulus, of.wear_coefficient, arc.creep_limit, arc.law.steepest_fall(), of.pitch_offset, arc.cover_compliance, in_page_checks___known($bound(drive.belt, "mass")), arc.slip_with_shear, of.belt_speed);
 }
 function in_page_checks___known(value) {
 return ((value == null) ? NaN : value);
@@ -1157,7 +1157,7 @@ let arc, case_, pulley, rise;
 (arc = $at(arcs, index));
 ([case_, pulley] = [drive.load_case($bound(arc, "load_case")), drive.pulley($bound(arc, "pulley"))]);
 (rise = gross_slip__rises(arcs, index, $bound(drive.criteria, "take_up")));
-return $call(in_page$Criteria, [], [["safety", drive.criteria.safety.of($bound(case_, "kind"))], ["tight_rise", rise.tight], ["slack_rise", rise.slack], ["cover", arc.cover_left_out], ["strength", $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width)], ["pulley_mass", in_page_checks___known($bound(pulley, "mass"))], ["wet", of_data__wet_factor(pulley.lagging_in($bound(case_, "condition")))]]);
+return new in_page$Criteria(drive.criteria.safety.of($bound(case_, "kind")), rise.tight, rise.slack, arc.cover_left_out, $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width), in_page_checks___known($bound(pulley, "mass")), of_data__wet_factor(pulley.lagging_in($bound(case_, "condition"))));
 }
 function gross_slip__rises(arcs, index, take_up) {
 let after, names, pulls;
@@ -1186,7 +1186,7 @@ if ((!$eq(lagging.condition, "dry"))) {
 return 0.0;
 }
 try {
-return $at($call(Condition, [], [["name", "wet"]]).factor_of(lagging), 0);
+return $at(new Condition("wet").factor_of(lagging), 0);
 } catch ($error) {
 if ($error instanceof InputError) {
 return NaN;
@@ -1203,7 +1203,7 @@ function in_page_checks__result_of(arc, found) {
 let of;
 
 (of = found.summary);
-return $call(FoundArc, [], [["status", ($truth($told($c41, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")], ["method", "distributed"], ["arc", arc], ["profile", null], ["entry_tension", of.entry_tension], ["exit_tension", of.exit_tension], ["exit_creep", of.exit_creep], ["creep_shrinkage", of.creep_shrinkage], ["creep_compression", of.creep_compression], ["creep_global", of.creep_global], ["exit_slip", of.exit_slip], ["entry_creep_ratio", of.entry_creep_ratio], ["exit_creep_ratio", of.exit_creep_ratio], ["peak_shear_stress", of.peak_shear_stress], ["peak_shear_angle", of.peak_shear_angle], ["peak_shear_position", of.peak_shear_position], ["mean_friction", of.mean_friction], ["active_arc", of.active_arc], ["outside_tested_share", of.outside_tested_share], ["stuck_arc", of.stuck_arc], ["capacities", found.capacities], ["energy", of], ["found", found]]);
+return new FoundArc(($truth($told($c41, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
 }
 function in_page_checks__train_drive(train, case_, pairs) {
 
@@ -1213,12 +1213,12 @@ function unsolved__load_case(train, case_, pairs) {
 let names, tensions;
 
 (names = [...(function* () { for (const p of $iter(train.pulleys)) { yield p.name; } })()]);
-(tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, $call(Tensions, [], [["entry", a], ["exit", b]])]; } })()]));
-return $call(LoadCase, [], [["name", case_.name], ["kind", case_.kind], ["condition", case_.condition], ["tensions", tensions]]);
+(tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, new Tensions(a, b)]; } })()]));
+return new LoadCase(case_.name, tensions, case_.kind, case_.condition);
 }
 function result__drive_with(train, cases) {
 
-return $call(Drive, [], [["title", train.title], ["description", train.description], ["belt", train.belt], ["pulleys", train.pulleys], ["creep_limit", train.creep_limit], ["criteria", train.criteria], ["load_cases", $b.tuple(cases)]]);
+return new Drive(train.title, train.belt, train.pulleys, $b.tuple(cases), train.creep_limit, train.criteria, train.description);
 }
 function in_page_checks__running_at(arcs, speeds) {
 
@@ -1229,6 +1229,12 @@ let cases;
 
 (cases = [...(function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })()]);
 return $replaced(drive, new Map([["load_cases", $slice($or(cases, () => drive.load_cases), null, 1)]]));
+}
+function in_page_checks__remarks_of(drive, verdict) {
+let left;
+
+(left = (function* () { for (const of of $iter(drive.laggings)) { if (!(($truth(of.fit) && $truth(of.fit.knots)))) continue; yield $m.format("The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve tells it.", [$bound(of, "name")], $map([])); } })());
+return [...$iter(verdict.data), ...$iter($b.fromkeys(left))];
 }
 function in_page_checks__weak_kinds(drive) {
 let _, found, grounds, pulley;
@@ -1325,7 +1331,7 @@ function known(value) {
 return ((value == null) ? NaN : value);
 }
 $sig(known, ["value"], false);
-return $call(Sizes, [], [["width", belt.width], ["modulus", belt.modulus], ["speed", known($bound(belt, "speed"))], ["diameter", pulley.diameter], ["idle_wrap", ($truth(idle) ? pulley.wrap_angle : NaN)], ["wrap_angle", ($truth(idle) ? NaN : pulley.wrap_angle)], ["creep_limit", drive.creep_limit_of(pulley)], ["overrun", known($bound(pulley, "overrun"))], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["rating", known($bound(belt, "rating"))], ["strength", known($bound(belt, "breaking_strength"))], ["bond_strength", known($bound(lagging, "bond_strength"))], ["fatigue_limit", known($bound(lagging, "fatigue_limit"))], ["face_pressure", known($bound(belt, "largest_wrap_pressure"))], ["least_diameter", known($bound(belt, "least_pulley_diameter"))], ["sag", known(((sag == null) ? null : sag.tension))], ["entry", tensions.entry], ["leaving", tensions.exit], ["pull", (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective)], ["mass", known($bound(belt, "mass"))]]);
+return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.diameter, ($truth(idle) ? pulley.wrap_angle : NaN), ($truth(idle) ? NaN : pulley.wrap_angle), drive.creep_limit_of(pulley), known($bound(pulley, "overrun")), lagging.thickness, lagging.shear_modulus, lagging.compression_modulus, known($bound(belt, "rating")), known($bound(belt, "breaking_strength")), known($bound(lagging, "bond_strength")), known($bound(lagging, "fatigue_limit")), known($bound(belt, "largest_wrap_pressure")), known($bound(belt, "least_pulley_diameter")), known(((sag == null) ? null : sag.tension)), tensions.entry, tensions.exit, (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective), known($bound(belt, "mass")));
 }
 function numbers__compared_sizes(of) {
 
@@ -1364,7 +1370,7 @@ if ((($eq(name, "mass of the belt")) && (value > most))) {
 if (($eq(name, "modulus over the rating of the belt"))) {
 (remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
 }
-return $call(Check, [], [["name", "usual_sizes"], ["title", ("" + "Usual " + $str(name))], ["level", $at($c47, "usual_sizes").missed], ["place", place], ["value", value], ["limit", ((value > most) ? most : least)], ["dimension", dimension], ["at_most", (value > most)], ["source", "sizes that conveyor drives have"], ["short", "unusual size"], ["says", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}.")], ["remedy", check__escaped(remedy)], ["more", $map([["least", [least, dimension]], ["most", [most, dimension]]])], ["binding", false]]);
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c47, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
@@ -1455,7 +1461,7 @@ let fault, shorts;
 
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 (shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
-return $call(Check, [], [["name", "operating_point"], ["title", "Operating point of the drives"], ["level", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS")], ["short", $m.get(shorts, status, "not solved")], ["says", check__escaped($m.strip(("" + $str(reason) + " " + $str(status))))], ["place", place]]);
+return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(status)))));
 }
 function* judge__not_working(place) {
 let name, title;
@@ -1466,7 +1472,7 @@ yield of_drive__not_checked(name, title, "the drives do not carry the load", pla
 }
 function of_drive__not_checked(name, title, why, place) {
 
-return $call(Check, [], [["name", name], ["title", title], ["level", "NOT CHECKED"], ["place", place], ["says", check__escaped(("" + $str(title) + ": not checked, " + $str(why) + "."))], ["short", why]]);
+return new Check(name, title, "NOT CHECKED", place, undefined, undefined, undefined, undefined, undefined, why, check__escaped(("" + $str(title) + ": not checked, " + $str(why) + ".")));
 }
 function numbers__pull_against(pulls) {
 let small;
@@ -1481,7 +1487,7 @@ function judge__fight(lost, place) {
 let fights;
 
 (fights = (lost > 0.0));
-return $call(Check, [], [["name", "fight"], ["title", "Drives work together"], ["level", ($truth(fights) ? "ATTENTION" : "OK")], ["short", ($truth(fights) ? "drives fight" : "")], ["says", ($truth(fights) ? "The drives work against each other with {lost} of pull." : "")], ["remedy", ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : "")], ["more", $map([["lost", [lost, "force"]]])], ["place", place]]);
+return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : ""), undefined, $map([["lost", [lost, "force"]]]));
 }
 function* of_drive__unknown_trims(belt, pulleys, at) {
 let first, opposite, place, pulley, shift;
@@ -1518,19 +1524,19 @@ let why;
 if ($truth(opposite)) {
 (why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by 4 mm shift it by {shift} %."));
 }
-return $call(Check, [], [["name", "belt_thickness"], ["title", "Trim by the thickness of the belt"], ["level", "ATTENTION"], ["place", place], ["short", "trim without belt thickness"], ["says", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why))], ["remedy", "Give pulley_cover, carry_cover and carcass in [belt]."], ["more", $map([["shift", [$mul(100.0, shift), "number"]]])], ["binding", false]]);
+return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give pulley_cover, carry_cover and carcass in [belt].", undefined, $map([["shift", [$mul(100.0, shift), "number"]]]), false);
 }
 function judge__train_balance(error, place) {
 
-return $call(of_drive__judged, [$at($c47, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number"], [["source", "tolerance of the program"], ["short", "out of balance"], ["says", "Tensions, speeds and torques of the train miss each other by {value}."], ["remedy", "Please report the drive file; until then change a value slightly."], ["binding", false], ["place", place]]);
+return of_drive__judged($at($c47, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
 let kept, level, miss;
 
-(kept = $and(!$truth($math.isnan(value)), () => $call(check__keeps, [value, limit], [["at_most", rule.at_most]])));
+(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, rule.at_most)));
 (miss = new Miss($bound(rule, "missed"), short, says, remedy, $bound(rule, "fails_beyond"), because, $bound(rule, "tolerates"), allows, otherwise));
 ([level, says] = miss.at(value, $bound(rule, "at_most")));
-return $call(Check, [], [["name", rule.name], ["title", title], ["level", ($truth(kept) ? "OK" : level)], ["miss", miss], ["value", value], ["limit", limit], ["dimension", dimension], ["at_most", rule.at_most], ["says", ($truth(kept) ? "" : says)], ["remedy", ($truth(kept) ? "" : remedy)], ["otherwise", ($truth(kept) ? "" : otherwise)], ["short", ($truth(kept) ? "" : short)], ["place", place], ["source", source], ["binding", binding], ["more", $or(more, () => $map([]))]]);
+return new Check(rule.name, title, ($truth(kept) ? "OK" : level), place, value, limit, dimension, rule.at_most, source, ($truth(kept) ? "" : short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : remedy), ($truth(kept) ? "" : otherwise), $or(more, () => $map([])), binding, miss);
 }
 function check__keeps(value, limit, at_most = true) {
 
@@ -1576,7 +1582,7 @@ let remedy, title;
 if ($truth(momentary)) {
 (remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
 }
-return $call(of_drive__judged, [$at($c47, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number"], [["source", ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty")], ["short", "motor overloaded"], ["says", "The motors work at {percent} % of their rated torque, and may at {most} %."], ["because", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate)."], ["remedy", remedy], ["more", $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])], ["place", place]]);
+return of_drive__judged($at($c47, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
 }
 function* judge___meeting(case_) {
 let ends, one, other, place;
@@ -1592,7 +1598,7 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield $call(Check, [], [["name", "meeting"], ["title", "Tensions of neighbouring pulleys meet"], ["level", "ATTENTION"], ["place", place], ["short", "tensions do not meet"], ["says", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds.")], ["remedy", ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + ".")], ["more", $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]])], ["binding", false]]);
+yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + "."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
 }
 function* usual__of_train(train) {
 let division, motor, pulley, turns;
@@ -1665,10 +1671,10 @@ let name, place, result, rise, take_up, title;
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return $call(Check, [], [["name", name], ["title", title], ["level", "FAULT OF THE PROGRAM"], ["short", "not solved"], ["says", check__escaped($b.str($bound(result, "status")))], ["place", place]]);
+return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefined, undefined, undefined, undefined, "not solved", check__escaped($b.str($bound(result, "status"))));
 }
 if ($truth(rules__idle($bound(result, "arc")))) {
-return $call(Check, [], [["name", name], ["title", "No pull to carry"], ["level", "OK"], ["short", "not driven"], ["place", place]]);
+return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
 (rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
 return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result, rise));
@@ -1694,7 +1700,7 @@ if (($eq(found.cause, 1))) {
 (first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
 (says = ("" + $str(first) + " at {value} times the pull, " + $str(of_arc__held_words(take_up)) + "; the safety factor "));
 (says = $add(says, ("" + $str(case_.kind) + " is {limit}.")));
-(check = $call(of_drive__judged, [rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number"], [["source", ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing")))], ["short", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip")], ["says", says], ["because", "So it slides."], ["remedy", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."], ["otherwise", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction."], ["more", $map([["slides", [0.0635, "length"]]])], ["place", place]]));
+(check = of_drive__judged(rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number", place, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), says, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), "So it slides.", undefined, undefined, $map([["slides", [0.0635, "length"]]])));
 if (!$truth(gone)) {
 return check;
 }
@@ -1724,7 +1730,7 @@ if ($truth($math.isnan($bound(found, "wrap_factor")))) {
 if (!$truth(criteria.standard.name)) {
 return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
 }
-return $call(Check, [], [["name", "design_standard"], ["title", title], ["level", ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION")], ["place", place], ["short", "standard not applicable"], ["says", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + "."))], ["remedy", "Give what it asks for, or name another rule in [design_standard]."], ["binding", criteria.standard.binding]]);
+return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or name another rule in [design_standard].", undefined, undefined, criteria.standard.binding);
 }
 (slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
 (limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
@@ -1733,7 +1739,7 @@ return $call(Check, [], [["name", "design_standard"], ["title", title], ["level"
 if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
 (start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
 }
-return $call(of_drive__judged, [rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force"], [["source", found.source], ["short", "below standard"], ["says", ("" + "The slack side, {value}, is below the {limit} that " + $str(found.rule) + " asks for" + $str(start) + "." + $str(chosen))], ["remedy", "Raise the slack-side tension, or name the rule that you design by in [design_standard]."], ["otherwise", "Name the rule that you design by in [design_standard]."], ["binding", criteria.standard.binding], ["place", place]]);
+return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "The slack side, {value}, is below the {limit} that " + $str(found.rule) + " asks for" + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
 }
 function design_standard__asked(standard, take_up, lagging, wrap_angle) {
 let factor, found, friction;
@@ -1837,7 +1843,7 @@ if (!$truth($told($c41, result.status, "solved"))) {
 return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
 }
 (limit = result.arc.creep_limit);
-return $call(of_drive__judged, [$at($c47, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length"], [["place", place], ["source", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given")], ["short", "over creep limit"], ["more", $map([["fabric", [$at($c53, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c47, "creep").tolerates, "length"]]])], ["says", "Creeps {value}, more than the limit of {limit}."], ["allows", of_arc___qualifies(drive, limit)], ["because", "A belt that creeps more than {slides} slides."], ["remedy", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction."], ["otherwise", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction."]]);
+return of_drive__judged($at($c47, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c53, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c47, "creep").tolerates, "length"]]]));
 }
 function of_arc__no_state(result) {
 
@@ -1880,7 +1886,7 @@ if (!$truth($told($c41, result.status, "solved"))) {
 return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
 }
 (told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-return $call(of_drive__judged, [$at($c47, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length"], [["place", place], ["source", "shear of the cover of the belt"], ["short", "limit within belt cover"], ["says", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}.")], ["remedy", "State the cover of the test belt with the shear tests, or raise the slack-side tension."], ["otherwise", "State the cover of the test belt with the shear tests."], ["binding", false]]);
+return of_drive__judged($at($c47, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
 }
 function in_page_checks__creep_interval(_drive, result) {
 let fit, place;
@@ -1889,7 +1895,7 @@ let fit, place;
 if (((fit == null) || !$truth(fit.knots))) {
 return null;
 }
-return $call(Check, [], [["name", "creep_interval"], ["title", "Creep at exit, end of the 95 % interval of the law"], ["level", "ATTENTION"], ["place", place], ["says", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval."], ["remedy", "Solve the file with wraparc solve, which does."], ["short", "interval not found here"], ["binding", false]]);
+return new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
 }
 function of_drive__belt_tension(drive, case_, pulley) {
 let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
@@ -1913,7 +1919,7 @@ if (($truth(momentary) && (belt.momentary_factor == null))) {
 (otherwise = "");
 }
 (share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
-return $call(of_drive__judged, [rule, title, value, limit, "force"], [["source", ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance")))))], ["short", "over belt rating"], ["says", ("" + "The belt tension {value} is {share} % of the rating of the belt and more than " + $str(said) + " allows, {limit}.")], ["remedy", remedy], ["otherwise", otherwise], ["more", $map([["share", [share, "number"]]])], ["place", place]]);
+return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is {share} % of the rating of the belt and more than " + $str(said) + " allows, {limit}."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
 }
 function rules__tension_rule(kind) {
 
@@ -1955,7 +1961,7 @@ if ((belt.rating != null)) {
 (rule = $replaced(rule, new Map([["missed", "FAILS"]])));
 (source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
 }
-return $call(of_drive__judged, [rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number"], [["source", source], ["short", "belt safety factor"], ["says", "The strength of the belt is {value} times its tension, and is to be {limit} times."], ["because", "No belt is rated at more than a third of its strength."], ["remedy", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt."], ["otherwise", "Take a wider or stronger belt."], ["binding", (belt.rating != null)], ["place", place]]);
+return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, (belt.rating != null));
 }
 function rules__asked_safety(belt, kind) {
 let asked;
@@ -1987,7 +1993,7 @@ return of_drive__not_checked("face_pressure", title, why, place);
 (tensions = $at(case_.tensions, pulley.name));
 (tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
 (value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return $call(of_drive__judged, [$at($c47, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure"], [["source", of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance")))], ["short", "face pressure"], ["says", "The belt presses on the pulley face with {value}, more than the {limit} that it may."], ["remedy", "Take a larger or wider pulley, or less tension."], ["otherwise", "Take a larger or wider pulley."], ["place", place]]);
+return of_drive__judged($at($c47, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
 }
 function rules__wrap_pressure(tension, width, diameter, centrifugal) {
 
@@ -2025,7 +2031,7 @@ if ((limit == null)) {
 (why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
 return of_drive__not_checked(name, title, why, place);
 }
-return $call(of_drive__judged, [$at($c47, name), title, stress, limit, "pressure"], [["source", of_drive__origin(lagging.source_of(key))], ["short", short], ["says", says], ["remedy", "Choose a lagging with a stronger bond, a larger pulley, or less pull."], ["place", place], ["more", more]]);
+return of_drive__judged($at($c47, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
 }
 function of_arc___known(check, result) {
 
@@ -2051,7 +2057,7 @@ return null;
 (tensions = $at(case_.tensions, pulley.name));
 for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
 (more = ($truth($at($c47, name).at_most) ? "above" : "below"));
-yield $call(of_drive__judged, [$at($c47, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure"], [["source", of_drive__tests_of(pulley)], ["short", ("" + "pressure " + $str(more) + " tests")], ["says", ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation.")], ["remedy", ("" + $str(of_tension) + $str($slice(otherwise, 4, null)))], ["otherwise", otherwise], ["place", place]]);
+yield of_drive__judged($at($c47, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
 }
 }
 function of_drive__tests_of(pulley) {
@@ -2077,7 +2083,7 @@ yield of_data___untested(case_, pulley, "worn", "worn", says);
 function of_data___untested(case_, pulley, state, part, says) {
 let lagging;
 (lagging = pulley.lagging);
-return $call(Check, [], [["name", $at($c47, "condition").name], ["title", ("" + "Friction of " + $str(lagging.name) + ", " + $str(state))], ["level", "ATTENTION"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["source", of_drive__origin($at(lagging.sources, part))], ["short", ("" + "not tested " + $str(state))], ["says", check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + "."))], ["remedy", ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand.")], ["otherwise", ("" + "Test the lagging " + $str(check__escaped(state)) + ".")], ["binding", false]]);
+return new Check($at($c47, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
 }
 function* of_data__fit(case_, pulley) {
 let first, lagging, more, others;
@@ -2088,7 +2094,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield $call(Check, [], [["name", $at($c47, "fit").name], ["title", ("" + "Friction of " + $str(lagging.name) + ", fit to its tests")], ["level", "ATTENTION"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["source", of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance")))], ["short", "does not fit its tests"], ["says", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted")))))], ["remedy", "Mend or repeat those tests and fit again, or keep more slack-side tension in hand."], ["otherwise", "Mend or repeat those tests and fit again."], ["binding", false]]);
+yield new Check($at($c47, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -2124,7 +2130,7 @@ let found, tested, title, unchecked, why;
 if ((tested == null)) {
 return null;
 }
-yield $call(of_drive__judged, [$at($c47, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length"], [["source", of_drive__tests_of(pulley)], ["short", "slip beyond tests"], ["says", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation.")], ["remedy", "Raise the slack-side tension, or test the lagging to this slip."], ["otherwise", "Test the lagging to this slip."], ["place", place]]);
+yield of_drive__judged($at($c47, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
 (title = "Slip speed, tested");
 if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
@@ -2135,7 +2141,7 @@ yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
 if ($truth($math.isnan(speed))) {
 yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
 } else {
-yield $call(of_drive__judged, [$at($c47, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed"], [["source", of_drive__tests_of(pulley)], ["short", "slips faster than tests"], ["says", ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known.")], ["remedy", "Test the lagging at this speed, or keep a larger safety factor."], ["binding", false], ["place", place]]);
+yield of_drive__judged($at($c47, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
 }
 }
 }
@@ -2145,7 +2151,7 @@ let none, tensions, told;
 (tensions = $at(case_.tensions, pulley.name));
 (none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 (told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
-return $call(Check, [], [["name", "sense"], ["title", ("" + "Pulley " + $str(pulley.name) + " " + $str(told))], ["level", "OK"], ["place", new Place($bound(pulley, "name"), $bound(case_, "name"))], ["binding", false]]);
+return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 function of_arc__balance(result) {
 let arc, error, g, pull, value;
@@ -2157,7 +2163,7 @@ return null;
 (arc = result.arc);
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-return $call(of_drive__judged, [$at($c47, "balance"), "Energy balance of the solution", value, 0.0001, "number"], [["source", "tolerance of the program"], ["short", "out of balance"], ["says", "The energy balance of the solution misses by {value}, more than {limit}."], ["remedy", "Please report the drive file; until then change a value slightly."], ["place", new Place($bound(arc, "pulley"), $bound(arc, "load_case"))], ["binding", false]]);
+return of_drive__judged($at($c47, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -2182,7 +2188,7 @@ let limits, title;
 if ((limits == null)) {
 return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
 }
-return $call(of_drive__judged, [$at($c47, "sag"), title, tension, $bound(limits, "tension"), "force"], [["place", place], ["source", limits.SOURCE], ["short", "sags"], ["says", ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}.")], ["remedy", "Raise the slack-side tension, or set the idlers closer."], ["otherwise", "Set the idlers closer."]]);
+return of_drive__judged($at($c47, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2209,7 +2215,7 @@ return null;
 (after = drive.criteria.take_up.after);
 (what = ($truth(fixed) ? "the sum of both tensions" : "the slack-side tension"));
 (what = ($truth(after) ? ("" + "the tension behind pulley " + $str(check__escaped(after))) : what));
-yield $call(Check, [], [["name", "take_up"], ["title", "Tensions that the take-up holds"], ["level", "ATTENTION"], ["source", ("" + "take-up " + $str(kind) + ", as given")], ["short", "contradicts take-up"], ["says", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + ", and it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + ".")], ["remedy", "Correct the tensions, or the kind under [take_up]."], ["more", $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]])], ["binding", false]]);
+yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + ", and it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), "Correct the tensions, or the kind under [take_up].", undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -2240,7 +2246,7 @@ if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers_
 if (($truth(why) || (least == null))) {
 return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
 }
-return $call(of_drive__judged, [$at($c47, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length"], [["place", new Place($bound(pulley, "name"))], ["source", of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance")))], ["short", "pulley too small"], ["says", ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}.")], ["remedy", "Take a larger pulley, or a belt that bends over this one."]]);
+return of_drive__judged($at($c47, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
 }
 function* in_page_checks__usual_sizes(_drive, ..._others) {
 
@@ -2250,7 +2256,7 @@ function usual__all_usual() {
 let title;
 
 (title = "What is given is of usual size");
-return $call(Check, [], [["name", "usual_sizes"], ["title", title], ["level", "OK"], ["binding", false]]);
+return new Check("usual_sizes", title, "OK", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
 }
 function of_data__data(drive, pulley) {
 let found, grounds, kind, lagging, what, words, worst;
@@ -2263,7 +2269,7 @@ $m.append($m.setdefault(found, kind, []), what);
 ([grounds, words] = of_data__law_words(lagging));
 (words = $add(words, [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
 (worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c55))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
-return $call(Check, [], [["name", "data"], ["title", "Data that the answer stands on"], ["level", "OK"], ["place", new Place($bound(pulley, "name"))], ["short", worst], ["says", check__escaped($m.join(" ", words))], ["binding", false]]);
+return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
 let one;
@@ -2372,7 +2378,7 @@ if (!($truth(binding) && $truth(criteria.standard.name))) {
 return null;
 }
 }
-yield $call(Figure, ["design_standard", $bound(rule, "rule"), tension, place], [["binding", binding]]);
+yield new Figure("design_standard", $bound(rule, "rule"), tension, place, binding);
 }
 function least_tension___gross_slip(drive, case_, arcs, index, end) {
 let arc, factor, raised, rise, title;
@@ -2395,15 +2401,15 @@ if ((tested != null)) {
 ([low, high] = (function* () { for (const p of $iter([tested.pressure_min, tested.pressure_max])) { yield $add($mul(p, area), arc.centrifugal); } })());
 yield new Figure("tested_pressure_min", "Least wrap pressure, tested", $add(of_slack, low), place);
 (title = "Largest wrap pressure, tested");
-yield $call(Figure, ["tested_pressure_max", title, $add(of_tight, high), place], [["at_least", false]]);
+yield new Figure("tested_pressure_max", title, $add(of_tight, high), place, undefined, false);
 }
 if ((belt.largest_wrap_pressure != null)) {
 ([title, most] = ["Pressure on the pulley face", $add($mul(belt.largest_wrap_pressure, area), arc.centrifugal)]);
-yield $call(Figure, ["face_pressure", title, $add(of_tight, most), place], [["at_least", false]]);
+yield new Figure("face_pressure", title, $add(of_tight, most), place, undefined, false);
 }
 if ((belt.rating != null)) {
 (most = $add(of_tight, $mul($mul(rules__tension_factor(belt, $bound(case_, "kind")), belt.rating), belt.width)));
-yield $call(Figure, ["belt_tension", "Belt tension", most, place], [["at_least", false]]);
+yield new Figure("belt_tension", "Belt tension", most, place, undefined, false);
 }
 }
 function least_tension___tension(figure) {
@@ -2575,7 +2581,7 @@ $m.append(rows, new Row(("" + $str(figure.title) + ", " + $str(bound)), [text], 
 }
 (where = ($truth(after) ? ("" + "at the take-up behind pulley " + $str(after)) : "of the slack side behind the drives"));
 (note = ("" + "Tension " + $str(where) + " with which each check is kept, every pulley pulling as it does."));
-return $call(Table, [("" + "Least " + $str(least_tension__least_name(result))), $b.tuple(rows)], [["note", note], ["name", "least"]]);
+return new Table(("" + "Least " + $str(least_tension__least_name(result))), $b.tuple(rows), undefined, note, "least");
 }
 function least_tension__shown_least(result) {
 let found;
@@ -2588,7 +2594,7 @@ let judged, rows;
 
 (judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
 (rows = $b.tuple((function* () { for (const check of $iter(judged)) { yield checks_table___row(check, of); } })()));
-return $call(Table, [title, rows, ["found", "limit", "margin"], ("" + $str("Margin: how far the value is from its limit, over the limit; positive on the safe side. Each check is shown where it comes off worst.") + $str(checks_table___left(verdict)))], [["name", "checks"], ["short", checks_table___nearest(verdict, title)], ["brief", $m.strip(("" + $str(($truth(verdict.missed) ? ("" + $str(checks_table___counted(verdict)) + ". ") : "")) + $str(checks_table___unchecked(verdict))))]]);
+return new Table(title, rows, ["found", "limit", "margin"], ("" + $str("Margin: how far the value is from its limit, over the limit; positive on the safe side. Each check is shown where it comes off worst.") + $str(checks_table___left(verdict))), "checks", checks_table___nearest(verdict, title), $m.strip(("" + $str(($truth(verdict.missed) ? ("" + $str(checks_table___counted(verdict)) + ". ") : "")) + $str(checks_table___unchecked(verdict)))));
 }
 function checks_table___row(check, of) {
 let _, found, note, number, values;
@@ -2596,7 +2602,7 @@ let _, found, note, number, values;
 (values = [$or(found, () => "-"), $or(check.bound(), () => "-"), checks_table__margin_text(check)]);
 (number = ((of == null) ? "" : of.number($bound(check, "source"))));
 (note = $m.join(" ", (function* () { for (const part of $iter([$b.str($bound(check, "place")), number])) { if (!($truth(part))) continue; yield part; } })()));
-return $call(Row, [$bound(check, "title"), values], [["note", note], ["level", check.level]]);
+return new Row($bound(check, "title"), values, undefined, note, undefined, check.level);
 }
 function checks_table__margin_text(check) {
 let margin;
@@ -2637,7 +2643,7 @@ let rows, told;
 (told = [...(function* () { for (const c of $iter(verdict.listed)) { if (!(($truth(c.compares) && ($truth(c.missed) || $truth($math.isfinite($bound(c, "margin"))))))) continue; yield c; } })()]);
 (told = $b.sorted((function* () { for (const c of $iter(told)) { if (!(!$truth(c.below))) continue; yield c; } })(), $k({key: verdict.nearness})));
 (rows = (function* () { for (const c of $iter($slice(told, null, $b.max(4, $b.len($bound(verdict, "missed")))))) { yield new Row($bound(c, "title"), [$or($at(c.texts(), 0), () => "-"), $or(c.bound(), () => "-")], "", $b.str($bound(c, "level"))); } })());
-return $call(Table, [title, $b.tuple(rows), ["found", "limit"]], [["name", "checks"]]);
+return new Table(title, $b.tuple(rows), ["found", "limit"], undefined, "checks");
 }
 function checks_table___counted(verdict) {
 let judged;
@@ -2676,9 +2682,9 @@ function words__alone(drive, arc) {
 let case_, name, own, pulley, solved, tensions;
 
 ([name, solved] = [arc.arc.load_case, arc.arc]);
-(tensions = $call(Tensions, [], [["entry", solved.entry_tension], ["exit", solved.exit_tension]]));
+(tensions = new Tensions(solved.entry_tension, solved.exit_tension));
 (own = $b.next((function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })(), null));
-(case_ = $call(LoadCase, [], [["name", name], ["tensions", $map([[arc.arc.pulley, tensions]])], ["kind", ($truth(own) ? own.kind : "running")], ["condition", ($truth(own) ? own.condition : "")]]));
+(case_ = new LoadCase(name, $map([[arc.arc.pulley, tensions]]), ($truth(own) ? own.kind : "running"), ($truth(own) ? own.condition : "")));
 (pulley = drive.pulley($bound(arc.arc, "pulley")));
 return new DriveResult($replaced(drive, new Map([["pulleys", [pulley]], ["load_cases", [case_]]])), [arc]);
 }
@@ -2888,24 +2894,24 @@ if ((slip == null)) {
 }
 throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given"), "Give both or none.");
 }
-return $call(TestedRange, [], [["pressure_min", $at(pressures, 0)], ["pressure_max", $at(pressures, 1)], ["slip_max", slip], ["slip_speed", speed]]);
+return new TestedRange($at(pressures, 0), $at(pressures, 1), slip, speed);
 }
 function laws___problem(key, message, remedy = "", value = "") {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["key", key], ["value", value]]));
+return new InputError(new Problem(message, remedy, undefined, key, value));
 }
 function laws___table(record) {
 let problems, rows, slips;
 (rows = $at(record, "rows"));
 laws___check_order(rows, "rows");
 (slips = $b.len($at(record, "slip")));
-(problems = [...(function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((!$eq($b.len($at(row, "friction")), slips)))) continue; yield $call(Problem, [], [["key", ("" + "rows[" + $str(number) + "].friction")], ["message", ("" + $str($b.len($at(row, "friction"))) + " values for " + $str(slips) + " slips")], ["remedy", "Give one for each slip."]]); } })()]);
+(problems = [...(function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((!$eq($b.len($at(row, "friction")), slips)))) continue; yield new Problem(("" + $str($b.len($at(row, "friction"))) + " values for " + $str(slips) + " slips"), "Give one for each slip.", undefined, ("" + "rows[" + $str(number) + "].friction")); } })()]);
 laws___raise(problems);
-return $call(MeasuredTable, [], [["slip", $b.tuple($at(record, "slip"))], ["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["values", $b.tuple((function* () { for (const row of $iter(rows)) { yield $b.tuple($at(row, "friction")); } })())]]);
+return new MeasuredTable(undefined, $b.tuple($at(record, "slip")), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $b.tuple($at(row, "friction")); } })()));
 }
 function laws___check_order(rows, key) {
 let problems;
 
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + "[" + $str(number) + "].pressure")], ["message", ("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure"))))], ["remedy", "Write the rows in order of rising pressure."]]); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield new Problem(("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure")))), "Write the rows in order of rising pressure.", undefined, ("" + $str(key) + "[" + $str(number) + "].pressure")); } })()]);
 laws___raise(problems);
 }
 function laws___raise(problems) {
@@ -2927,14 +2933,14 @@ if (($in("knots", record))) {
 }
 (p = coefficients.pressure);
 (tested = laws___tested(record, (($b.len(p) > 1) ? [$at(p, 0), $at(p, $neg(1))] : null)));
-return $call(IntegralLog, [], [["coefficients", coefficients], ["tested", tested]]);
+return new IntegralLog(undefined, coefficients, tested);
 }
 function laws___pieces(record) {
 let error, more, number, pieces, pressure_unit, problems, row, rows, slip_unit;
 (slip_unit = laws___unit(record, "slip_unit", "length", "mm"));
 (pressure_unit = laws___unit(record, "pressure_unit", "pressure", "kPa"));
 (rows = $at(record, "pieces"));
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str(number) + "].from")], ["message", ("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to"))))], ["remedy", "Let the pieces follow each other without gap or overlap."]]); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield new Problem(("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to")))), "Let the pieces follow each other without gap or overlap.", undefined, ("" + "pieces[" + $str(number) + "].from")); } })()]);
 (pieces = []);
 for ([number, row] of $iter($b.enumerate(rows, $k({start: 1})))) {
 try {
@@ -2942,7 +2948,7 @@ $m.append(pieces, laws___piece(row, slip_unit, pressure_unit));
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
-(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", ("" + "pieces[" + $str(number) + "]." + $str(p.key))]]); } })()]));
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield new Problem(p.message, p.remedy, undefined, ("" + "pieces[" + $str(number) + "]." + $str(p.key))); } })()]));
 } else throw $error;
 }
 }
@@ -2982,7 +2988,7 @@ $put(trends, $m.lower(key), trends__read_trend($at(row, key), pressure_unit, $at
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
-(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", key]]); } })()]));
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield new Problem(p.message, p.remedy, undefined, key); } })()]));
 } else throw $error;
 }
 }
@@ -2990,7 +2996,7 @@ laws___raise(problems);
 return $call(Piece, [], [...trends]);
 }
 function laws___useless_slope(key) {
-return $call(Problem, [], [["key", key], ["message", "missing, and without it friction stays at its peak, whatever the slope"], ["remedy", "Give the level that friction falls to."]]);
+return new Problem("missing, and without it friction stays at its peak, whatever the slope", "Give the level that friction falls to.", undefined, key);
 }
 function trends__read_trend(text, pressure_unit = 1.0, factor = 1.0) {
 let exponent, single, terms, trend;
@@ -3001,7 +3007,7 @@ if (($truth(single) && (single.exponent != null))) {
 (trend = trends___scaled_exponent($bound(single, "exponent"), $mul(single.coefficient, $b.Decimal(factor)), text));
 } else {
 if (($truth(single) && ($eq(single.function, "p")) && (!$in(single.power, [0, 1, 2, 3])))) {
-(exponent = $call(Trend, [], [["form", "logarithmic"], ["coefficients", [0.0, single.power]]]));
+(exponent = new Trend("logarithmic", [0.0, single.power]));
 (trend = trends___scaled_exponent(exponent, $mul(single.coefficient, $b.Decimal(factor)), text));
 } else {
 (trend = trends___sum(terms, text, $b.Decimal(factor)));
@@ -3036,7 +3042,7 @@ return $c72;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."], ["value", $shown(text)]]));
+return new InputError(new Problem(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text)));
 }
 function trends___term(match, text) {
 let coefficient, factor, inner, power;
@@ -3076,7 +3082,7 @@ $put(coefficients, $b.int($bound(term, "power")), trends___finite($mul(term.coef
 }
 (count = $add(1, $b.int($b.max(seen))));
 (form = (($eq(functions, new Set(["ln"]))) ? "logarithmic" : "polynomial"));
-return $call(Trend, [], [["form", form], ["coefficients", $b.tuple($slice(coefficients, null, count))]]);
+return new Trend(form, $b.tuple($slice(coefficients, null, count)));
 }
 function trends___finite(number, text) {
 let value;
@@ -3097,7 +3103,7 @@ throw trends___refused(text, "is 0 everywhere");
 (first = $add($at(c, 0), $math.log(size)));
 (form = (($eq(exponent.form, "logarithmic")) ? "power" : "exponential"));
 (sign = ((coefficient > 0) ? 1 : $neg(1)));
-return $call(Trend, [], [["form", form], ["coefficients", [first, ...$iter($slice(c, 1, null))]], ["sign", sign]]);
+return new Trend(form, [first, ...$iter($slice(c, 1, null))], sign);
 }
 function trends___over_pascal(trend, unit) {
 let c;
@@ -3110,7 +3116,7 @@ if (($in(trend.form, ["logarithmic", "power"]))) {
 (c = $b.tuple((function* () { for (const [power, value] of $iter($b.enumerate(c))) { yield (value / $pow(unit, power)); } })()));
 }
 }
-return $call(Trend, [], [["form", trend.form], ["coefficients", c], ["sign", trend.sign]]);
+return new Trend(trend.form, c, trend.sign);
 }
 function trends___shifted(c, shift) {
 
@@ -3127,7 +3133,7 @@ throw laws___problem(key, "belongs to pieces; each number of knots has its own u
 laws___check_order(rows, "knots");
 laws___raise((function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((($m.get(row, "post_peak_slope", 0.0) < 0.0) && (!$in("residual_friction", row))))) continue; yield laws___useless_slope(("" + "knots[" + $str(number) + "].residual_friction")); } })());
 (tail = $b.any((function* () { for (const row of $iter(rows)) { yield $or(($in("post_peak_slope", row)), () => ($in("residual_friction", row))); } })()));
-return $call(PressureKnots, [], [["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["peak_friction", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_friction"); } })())], ["peak_slip", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_slip"); } })())], ["post_peak_slope", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "post_peak_slope", 0.0); } })()) : [])], ["residual_friction", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "residual_friction", $at(row, "peak_friction")); } })()) : [])]]);
+return new PressureKnots($b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_friction"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_slip"); } })()), ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "post_peak_slope", 0.0); } })()) : []), ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "residual_friction", $at(row, "peak_friction")); } })()) : []));
 }
 function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
@@ -3181,7 +3187,7 @@ function lagging_file___catalogue_record(name, text) {
 let record;
 (record = lagging_file___record(text, ("" + "catalogue lagging " + $str(name))));
 if ((!$eq($at(record, "name"), name))) {
-throw new InputError($call(Problem, [], [["file", ("" + "catalogue lagging " + $str(name))], ["key", "name"], ["value", $shown($at(record, "name"))], ["message", "is not the name of its file"], ["remedy", ("" + "Write name = " + $str($shown(name)) + ", or rename the file.")]]));
+throw new InputError(new Problem("is not the name of its file", ("" + "Write name = " + $str($shown(name)) + ", or rename the file."), ("" + "catalogue lagging " + $str(name)), "name", $shown($at(record, "name"))));
 }
 return record;
 }
@@ -3208,7 +3214,7 @@ return laggings;
 }
 function drive_build___at_home(error) {
 
-return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : $call(Problem, [], [["message", ("" + $str(problem.file) + " " + $str(problem.message))], ["remedy", problem.remedy]])); } })());
+return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : new Problem(("" + $str(problem.file) + " " + $str(problem.message)), problem.remedy)); } })());
 }
 function lagging_file__lagging_record(name_or_path, folder, allow_paths) {
 let path, text;
@@ -3218,7 +3224,7 @@ if (!$truth(lagging_file__is_path(name_or_path))) {
 return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
 }
 if (!$truth(allow_paths)) {
-throw new InputError($call(Problem, [], [["message", "the path of a file cannot be used here"], ["remedy", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table.")], ["value", $shown(name_or_path)]]));
+throw new InputError(new Problem("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path)));
 }
 (path = readText(folder, name_or_path));
 return [lagging_file___record(readText(path), path), path];
@@ -3247,7 +3253,7 @@ for ([key, limit] of $iter($m.items(limits))) {
 (message = ((value == null) ? "" : limit.refusal(value)));
 if ($truth(message)) {
 (given = ($truth(isNumber(value)) ? display__display($b.float(value), $bound(limit, "dimension")) : $shown(value)));
-$m.append(problems, $call(Problem, [], [["key", key], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, given));
 }
 }
 return problems;
@@ -3260,7 +3266,7 @@ let band, dry, here, high, known, low, note, source, there;
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
 (known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c52)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
+throw new InputError(new Problem(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard)));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
@@ -3281,7 +3287,7 @@ return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yie
 }
 function criteria__choice_problems(thing, choices) {
 
-return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield $call(Problem, [], [["key", key], ["value", $shown($b.getattr(thing, key))], ["message", ("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })())))]]); } })()];
+return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield new Problem(("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })()))), undefined, undefined, key, $shown($b.getattr(thing, key))); } })()];
 }
 function limits__name_problems(key, name) {
 let message;
@@ -3290,18 +3296,18 @@ if (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($b.len(nam
 return [];
 }
 (message = "must be a printable text of 1 to 60 characters");
-return [$call(Problem, [], [["key", key], ["value", $shown(name)], ["message", message]])];
+return [new Problem(message, undefined, undefined, key, $shown(name))];
 }
 function drive___wrong_pulleys(case_, names) {
 let missing, parts, unknown;
 ([missing, unknown] = [$b.sorted($sub(names, $m.keys(case_.tensions))), $b.sorted($sub($m.keys(case_.tensions), names))]);
 (parts = ($truth(missing) ? [("" + "no tensions for " + $str($shown(missing)))] : []));
 (parts = $add(parts, ($truth(unknown) ? [("" + "tensions for " + $str($shown(unknown)) + ", which the drive does not have")] : [])));
-return $call(Problem, [], [["key", ("" + "load_case." + $str(case_.name))], ["message", $m.join(" and ", parts)]]);
+return new Problem($m.join(" and ", parts), undefined, undefined, ("" + "load_case." + $str(case_.name)));
 }
 function drive__condition_problems(case_, condition, pulleys) {
 
-return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield $call(Problem, [], [["key", ("" + "load_case." + $str(case_) + ".condition")], ["value", $shown(condition)], ["message", ("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition")]]); } })()];
+return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield new Problem(("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition"), undefined, undefined, ("" + "load_case." + $str(case_) + ".condition"), $shown(condition)); } })()];
 }
 function drive__named(what, name, among, of = "the drive") {
 let one;
@@ -3311,14 +3317,14 @@ if (($in(name, [null, one.name]))) {
 return one;
 }
 }
-throw $call(errors__no_such, [what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()]], [["of", of]]);
+throw errors__no_such(what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()], of);
 }
 function errors__no_such(what, name, known, of = "the drive") {
 let names, there;
 
 (names = $b.list(known));
 (there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
-return new InputError($call(Problem, [], [["message", ("" + $str(of) + " has no such " + $str(what))], ["remedy", $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there)))], ["value", $shown(name)]]));
+return new InputError(new Problem(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name)));
 }
 function load_case__heaviest(cases, pull) {
 let running;
@@ -3326,13 +3332,25 @@ let running;
 (running = [...(function* () { for (const case_ of $iter(cases)) { if (!(($eq(case_.kind, "running")))) continue; yield case_; } })()]);
 return alike__largest($or(running, () => cases), ((case_) => $b.abs(pull(case_))));
 }
+function drive__laggings_of(pulleys, conditions) {
+let condition, found, lagging, pulley;
+
+(found = $map([]));
+for (condition of $iter(conditions)) {
+for (pulley of $iter(pulleys)) {
+(lagging = pulley.lagging_in(condition));
+$m.setdefault(found, [lagging.name, lagging.condition], lagging);
+}
+}
+return $b.tuple($m.values(found));
+}
 function train___count_problems(key, values, count) {
 let message;
 if (($eq($b.len(values), count))) {
 return [];
 }
 (message = ("" + "must have one value for each of the " + $str(count) + " pulleys"));
-return [$call(Problem, [], [["key", key], ["value", ("" + $str($b.len(values)) + " values")], ["message", message]])];
+return [new Problem(message, undefined, undefined, key, ("" + $str($b.len(values)) + " values"))];
 }
 function train___case_problems(case_, names) {
 let count, division, given, message, problems, speeds, where;
@@ -3342,10 +3360,10 @@ let count, division, given, message, problems, speeds, where;
 if (($truth(case_.runs) && (!$eq($b.len($bound(case_, "runs")), $sub(count, 1))))) {
 (message = ("" + "must have one value for each of the " + $str($sub(count, 1)) + " runs between pulleys"));
 (given = ("" + $str($b.len($bound(case_, "runs"))) + " values"));
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, ("" + $str(where) + ".run"), given));
 } else {
 if (!$truth($b.all($b.map($math.isfinite, $bound(case_, "runs"))))) {
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["message", "must be finite"]]));
+$m.append(problems, new Problem("must be finite", undefined, undefined, ("" + $str(where) + ".run")));
 }
 }
 if ($truth(problems)) {
@@ -3363,7 +3381,7 @@ if ($truth($b.isinstance(division, Speeds))) {
 (problems = train___count_problems(("" + $str(where) + ".speeds"), speeds, count));
 if (!$truth($b.all((function* () { for (const speed of $iter(speeds)) { yield (0.0 < speed && speed < Infinity); } })()))) {
 (message = "every speed must be positive and finite");
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".speeds")], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, ("" + $str(where) + ".speeds")));
 }
 return problems;
 }
@@ -3377,7 +3395,7 @@ if ((!$truth(problems) && !($b.abs($sub(total, 1.0)) <= 1e-06))) {
 (given = $m.join(", ", (function* () { for (const f of $iter(fractions)) { yield ("" + $format(f, ("" + "g"))); } })()));
 (message = ("" + "the shares must sum to 1 and sum to " + $format(total, ("" + ".6g"))));
 (remedy = "Give fractions like 0.5 or 50 %.");
-$m.append(problems, $call(Problem, [], [["key", key], ["value", ("" + "[" + $str(given) + "]")], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, key, ("" + "[" + $str(given) + "]")));
 }
 (pulls = [...(function* () { for (const f of $iter(fractions)) { yield $mul(f, case_.effective_tension); } })()]);
 return $or(problems, () => train___slack_problems(key, pulls, case_));
@@ -3390,7 +3408,7 @@ return [];
 }
 (message = ("" + "leaves a tension of " + $str(display__display(low, "force")) + " in the belt, and a belt cannot push"));
 (remedy = "Give other shares, or more tension on the slack side.");
-return [$call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, key)];
 }
 function train__tensions_at(case_, pulls) {
 let runs;
@@ -3416,8 +3434,8 @@ let asked, message, problems, size, total;
 ([total, asked] = [$math.fsum(pulls), case_.effective_tension]);
 (size = $b.max($bound(case_, "entry_tension"), $bound(case_, "exit_tension")));
 if ((!$truth(problems) && !($b.abs($sub(total, asked)) <= $mul(1e-06, size)))) {
-(message = ("" + "the pulleys together pull " + $str($call(display__display, [total, "force"], [["digits", 6]])) + ", and the tensions at both ends ask for " + $str($call(display__display, [asked, "force"], [["digits", 6]]))));
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+(message = ("" + "the pulleys together pull " + $str(display__display(total, "force", undefined, 6)) + ", and the tensions at both ends ask for " + $str(display__display(asked, "force", undefined, 6))));
+$m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return $or(problems, () => train___slack_problems(key, pulls, case_));
 }
@@ -3436,17 +3454,17 @@ continue;
 (where = ("" + $str(key) + "." + $str(name) + ".master"));
 if ((leads == null)) {
 (message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
-$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
 } else {
 if ($truth($b.isinstance(leads, TorqueFollower))) {
 (message = "the drive that is followed must not follow another one itself");
-$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
 }
 }
 }
 if (($eq($at($b.Counter($b.map($b.type, motors)), TorqueFollower), $b.len(motors)))) {
 (message = "every drive follows another one: one must hold the speed");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return problems;
 }
@@ -3454,7 +3472,7 @@ function train___case_of(drive, case_) {
 let pairs, runs;
 (pairs = [...(function* () { for (const p of $iter(drive.pulleys)) { yield $at(case_.tensions, p.name); } })()]);
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
-return $call(TrainCase, [], [["name", case_.name], ["entry_tension", $at(pairs, 0).entry], ["exit_tension", $at(pairs, $neg(1)).exit], ["division", new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })()))], ["runs", ($truth($b.any(runs)) ? runs : [])], ["kind", case_.kind], ["condition", case_.condition]]);
+return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition);
 }
 function wrap_arc__of_belt(belt, side, law) {
 let counted, cover;
@@ -3534,7 +3552,7 @@ return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
 function base__check(...tests) {
 let failed;
 
-(failed = [...(function* () { for (const [passed, key, value, message] of $iter(tests)) { if (!(!$truth(passed))) continue; yield $call(Problem, [], [["key", key], ["value", value], ["message", message]]); } })()]);
+(failed = [...(function* () { for (const [passed, key, value, message] of $iter(tests)) { if (!(!$truth(passed))) continue; yield new Problem(message, undefined, undefined, key, value); } })()]);
 if ($truth(failed)) {
 throw new InputError(failed);
 }
@@ -3564,7 +3582,7 @@ return [];
 if ((table == null)) {
 (message = ("" + "given, and the law has no " + $str(key) + "_factor"));
 (remedy = ("" + "Leave it out, or add [law." + $str(key) + "_factor] with its source."));
-return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, key, display__display(value, dimension))];
 }
 ([low, high] = [(($eq(key, "slip_speed")) ? 0.0 : $at(table.at, 0)), $at(table.at, $neg(1))]);
 if ((low <= value && value <= high)) {
@@ -3572,7 +3590,7 @@ return [];
 }
 (ends = ("" + $str(display__display($at(table.at, 0), dimension)) + " to " + $str(display__display(high, dimension))));
 (message = ("" + "outside the " + $str(ends) + " that its factor is known for"));
-return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", "Test the lagging there, and add the factor to its table."]])];
+return [new Problem(message, "Test the lagging there, and add the factor to its table.", undefined, key, display__display(value, dimension))];
 }
 function tables___kind_of(owner, attribute) {
 let kind, rigid, types;
@@ -3639,7 +3657,7 @@ if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
 (least = $at($at($c720, 0), 0));
-return [$call(Problem, [], [["key", "length"], ["value", display__display(length, "length")], ["message", ("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated")], ["remedy", "Give secondary_resistance, or a length_coefficient of your own."]])];
+return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
@@ -3661,7 +3679,7 @@ let message, remedy, where;
 (where = (($in(least, [state.entry, state.exit])) ? "beside the drive pulley" : "at the far end"));
 (message = ("" + "leaves a belt tension of " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name) + ", and a belt cannot push"));
 (remedy = "Give a larger take-up tension.");
-return $call(Problem, [], [["key", "take_up_tension"], ["message", message], ["remedy", remedy]]);
+return new Problem(message, remedy, undefined, "take_up_tension");
 }
 function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
 let cosine;
@@ -3776,7 +3794,7 @@ if ($truth(self.full)) {
 return null;
 }
 (given = ((value === $c7) ? "" : $shown(value)));
-self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", problems__place_text(place)], ["value", given]]));
+self._append(new Problem(message, remedy, undefined, problems__place_text(place), given));
 }
 take(error, place, raw = $c7, names = null) {
 const self = this; let below, given, key, problem, value;
@@ -3833,7 +3851,7 @@ const self = this; let message;
 
 if ($truth(self._left_out)) {
 (message = ("" + $str(self._left_out) + " more problems are not listed"));
-$m.append(self.problems, $call(Problem, [], [["message", message], ["file", self.file]]));
+$m.append(self.problems, new Problem(message, undefined, self.file));
 }
 if ($truth(self.problems)) {
 throw new InputError($bound(self, "problems"));
@@ -3860,7 +3878,7 @@ class Provenance extends $Object {
 $init(kind = "given", source = "", date = "", note = "") { this.kind = kind; this.source = source; this.date = date; this.note = note; this.__post_init__?.(); }
 __post_init__() {
 const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
-throw new InputError($call(Problem, [], [["message", "a published number without a source"], ["remedy", "Name the publication, or call the number given or illustrative."]]));
+throw new InputError(new Problem("a published number without a source", "Name the publication, or call the number given or illustrative."));
 }
 }
 __str__() {
@@ -3961,7 +3979,7 @@ if ((!$in("wet", $m.split($m.lower(self.name))))) {
 return [];
 }
 ([message, remedy] = ["more friction wet than dry", "Give friction when wet over dry, 0.8 say."]);
-return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(factor, ("" + "g")))], ["message", message], ["remedy", remedy]]); } })()];
+return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield new Problem(message, remedy, undefined, key, ("" + $format(factor, ("" + "g")))); } })()];
 }
 lagging(lagging) {
 const self = this; let factor, source;
@@ -4031,7 +4049,7 @@ if (!$truth(lagging.surface)) {
 (covered = "its surface is not said, so that no published value applies");
 }
 (name = $shown($bound(self, "name")));
-return $call(Problem, [], [["key", ("" + "condition." + $str(self.name))], ["message", ("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")")], ["remedy", $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })())]]);
+return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")"), $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })()), undefined, ("" + "condition." + $str(self.name)));
 }
 }
 class Conditions extends $Object {
@@ -4069,16 +4087,16 @@ const self = this; let message, numbers, problems, wrong;
 (numbers = [...$iter(self.position), ...$iter(self.value), self.crown]);
 if ((!$truth($b.all($b.map($math.isfinite, numbers))) || (!$eq($b.len($bound(self, "position")), $b.len($bound(self, "value")))))) {
 (message = "must be pairs of finite numbers, position and value");
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", $b.str($b.len($bound(self, "position")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "rows", $b.str($b.len($bound(self, "position")))));
 } else {
 if (($eq($b.len($bound(self, "position")), 1))) {
 (message = "one row alone makes no profile");
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["message", message], ["remedy", "Give two rows or more."]]));
+$m.append(problems, new Problem(message, "Give two rows or more.", undefined, "rows"));
 }
 }
 (wrong = [...(function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "position")))) { if (!((b <= a))) continue; yield b; } })()]);
 if ($truth(wrong)) {
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", display__display($at(wrong, 0), "length")], ["message", "the positions must ascend from one edge of the belt to the other"], ["remedy", "Sort the rows by position, the middle of the belt being 0."]]));
+$m.append(problems, new Problem("the positions must ascend from one edge of the belt to the other", "Sort the rows by position, the middle of the belt being 0.", undefined, "rows", display__display($at(wrong, 0), "length")));
 }
 limits__raise_all(problems);
 }
@@ -4091,7 +4109,7 @@ const self = this; let beyond, edge;
 if (!$truth(beyond)) {
 return [];
 }
-return [$call(Problem, [], [["key", key], ["value", display__display($at(beyond, 0), "length")], ["message", ("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length")))], ["remedy", "Give positions from the middle of the belt, and leave out rows beside it."]])];
+return [new Problem(("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length"))), "Give positions from the middle of the belt, and leave out rows beside it.", undefined, key, display__display($at(beyond, 0), "length"))];
 }
 get largest() {
 const self = this; 
@@ -4165,7 +4183,7 @@ const self = this; let case_, key, message, names, problems, pulley;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if (!(1 <= $b.len($bound(self, "pulleys")) && $b.len($bound(self, "pulleys")) <= 10)) {
 (message = ("" + "a drive needs 1 to " + $str(10) + " pulleys"));
-$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str($b.len($bound(self, "pulleys")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "pulley", $b.str($b.len($bound(self, "pulleys")))));
 }
 (problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
 (problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.load_cases)) { yield c.name; } })())));
@@ -4197,7 +4215,7 @@ return problems;
 }
 if (((self.conveyor != null) && ($b.abs($sub((self.conveyor.belt_mass / mass), 1.0)) > 0.005))) {
 (other = display__display($bound(self.conveyor, "belt_mass"), "mass_per_length"));
-$m.append(problems, $call(Problem, [], [["message", ("" + "the belt of [conveyor] has belt_mass = " + $str(other))], ["remedy", "Both are the mass of a metre of belt: give one, or the same twice."], ["key", "belt.mass"], ["value", display__display(mass, "mass_per_length")]]));
+$m.append(problems, new Problem(("" + "the belt of [conveyor] has belt_mass = " + $str(other)), "Both are the mass of a metre of belt: give one, or the same twice.", undefined, "belt.mass", display__display(mass, "mass_per_length")));
 }
 for ([key, least] of $iter($m.items(drive__least_tensions($bound(self, "load_cases"))))) {
 (problems = $add(problems, drive__flying_problems($bound(self, "belt"), key, least)));
@@ -4218,6 +4236,10 @@ return drive__named("load case", name, $bound(self, "load_cases"));
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.load_cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
+}
+get laggings() {
+const self = this; 
+return drive__laggings_of($bound(self, "pulleys"), [...(function* () { for (const case_ of $iter(self.load_cases)) { yield case_.condition; } })()]);
 }
 in_case(case_) {
 const self = this; 
@@ -4252,20 +4274,20 @@ const self = this; let case_, count, given, least, message, names, problems;
 (count = $b.len($bound(self, "pulleys")));
 if (!(1 <= count && count <= 10)) {
 (message = ("" + "a train needs 1 to " + $str(10) + " pulleys"));
-$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str(count)], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "pulley", $b.str(count)));
 }
 (problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
 (problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.cases)) { yield c.name; } })())));
 (problems = $add(problems, self.criteria.take_up.place_problems([...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()])));
 if (!$truth(self.cases)) {
-$m.append(problems, $call(Problem, [], [["key", "load_case"], ["message", "a train needs a load case"]]));
+$m.append(problems, new Problem("a train needs a load case", undefined, undefined, "load_case"));
 }
 if ($truth(self.nominal_diameters)) {
 (problems = $add(problems, train___count_problems("nominal_diameters", $bound(self, "nominal_diameters"), count)));
 if (!$truth($b.all((function* () { for (const d of $iter(self.nominal_diameters)) { yield (0.0 < d && d < Infinity); } })()))) {
 (message = "must be positive and finite");
 (given = $b.str($b.list($bound(self, "nominal_diameters"))));
-$m.append(problems, $call(Problem, [], [["key", "nominal_diameters"], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "nominal_diameters", given));
 }
 }
 (names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
@@ -4291,11 +4313,15 @@ const self = this;
 if (!$truth(name)) {
 return load_case__heaviest($bound(self, "cases"), ((case_) => $sub(case_.entry_tension, case_.exit_tension)));
 }
-return $call(drive__named, ["load case", name, $bound(self, "cases")], [["of", "the train"]]);
+return drive__named("load case", name, $bound(self, "cases"), "the train");
 }
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
+}
+get laggings() {
+const self = this; 
+return drive__laggings_of($bound(self, "pulleys"), [...(function* () { for (const case_ of $iter(self.cases)) { yield case_.condition; } })()]);
 }
 in_case(case_) {
 const self = this; 
@@ -4375,7 +4401,7 @@ self._report.add([...$iter(place), "share"], message, "Leave one of them out.");
 return null;
 }
 try {
-return $call(TrainCase, [], [["name", name], ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["division", division], ["runs", ($truth($b.any(runs)) ? runs : [])]]);
+return new TrainCase(name, tensions.entry, tensions.exit, division, ($truth($b.any(runs)) ? runs : []));
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
@@ -4504,7 +4530,7 @@ return null;
 }
 ([kind, values] = [$at($at($at(record, "speeds"), 0), 0), [...(function* () { for (const [_, value] of $iter($at(record, "speeds"))) { yield value; } })()]]);
 if (($eq(kind, "rotation_speed"))) {
-return $call(Speeds, [$b.tuple(values)], [["absolute", true]]);
+return new Speeds($b.tuple(values), true);
 }
 return new Speeds($b.tuple((function* () { for (const [v, d] of $iter($b.zip(values, $bound(self, "nominal"), $k({strict: true})))) { yield (v / d); } })()));
 }
@@ -4553,23 +4579,23 @@ class WrapArc extends $Object {
 $init(law, entry_tension, exit_tension, diameter, wrap_angle, width, axial_stiffness, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, overrun = null, recovery = true, creep_limit = 0.00635, belt_speed = null, wear_coefficient = null, pitch_offset = null, cover_compliance = 0.0, cover_left_out = 0.0, side_of_belt = "pulley", belt_thickness = null, centrifugal = 0.0, fit = null, pulley = "", load_case = "") { this.law = law; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.diameter = diameter; this.wrap_angle = wrap_angle; this.width = width; this.axial_stiffness = axial_stiffness; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.belt_speed = belt_speed; this.wear_coefficient = wear_coefficient; this.pitch_offset = pitch_offset; this.cover_compliance = cover_compliance; this.cover_left_out = cover_left_out; this.side_of_belt = side_of_belt; this.belt_thickness = belt_thickness; this.centrifugal = centrifugal; this.fit = fit; this.pulley = pulley; this.load_case = load_case; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let ends, key, least, message, most, problems, unit, value;
-(problems = [...(function* () { for (const [key, value, unit] of $iter([["entry_tension", self.entry_tension, "N"], ["exit_tension", self.exit_tension, "N"], ["diameter", self.diameter, "m"], ["wrap_angle", self.wrap_angle, "rad"], ["width", self.width, "m"], ["creep_limit", self.creep_limit, "m"]])) { if (!(!(0.0 < value && value < Infinity))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", "must be positive and finite"]]); } })()]);
+(problems = [...(function* () { for (const [key, value, unit] of $iter([["entry_tension", self.entry_tension, "N"], ["exit_tension", self.exit_tension, "N"], ["diameter", self.diameter, "m"], ["wrap_angle", self.wrap_angle, "rad"], ["width", self.width, "m"], ["creep_limit", self.creep_limit, "m"]])) { if (!(!(0.0 < value && value < Infinity))) continue; yield new Problem("must be positive and finite", undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))); } })()]);
 if (!(0.0 <= self.thickness && self.thickness < Infinity)) {
 (message = "must be 0 or positive, and finite");
-$m.append(problems, $call(Problem, [], [["key", "thickness"], ["value", ("" + $format(self.thickness, ("" + "g")) + " m")], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "thickness", ("" + $format(self.thickness, ("" + "g")) + " m")));
 }
 if (((self.overrun != null) && !$truth($math.isfinite($bound(self, "overrun"))))) {
 (message = "must be finite");
-$m.append(problems, $call(Problem, [], [["key", "overrun"], ["value", ("" + $format(self.overrun, ("" + "g")) + " m")], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "overrun", ("" + $format(self.overrun, ("" + "g")) + " m")));
 }
-(problems = $add(problems, [...(function* () { for (const [key, value, unit] of $iter([["axial_stiffness", self.axial_stiffness, "N"], ["shear_modulus", self.shear_modulus, "Pa"], ["compression_modulus", self.compression_modulus, "Pa"]])) { if (!(!(value > 0.0))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", "must be positive"]]); } })()]));
+(problems = $add(problems, [...(function* () { for (const [key, value, unit] of $iter([["axial_stiffness", self.axial_stiffness, "N"], ["shear_modulus", self.shear_modulus, "Pa"], ["compression_modulus", self.compression_modulus, "Pa"]])) { if (!(!(value > 0.0))) continue; yield new Problem("must be positive", undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))); } })()]));
 (least = $b.min($bound(self, "entry_tension"), $bound(self, "exit_tension")));
 (least = ((least > 0.0) ? least : Infinity));
 for ([key, value, unit, most] of $iter([["pitch_offset", $or(self.pitch_offset, () => 0.0), "m", Infinity], ["cover_compliance", self.cover_compliance, "m/Pa", Infinity], ["centrifugal", self.centrifugal, "N", least]])) {
 if (!(0.0 <= value && value < most)) {
 (ends = $add("at least 0", (($eq(most, Infinity)) ? "" : ", and less than the tensions")));
 (message = ("" + "must be " + $str(ends)));
-$m.append(problems, $call(Problem, [], [["key", key], ["value", ("" + $format(value, ("" + "g")) + " " + $str(unit))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))));
 }
 }
 if (!$truth(problems)) {
@@ -4585,12 +4611,12 @@ const self = this; let fall, held, law, problems, top;
 (top = self.wrap_pressure($b.max($bound(self, "entry_tension"), $bound(self, "exit_tension"))));
 if ($truth(summary__too_steep(self.described(), self.law.steepest_fall()))) {
 (fall = ($neg(1.0) / $mul(self.shear_compliance, top)));
-$m.append(problems, $call(Problem, [], [["key", "lagging"], ["value", ("" + "post_peak_slope " + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")], ["message", ("" + "friction falls so steeply past its peak that slip and shear of the lagging are not unique; at " + $format(top, ("" + "g")) + " Pa the slope must stay above " + $format(fall, ("" + "g")) + " 1/m (-G/(h p))")], ["remedy", "Check the unit of the slope, the thickness and the shear modulus."]]));
+$m.append(problems, new Problem(("" + "friction falls so steeply past its peak that slip and shear of the lagging are not unique; at " + $format(top, ("" + "g")) + " Pa the slope must stay above " + $format(fall, ("" + "g")) + " 1/m (-G/(h p))"), "Check the unit of the slope, the thickness and the shear modulus.", undefined, "lagging", ("" + "post_peak_slope " + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")));
 }
 (law = self.law.compact());
 if ($truth(summary__overrun_loosens(law, self.geometry(), $bound(self, "entry_pressure")))) {
 (held = summary__held_creep(law, $bound(self, "shear_compliance"), $bound(self, "entry_pressure")));
-$m.append(problems, $call(Problem, [], [["key", "overrun"], ["value", ("" + $format(self.entry_overrun, ("" + "g")) + " m")], ["message", ("" + "this friction law holds the belt without slip up to a creep of " + $format(held, ("" + "g")) + " m; with an overrun beyond that the creep of a belt that comes to rest again is not unique")], ["remedy", "Set overrun = \"0 mm\" for this law."]]));
+$m.append(problems, new Problem(("" + "this friction law holds the belt without slip up to a creep of " + $format(held, ("" + "g")) + " m; with an overrun beyond that the creep of a belt that comes to rest again is not unique"), "Set overrun = \"0 mm\" for this law.", undefined, "overrun", ("" + $format(self.entry_overrun, ("" + "g")) + " m")));
 }
 return problems;
 }
@@ -4648,7 +4674,7 @@ return $add(found.overrun_constant, $mul($mul(found.overrun_coefficient, pressur
 }
 described() {
 const self = this; 
-return $call(Description, [], [["entry_tension", self.entry_tension], ["exit_tension", self.exit_tension], ["diameter", self.diameter], ["wrap_angle", self.wrap_angle], ["width", self.width], ["axial_stiffness", self.axial_stiffness], ["thickness", self.thickness], ["shear_modulus", self.shear_modulus], ["compression_modulus", self.compression_modulus], ["overrun", ((self.overrun == null) ? NaN : self.overrun)], ["recovery", self.recovery], ["belt_speed", ((self.belt_speed == null) ? NaN : self.belt_speed)], ["wear_coefficient", ((self.wear_coefficient == null) ? NaN : self.wear_coefficient)], ["shear_compliance", self.shear_compliance], ["pitch_offset", self.offset], ["centrifugal", self.centrifugal]]);
+return new Description(self.entry_tension, self.exit_tension, self.diameter, self.wrap_angle, self.width, self.axial_stiffness, self.thickness, self.shear_modulus, self.compression_modulus, ((self.overrun == null) ? NaN : self.overrun), self.recovery, ((self.belt_speed == null) ? NaN : self.belt_speed), ((self.wear_coefficient == null) ? NaN : self.wear_coefficient), self.shear_compliance, self.offset, self.centrifugal);
 }
 geometry() {
 const self = this; 
@@ -4780,7 +4806,7 @@ return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!
 drive_result() {
 const self = this; let arcs, cases;
 
-(cases = [...(function* () { for (const result of $iter(self.cases)) { yield $call(LoadCase, [], [["name", result.case.name], ["kind", result.case.kind], ["condition", result.case.condition], ["tensions", $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, $call(Tensions, [], [["entry", m.arc.entry_tension], ["exit", m.arc.exit_tension]])]; } })()])]]); } })()]);
+(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition); } })()]);
 (arcs = $b.tuple((function* () { for (const case_ of $iter(self.cases)) { for (const m of $iter(case_.members)) { yield m.arc; }} })()));
 return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
 }
@@ -4917,7 +4943,7 @@ const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
 (message = "must be a whole number of motors");
-$m.append(problems, $call(Problem, [], [["key", "count"], ["value", ("" + $format(self.count, ("" + "g")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "count", ("" + $format(self.count, ("" + "g")))));
 }
 limits__raise_all($add(problems, self._problems()));
 }
@@ -5203,7 +5229,7 @@ base__check([$b.all($b.map($math.isfinite, numbers)), "values", "", "the table m
 }
 get tested() {
 const self = this; 
-return $call(TestedRange, [], [["pressure_min", $at(self.pressure, 0)], ["pressure_max", $at(self.pressure, $neg(1))], ["slip_max", $at(self.slip, $neg(1))]]);
+return new TestedRange($at(self.pressure, 0), $at(self.pressure, $neg(1)), $at(self.slip, $neg(1)));
 }
 
 compact() {
@@ -5213,7 +5239,7 @@ const self = this; let c, cubics, row;
 for ([row, cubics] of $iter($b.zip($bound(self, "values"), self._cubics(), $k({strict: true})))) {
 (c = $add(c, [...$iter(cubics.ravel().tolist()), $at(row, $neg(1)), 0.0, 0.0, 0.0]));
 }
-return $call(CompactLaw, [3, $bound(self, "pressure"), $b.tuple(c)], [["slips", self.slip]]);
+return new CompactLaw(3, $bound(self, "pressure"), $b.tuple(c), self.slip);
 }
 
 _scaled(friction, slip) {
@@ -5288,17 +5314,17 @@ const self = this; let a, b, bad, high, key, low, piece, places, residual, slope
 (bad = []);
 if (!$truth($b.all((function* () { for (const v of $iter(a)) { yield $and($math.isfinite(v), () => (v < 0.0)); } })()))) {
 (worst = $b.max([...(function* () { for (const v of $iter(a)) { if (!(($eq(v, v)))) continue; yield v; } })()], $k({default: NaN})));
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".a")], ["value", ("" + $format(worst, ("" + "g")) + " 1/m")], ["message", ("" + "A must be negative " + $str(where) + ", else the law gives no positive friction")]]));
+$m.append(bad, new Problem(("" + "A must be negative " + $str(where) + ", else the law gives no positive friction"), undefined, undefined, ("" + $str(key) + ".a"), ("" + $format(worst, ("" + "g")) + " 1/m")));
 } else {
 if (!$truth($b.all((function* () { for (const [u, v] of $iter($b.zip(a, b, $k({strict: true})))) { yield $and((-700.0 <= $sub((v / u), 1.0) && $sub((v / u), 1.0) < 709.0), () => (1e-09 <= $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) && $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) <= 1000.0)); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".b")], ["value", ("" + $format($at(b, 0), ("" + "g")) + " 1/m")], ["message", ("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where))]]));
+$m.append(bad, new Problem(("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where)), undefined, undefined, ("" + $str(key) + ".b"), ("" + $format($at(b, 0), ("" + "g")) + " 1/m")));
 }
 }
 if (!$truth($b.all((function* () { for (const v of $iter(slope)) { yield (v <= 0.0); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".post_peak_slope")], ["value", ("" + $format($b.max(slope), ("" + "g")) + " 1/m")], ["message", ("" + "the slope past the peak must be 0 or negative " + $str(where))]]));
+$m.append(bad, new Problem(("" + "the slope past the peak must be 0 or negative " + $str(where)), undefined, undefined, ("" + $str(key) + ".post_peak_slope"), ("" + $format($b.max(slope), ("" + "g")) + " 1/m")));
 }
 if (!$truth($b.all((function* () { for (const v of $iter(residual)) { yield (v >= 1e-06); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".residual_friction")], ["value", ("" + $format($b.min(residual), ("" + "g")))], ["message", ("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where))]]));
+$m.append(bad, new Problem(("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where)), undefined, undefined, ("" + $str(key) + ".residual_friction"), ("" + $format($b.min(residual), ("" + "g")))));
 }
 return bad;
 }
@@ -5310,7 +5336,7 @@ for (i of $iter($b.range($sub($b.len($bound(self, "pieces")), 1)))) {
 ([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab(s.a.at(p), s.b.at(p)); } })());
 for ([name, u, v] of $iter([["peak friction", $at(low, 0), $at(high, 0)], ["peak slip", $at(low, 1), $at(high, 1)]])) {
 if (($b.abs($sub((v / u), 1.0)) > self.continuity)) {
-$m.append(bad, $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]")], ["value", ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %")]]));
+$m.append(bad, new Problem(("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %"), undefined, undefined, ("" + "pieces[" + $str($add(i, 2)) + "]"), ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))));
 }
 }
 (bad = $add(bad, self._tail_jumps(i, p, low, high)));
@@ -5327,7 +5353,7 @@ $m.append(slopes, (($at(levels, $neg(1)) < friction) ? piece.post_peak_slope.at(
 }
 (apart = ($mul($mul($b.abs($sub($at(slopes, 1), $at(slopes, 0))), self.slip_unit), $at(low, 1)) / $at(low, 0)));
 (lower = ($truth($b.all(slopes)) ? ($mul($at(levels, 1), $at(low, 0)) / $mul($at(levels, 0), $at(high, 0))) : 1.0));
-return [...(function* () { for (const [name, key, pair, unit, of, jump] of $iter([["the slope past the peak", "post_peak_slope", slopes, " 1/m", " of the peak friction over a peak slip", apart], ["residual friction", "residual_friction", levels, "", "", $b.abs($sub(lower, 1.0))]])) { if (!((jump > self.continuity))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]." + $str(key))], ["value", ("" + $format($at(pair, 0), ("" + "g")) + " and " + $format($at(pair, 1), ("" + "g")) + $str(unit))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %" + $str(of))]]); } })()];
+return [...(function* () { for (const [name, key, pair, unit, of, jump] of $iter([["the slope past the peak", "post_peak_slope", slopes, " 1/m", " of the peak friction over a peak slip", apart], ["residual friction", "residual_friction", levels, "", "", $b.abs($sub(lower, 1.0))]])) { if (!((jump > self.continuity))) continue; yield new Problem(("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %" + $str(of)), undefined, undefined, ("" + "pieces[" + $str($add(i, 2)) + "]." + $str(key)), ("" + $format($at(pair, 0), ("" + "g")) + " and " + $format($at(pair, 1), ("" + "g")) + $str(unit))); } })()];
 }
 
 scaled(friction, slip) {
@@ -5424,7 +5450,7 @@ const self = this; let message, problems;
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
 if (($truth(self.surface) && (!$in(self.surface, $c711)))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c711))));
-$m.append(problems, $call(Problem, [], [["key", "surface"], ["value", $shown($bound(self, "surface"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
 }
@@ -5503,7 +5529,7 @@ if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
 (given = $shown($bound(self, "after")));
-$m.append(problems, $call(Problem, [], [["key", "after"], ["value", given], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "after", given));
 }
 limits__raise_all(problems);
 }
@@ -5516,7 +5542,7 @@ return [];
 (message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, pulleys)))));
 (remedy = $or(errors__nearest($bound(self, "after"), pulleys), () => "Leave it out for a take-up on the slack side of the drives or at the tail."));
 (given = $shown($bound(self, "after")));
-return [$call(Problem, [], [["key", "take_up.after"], ["value", given], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, "take_up.after", given)];
 }
 get fixed() {
 const self = this; 
@@ -5540,11 +5566,11 @@ if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 if ($truth(given)) {
 ([message, remedy] = ["only a standard of your own has one", "Write name = \"own\"."]);
 }
-$m.append(problems, $call(Problem, [], [["key", "friction"], ["value", given], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "friction", given));
 }
 if ((($eq(self.name, "none")) && $truth(self.binding))) {
 (message = "no standard was chosen that could bind");
-$m.append(problems, $call(Problem, [], [["key", "binding"], ["value", "true"], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "binding", "true"));
 }
 limits__raise_all(problems);
 }
@@ -5717,7 +5743,7 @@ return ("" + "more than " + $str(least) + " and at most " + $str(self._shown($bo
 return ("" + "between " + $str(least) + " and " + $str(self._shown($bound(self, "most"))));
 }
 _shown(bound) {
-const self = this; return $call(display__display, [bound, $bound(self, "dimension")], [["digits", 3]]);
+const self = this; return display__display(bound, $bound(self, "dimension"), undefined, 3);
 }
 refusal(value) {
 const self = this; let unit;
@@ -5788,7 +5814,7 @@ if ($truth(short)) {
 return [];
 }
 (message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
-return [$call(Problem, [], [["message", message], ["remedy", remedy], ["key", key]])];
+return [new Problem(message, remedy, undefined, key)];
 }
 source_of(part) {
 const self = this; 
@@ -5845,14 +5871,14 @@ const self = this; let key, least, message, problems, profile;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if (!(4 <= self.strips && self.strips <= 128)) {
 (message = ("" + "must be a whole number from " + $str(4) + " to " + $str(128)));
-$m.append(problems, $call(Problem, [], [["key", "strips"], ["value", $b.str($bound(self, "strips"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "strips", $b.str($bound(self, "strips"))));
 }
 for (key of $iter(["worn_depth", "build_up"])) {
 (profile = $b.getattr(self, key));
 if (((profile != null) && ($b.min([...$iter(profile.value), profile.crown]) < 0.0))) {
 (least = display__display($b.min([...$iter(profile.value), profile.crown]), "length"));
 (message = "must not be negative");
-$m.append(problems, $call(Problem, [], [["key", key], ["value", least], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, least));
 }
 }
 limits__raise_all(problems);
@@ -5862,7 +5888,7 @@ const self = this; let found;
 
 (found = [...(function* () { for (const [name, profile] of $iter($m.items(self.profiles()))) { for (const problem of $iter(profile.problems(("" + $str(key) + "." + $str(name)), width))) { yield problem; }} })()]);
 if (($truth($b.isinstance(self.before, Transition)) && (self.before.centre_roll >= width))) {
-$m.append(found, $call(Problem, [], [["key", ("" + $str(key) + ".before.centre_roll")], ["value", display__display($bound(self.before, "centre_roll"), "length")], ["message", ("" + "wider than the belt, " + $str(display__display(width, "length")))], ["remedy", "Give the width of belt on the centre roll."]]));
+$m.append(found, new Problem(("" + "wider than the belt, " + $str(display__display(width, "length"))), "Give the width of belt on the centre roll.", undefined, ("" + $str(key) + ".before.centre_roll"), display__display($bound(self.before, "centre_roll"), "length")));
 }
 return found;
 }
@@ -5918,7 +5944,7 @@ const self = this; let problems, worn;
 (problems = $add(problems, criteria__choice_problems(self, $map([["side", $c718]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
-$m.append(problems, $call(Problem, [], [["key", "across.worn_depth"], ["value", display__display($bound(worn, "largest"), "length")], ["message", $add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length"))], ["remedy", "Give the depth worn off, on radius, not what is left."]]));
+$m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
 }
 limits__raise_all(problems);
 }
@@ -5962,7 +5988,7 @@ const self = this; let message, problems;
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
 if ((!$in(self.drive_at, $c719))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c719))));
-$m.append(problems, $call(Problem, [], [["key", "drive_at"], ["value", $shown($bound(self, "drive_at"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
 }
@@ -5972,12 +5998,12 @@ const self = this; let given, long, message;
 (long = display__display($bound(self, "length"), "length"));
 if (($b.abs($bound(self, "lift")) >= self.length)) {
 (given = display__display($bound(self, "lift"), "length"));
-yield $call(Problem, [], [["key", "lift"], ["value", given], ["message", ("" + "must be less than the length, " + $str(long))]]);
+yield new Problem(("" + "must be less than the length, " + $str(long)), undefined, undefined, "lift", given);
 }
 if ((self.take_up_distance > self.length)) {
 (given = display__display($bound(self, "take_up_distance"), "length"));
 (message = ("" + "is more than the length, " + $str(long) + ", which is the tail"));
-yield $call(Problem, [], [["key", "take_up_distance"], ["value", given], ["message", message]]);
+yield new Problem(message, undefined, undefined, "take_up_distance", given);
 }
 if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
 yield* $iter(resistance__no_coefficient($bound(self, "length")));
@@ -6021,7 +6047,7 @@ const self = this; let least, message, problems, remedy, state;
 if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
 (message = "the full conveyor runs by itself, and no factor starts it");
 (remedy = "Write start_time = \"20 s\" instead.");
-$m.append(problems, $call(Problem, [], [["key", "start_factor"], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "start_factor"));
 }
 for (state of $iter(states)) {
 (least = $b.min($bound(state, "head"), $bound(state, "tail"), $bound(state, "entry"), $bound(state, "exit")));
@@ -6116,7 +6142,7 @@ const self = this; let message, problems, years;
 (years = self.life_years);
 if (!(0.0 < $at(years, 0) && $at(years, 0) <= $at(years, 1) && $at(years, 1) < Infinity)) {
 (message = "must be the shortest and the longest life in years, both more than 0");
-$m.append(problems, $call(Problem, [], [["key", "life_years"], ["value", $shown($b.list(years))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "life_years", $shown($b.list(years))));
 }
 limits__raise_all(problems);
 }
@@ -6128,7 +6154,7 @@ const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if ((!$in(self.shape, $c721))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c721))));
-$m.append(problems, $call(Problem, [], [["key", "shape"], ["value", $shown($bound(self, "shape"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
 }
@@ -6151,15 +6177,15 @@ const self = this; let bad, count, message, n, problems;
 if (((n < 2) || (!$eq($b.len($bound(self, "factor")), n)))) {
 (count = ("" + $str(n) + " values and " + $str($b.len($bound(self, "factor"))) + " factors"));
 (message = "must be as many factors as values, two at least");
-$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", count], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "factor", count));
 }
 if ($truth($b.any((function* () { for (const [before, after] of $iter($b.pairwise($bound(self, "at")))) { yield (after <= before); } })()))) {
-$m.append(problems, $call(Problem, [], [["key", "at"], ["value", $shown($b.list($bound(self, "at")))], ["message", "must ascend"]]));
+$m.append(problems, new Problem("must ascend", undefined, undefined, "at", $shown($b.list($bound(self, "at")))));
 }
 (bad = [...(function* () { for (const v of $iter(self.factor)) { if (!(!(0.0 < v && v <= 10.0))) continue; yield v; } })()]);
 if ($truth(bad)) {
 (message = "must be more than 0 and at most 10");
-$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", $shown($at(bad, 0))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "factor", $shown($at(bad, 0))));
 }
 limits__raise_all(problems);
 }
@@ -6190,11 +6216,11 @@ const self = this; let message, n, problems;
 (problems = limits__limit_problems(self, $c722));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
-$m.append(problems, $call(Problem, [], [["key", "parameters"], ["value", $b.str(n)], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
 }
 if (((!$eq($b.len($bound(self, "values")), n)) || !$truth($b.all($b.map($math.isfinite, $bound(self, "values")))))) {
 (message = ("" + "must be " + $str(n) + " finite numbers, one for each parameter"));
-$m.append(problems, $call(Problem, [], [["key", "values"], ["value", $b.str($b.len($bound(self, "values")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "values", $b.str($b.len($bound(self, "values")))));
 }
 (problems = $add(problems, self._covariance_problems(n)));
 limits__raise_all(problems);
@@ -6205,7 +6231,7 @@ const self = this; let apart, given, matrix, message, numbers, rows;
 if ((!$eq(rows, $mul([n], n)))) {
 (given = ("" + $str($b.len(rows)) + " rows of " + $str($b.sorted($b.set(rows))) + " numbers"));
 (message = ("" + "must be " + $str(n) + " rows of " + $str(n) + " numbers, one for each parameter"));
-return [$call(Problem, [], [["key", "covariance"], ["value", given], ["message", message]])];
+return [new Problem(message, undefined, undefined, "covariance", given)];
 }
 ([matrix, message] = [self.covariance, ""]);
 (numbers = [...(function* () { for (const row of $iter(matrix)) { for (const v of $iter(row)) { yield v; }} })()]);
@@ -6221,7 +6247,7 @@ if (!$truth(fit___has_no_negative(matrix, $mul(1e-08, n)))) {
 }
 }
 }
-return ($truth(message) ? [$call(Problem, [], [["key", "covariance"], ["message", message]])] : []);
+return ($truth(message) ? [new Problem(message, undefined, undefined, "covariance")] : []);
 }
 $find_knots() {
 const self = this; let found, named;
@@ -6255,7 +6281,7 @@ if (($mul(0.8, self.synchronous_speed) <= self.rated_speed && self.rated_speed <
 return [];
 }
 (message = ("" + "must be below the synchronous speed " + $str(motors___rpm($bound(self, "synchronous_speed"))) + " by at most 20 %"));
-return [$call(Problem, [], [["key", "rated_speed"], ["value", motors___rpm($bound(self, "rated_speed"))], ["message", message]])];
+return [new Problem(message, undefined, undefined, "rated_speed", motors___rpm($bound(self, "rated_speed")))];
 }
 largest_load() {
 const self = this; 
@@ -6289,13 +6315,13 @@ const self = this; let count, key, loads, message, problems, rising, slips, top,
 if (((!$eq($b.len(loads), $b.len(slips))) || ($b.len(loads) < 2))) {
 (count = ("" + $str($b.len(loads)) + " and " + $str($b.len(slips))));
 (message = "the curve needs as many torques as slips, two or more of each");
-$m.append(problems, $call(Problem, [], [["key", "coupling_slip"], ["value", count], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "coupling_slip", count));
 }
 for ([key, values, top] of $iter([["coupling_load", loads, 10.0], ["coupling_slip", slips, 0.9]])) {
 (rising = $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })()));
 if (!($truth(values) && ($eq($at(values, 0), 0.0)) && $truth(rising) && ($at(values, $neg(1)) <= top))) {
 (message = ("" + "must rise from 0 to at most " + $format(top, ("" + "g"))));
-$m.append(problems, $call(Problem, [], [["key", key], ["value", $b.str($b.list(values))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, $b.str($b.list(values))));
 }
 }
 return problems;
@@ -6352,7 +6378,7 @@ const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if ((!$in(self.depth, $c1079))) {
 (message = ("" + "must be one of " + $str($m.join(", ", $c1079))));
-$m.append(problems, $call(Problem, [], [["key", "depth"], ["value", $shown($bound(self, "depth"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
 }
@@ -6431,7 +6457,7 @@ compact() {
 const self = this; let c;
 
 (c = [self.friction_coefficient, 1.0, 0.0, (1.0 / self.stiffness)]);
-return $call(CompactLaw, [0, simple___edges($bound(self, "tested")), c], [["onset_compliance", (1.0 / self.stiffness)]]);
+return new CompactLaw(0, simple___edges($bound(self, "tested")), c, undefined, (1.0 / self.stiffness));
 }
 steepest_fall() {
 const self = this; 
@@ -6468,7 +6494,7 @@ $init(dimension, diameters = false) {
 const self = this; let entries, words;
 ([self.dimension, self.diameters] = [dimension, diameters]);
 (self.rows = new Rows(new _Pair(dimension), 0, 500));
-(entries = [new Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", $bound(self, "rows")), new Entry("crown", "Height of a parabola in the middle over the edges of the belt.", new Quantity(dimension)), new Entry("factor", "Factor on all values: how much of the profile there is.", new Quantity("number", $call(Limit, ["number"], [["most", 100.0]]))), new Entry("uncertainty", "Standard uncertainty of the values.", new Quantity(dimension, new Limit(dimension)))]);
+(entries = [new Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", $bound(self, "rows")), new Entry("crown", "Height of a parabola in the middle over the edges of the belt.", new Quantity(dimension)), new Entry("factor", "Factor on all values: how much of the profile there is.", new Quantity("number", new Limit("number", undefined, 100.0))), new Entry("uncertainty", "Standard uncertainty of the values.", new Quantity(dimension, new Limit(dimension)))]);
 if ($truth(diameters)) {
 (words = "Whether the values are on radius (if left out) or on diameter.");
 $m.append(entries, new Entry("on", words, new Choice(["radius", "diameter"])));
@@ -6500,7 +6526,7 @@ if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
 if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
 return $c7;
 }
-(built = report.tried((() => $call(WidthProfile, [], [["position", $b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })())], ["value", $b.tuple(values)], ["crown", crown], ["uncertainty", (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null)]])), place));
+(built = report.tried((() => new WidthProfile($b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })()), $b.tuple(values), crown, (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null))), place));
 return ((built == null) ? $c7 : built);
 }
 _deviations(values, half, place, report) {
@@ -8067,58 +8093,58 @@ const $c1456 = $made(Quantity, {dimension: "rotation_speed", limit: $c1458});
 const $c1454 = $made(Either, {first: $c1455, second: $c1456, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
 const $c1383 = $made(Rows, {kind: $c1454, least: 1, most: 10});
 $sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
-Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
+Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
 $sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
 $sig(Provenance, ["kind", "source", "date", "note"]);
-Provenance.$compared = ["kind", "source", "date", "note"];
+Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 $sig(Condition, ["name", "factor", "factors", "standard", "source"]);
-Condition.$compared = ["name", "factor", "factors", "standard", "source"];
+Condition.$compared = Condition.$names;
 Condition.LIMITS = Condition.prototype.LIMITS = $c92;
 $sig(Conditions, ["main", "cases"]);
-Conditions.$compared = ["main", "cases"];
+Conditions.$compared = Conditions.$names;
 $sig(Point, ["x", "y", "diameter", "turn"]);
-Point.$compared = ["x", "y", "diameter", "turn"];
+Point.$compared = Point.$names;
 Point.LIMITS = Point.prototype.LIMITS = $c93;
 $sig(_UnitTextError, ["message", "remedy"], false);
 $sig(Unit, ["factor", "powers", "zero"]);
-Unit.$compared = ["factor", "powers", "zero"];
+Unit.$compared = Unit.$names;
 $sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
-WidthProfile.$compared = ["position", "value", "crown", "uncertainty"];
+WidthProfile.$compared = WidthProfile.$names;
 $sig(Criteria, ["take_up", "standard", "safety", "sag"]);
-Criteria.$compared = ["take_up", "standard", "safety", "sag"];
+Criteria.$compared = Criteria.$names;
 $sig(Layers, ["pulley_cover", "carry_cover", "carcass"]);
-Layers.$compared = ["pulley_cover", "carry_cover", "carcass"];
+Layers.$compared = Layers.$names;
 $sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"]);
-Given.$compared = ["name", "place", "values", "raw", "diameter", "inherited"];
+Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 $sig(NipTensions, ["entry", "exit"]);
-NipTensions.$compared = ["entry", "exit"];
+NipTensions.$compared = NipTensions.$names;
 $sig(Tensions, ["entry", "exit", "computed"]);
 Tensions.$compared = ["entry", "exit"];
 Tensions.LIMITS = Tensions.prototype.LIMITS = $c94;
 $sig(LoadCase, ["name", "tensions", "kind", "condition"]);
-LoadCase.$compared = ["name", "tensions", "kind", "condition"];
+LoadCase.$compared = LoadCase.$names;
 $sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
 Drive.LIMITS = Drive.prototype.LIMITS = $c95;
 $sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
-Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
+Train.$compared = Train.$names;
 Train.LIMITS = Train.prototype.LIMITS = $c96;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 $sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
-CatalogueBelt.$compared = ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"];
+CatalogueBelt.$compared = CatalogueBelt.$names;
 $sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"]);
-WrapArc.$compared = ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"];
+WrapArc.$compared = WrapArc.$names;
 $sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"]);
-in_page$Given.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"];
+in_page$Given.$compared = in_page$Given.$names;
 $sig(Rise, ["tight", "slack"]);
-Rise.$compared = ["tight", "slack"];
+Rise.$compared = Rise.$names;
 $sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"]);
-in_page$Criteria.$compared = ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"];
+in_page$Criteria.$compared = in_page$Criteria.$names;
 $sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"]);
 $sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"]);
 $sig(DriveResult, ["drive", "arcs"]);
@@ -8126,91 +8152,91 @@ $sig(TrainResult, ["train", "cases"]);
 $sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"]);
 $sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"]);
 $sig(Place, ["pulley", "load_case", "event"]);
-Place.$compared = ["pulley", "load_case", "event"];
+Place.$compared = Place.$names;
 $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"]);
-Sizes.$compared = ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"];
+Sizes.$compared = Sizes.$names;
 $sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"]);
-Check.$compared = ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"];
+Check.$compared = Check.$names;
 $sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"]);
-Miss.$compared = ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"];
+Miss.$compared = Miss.$names;
 $sig(Motors, ["motors"]);
-Motors.$compared = ["motors"];
+Motors.$compared = Motors.$names;
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
-Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
+Motor.$compared = Motor.$names;
 Motor.LIMITS = Motor.prototype.LIMITS = $c97;
 $sig(Pulls, ["effective_tensions"]);
-Pulls.$compared = ["effective_tensions"];
+Pulls.$compared = Pulls.$names;
 $sig(Speeds, ["rotation_speeds", "absolute"]);
-Speeds.$compared = ["rotation_speeds", "absolute"];
+Speeds.$compared = Speeds.$names;
 $sig(Owner, ["of", "words", "place"]);
-Owner.$compared = ["of", "words", "place"];
+Owner.$compared = Owner.$names;
 $sig(Sliding, ["place", "cause"]);
-Sliding.$compared = ["place", "cause"];
+Sliding.$compared = Sliding.$names;
 $sig(Asked, ["rule", "wrap_factor", "source", "why_not"]);
-Asked.$compared = ["rule", "wrap_factor", "source", "why_not"];
+Asked.$compared = Asked.$names;
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"]);
-Figure.$compared = ["name", "title", "tension", "place", "binding", "at_least"];
+Figure.$compared = Figure.$names;
 $sig(LeastTension, ["figures", "given", "counterweight"]);
-LeastTension.$compared = ["figures", "given", "counterweight"];
+LeastTension.$compared = LeastTension.$names;
 $sig(Verdict, ["checks", "wet", "over_wet"]);
-Verdict.$compared = ["checks", "wet", "over_wet"];
+Verdict.$compared = Verdict.$names;
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"]);
-Row.$compared = ["title", "values", "symbol", "note", "name", "level"];
+Row.$compared = Row.$names;
 $sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"]);
-Table.$compared = ["title", "rows", "heads", "note", "name", "short", "brief"];
+Table.$compared = Table.$names;
 $sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"]);
-TestedRange.$compared = ["pressure_min", "pressure_max", "slip_max", "slip_speed"];
+TestedRange.$compared = TestedRange.$names;
 $sig(FrictionLaw, ["slip_includes"]);
-FrictionLaw.$compared = ["slip_includes"];
+FrictionLaw.$compared = FrictionLaw.$names;
 $sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"]);
-MeasuredTable.$compared = ["slip_includes", "slip", "pressure", "values"];
+MeasuredTable.$compared = MeasuredTable.$names;
 MeasuredTable.title = MeasuredTable.prototype.title = "measured table";
 $sig(_Term, ["coefficient", "function", "power", "exponent"]);
-_Term.$compared = ["coefficient", "function", "power", "exponent"];
+_Term.$compared = _Term.$names;
 $sig(Trend, ["form", "coefficients", "sign"]);
-Trend.$compared = ["form", "coefficients", "sign"];
+Trend.$compared = Trend.$names;
 $sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"]);
-Piece.$compared = ["a", "b", "post_peak_slope", "residual_friction"];
+Piece.$compared = Piece.$names;
 $sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"]);
-CoefficientPieces.$compared = ["pressure", "pieces", "slip_unit", "continuity"];
+CoefficientPieces.$compared = CoefficientPieces.$names;
 $sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"]);
-PressureKnots.$compared = ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"];
+PressureKnots.$compared = PressureKnots.$names;
 $sig(IntegralLog, ["slip_includes", "coefficients", "tested"]);
-IntegralLog.$compared = ["slip_includes", "coefficients", "tested"];
+IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 $sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"]);
-Factors.$compared = ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"];
+Factors.$compared = Factors.$names;
 $sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
 Lagging.LIMITS = Lagging.prototype.LIMITS = $c98;
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
-LoadGiven.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+LoadGiven.$compared = LoadGiven.$names;
 $sig(DrumAt, ["diameter", "speed"]);
-DrumAt.$compared = ["diameter", "speed"];
+DrumAt.$compared = DrumAt.$names;
 $sig(Shares, ["fractions"]);
-Shares.$compared = ["fractions"];
+Shares.$compared = Shares.$names;
 $sig(Pair, ["entry", "exit"]);
-Pair.$compared = ["entry", "exit"];
+Pair.$compared = Pair.$names;
 $sig(TorqueFollower, ["master", "ratio"]);
-TorqueFollower.$compared = ["master", "ratio"];
+TorqueFollower.$compared = TorqueFollower.$names;
 TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c99;
 $sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
-TrainCase.$compared = ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"];
+TrainCase.$compared = TrainCase.$names;
 TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c100;
 $sig(RunsGain, ["base", "case"]);
-RunsGain.$compared = ["base", "case"];
+RunsGain.$compared = RunsGain.$names;
 $sig(BehindTakeUp, ["share", "behind", "runs"]);
-BehindTakeUp.$compared = ["share", "behind", "runs"];
+BehindTakeUp.$compared = BehindTakeUp.$names;
 $sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"]);
-Description.$compared = ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"];
+Description.$compared = Description.$names;
 $sig(TakeUp, ["kind", "sheave_ratio", "after"]);
-TakeUp.$compared = ["kind", "sheave_ratio", "after"];
+TakeUp.$compared = TakeUp.$names;
 TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c101;
 $sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
-DesignStandard.$compared = ["name", "condition", "friction", "start_factor", "binding"];
+DesignStandard.$compared = DesignStandard.$names;
 DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c102;
 $sig(SafetyFactors, ["running", "starting", "braking", "source"]);
-SafetyFactors.$compared = ["running", "starting", "braking", "source"];
+SafetyFactors.$compared = SafetyFactors.$names;
 SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c103;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, ["title", "of", "on_one_line"], false);
@@ -8220,101 +8246,94 @@ $sig(Name, ["longest"]);
 $sig(Text, ["longest", "lines"]);
 $sig(Quantity, ["dimension", "limit"]);
 $sig(Limit, ["dimension", "least", "most", "open", "rigid"]);
-Limit.$compared = ["dimension", "least", "most", "open", "rigid"];
+Limit.$compared = Limit.$names;
 $sig(WordOr, ["word", "kind", "meaning"]);
 $sig(ByName, ["kind", "most"]);
 $sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"]);
-Belt.$compared = ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"];
+Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
 $sig(TextOr, ["text", "table"]);
 $sig(Flag, []);
 $sig(Choice, ["options"]);
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
-Across.$compared = ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"];
+Across.$compared = Across.$names;
 Across.LIMITS = Across.prototype.LIMITS = $c725;
 $sig(DimensionText, ["si_unit", "name", "example"]);
-DimensionText.$compared = ["si_unit", "name", "example"];
+DimensionText.$compared = DimensionText.$names;
 $sig(Definition, ["names", "factor", "unit", "zero"]);
-Definition.$compared = ["names", "factor", "unit", "zero"];
+Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 $sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
-Pulley.$compared = ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"];
+Pulley.$compared = Pulley.$names;
 Pulley.LIMITS = Pulley.prototype.LIMITS = $c726;
 $sig(Sag, ["spacing", "line_mass", "share"]);
-Sag.$compared = ["spacing", "line_mass", "share"];
+Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
 Sag.LIMITS = Sag.prototype.LIMITS = $c727;
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
-Conveyor.$compared = ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"];
+Conveyor.$compared = Conveyor.$names;
 Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c728;
 $sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"]);
-Rule.$compared = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+Rule.$compared = Rule.$names;
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
-DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
+DesignFriction.$compared = DesignFriction.$names;
 $sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
-Cost.$compared = ["material", "installation", "currency", "area", "life_years"];
+Cost.$compared = Cost.$names;
 Cost.LIMITS = Cost.prototype.LIMITS = $c729;
 $sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
-Block.$compared = ["shape", "width", "height", "stiffening", "contact_fraction"];
+Block.$compared = Block.$names;
 Block.LIMITS = Block.prototype.LIMITS = $c730;
 $sig(ConditionFactor, ["factor", "source"]);
-ConditionFactor.$compared = ["factor", "source"];
+ConditionFactor.$compared = ConditionFactor.$names;
 ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c731;
 $sig(FrictionFactor, ["at", "factor", "source"]);
-FrictionFactor.$compared = ["at", "factor", "source"];
+FrictionFactor.$compared = FrictionFactor.$names;
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
-Fit.$compared = ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"];
+Fit.$compared = Fit.$names;
 $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
-VariableSpeed.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"];
+VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c732;
 $sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
-Induction.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"];
+Induction.$compared = Induction.$names;
 Induction.LIMITS = Induction.prototype.LIMITS = $c733;
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
-FluidCoupling.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"];
+FluidCoupling.$compared = FluidCoupling.$names;
 $sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"]);
-Load.$compared = ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"];
+Load.$compared = Load.$names;
 $sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"]);
-CompactLaw.$compared = ["kind", "edges", "coefficients", "slips", "onset_compliance"];
+CompactLaw.$compared = CompactLaw.$names;
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
-Transition.$compared = ["length", "trough_angle", "centre_roll", "depth"];
+Transition.$compared = Transition.$names;
 Transition.LIMITS = Transition.prototype.LIMITS = $c734;
 $sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
-State.$compared = ["name", "kind", "resistances", "head", "tail", "entry", "exit"];
+State.$compared = State.$names;
 $sig(Resistance, ["name", "carrying", "returning", "source"]);
-Resistance.$compared = ["name", "carrying", "returning", "source"];
+Resistance.$compared = Resistance.$names;
 $sig(OneOrMore, ["kind", "most"]);
 $sig(Rows, ["kind", "least", "most"]);
 $sig(Constant, ["slip_includes", "friction_coefficient", "tested"]);
-Constant.$compared = ["slip_includes", "friction_coefficient", "tested"];
+Constant.$compared = Constant.$names;
 Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
 $sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"]);
-ElasticPlastic.$compared = ["slip_includes", "stiffness", "friction_coefficient", "tested"];
+ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
 $sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"]);
-PressurePower.$compared = ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"];
+PressurePower.$compared = PressurePower.$names;
 PressurePower.title = PressurePower.prototype.title = "power of pressure";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(GrippingPulley, ["distance"]);
-GrippingPulley.$compared = ["distance"];
+GrippingPulley.$compared = GrippingPulley.$names;
 GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1382;
 $sig(Count, ["least", "most"]);
 $sig(Elsewhere, []);
 $sig(Either, ["first", "second", "words"]);
-Either.$compared = ["first", "second", "words"];
+Either.$compared = Either.$names;
 $sig(SpeedList, []);
-SpeedList.$compared = [];
+SpeedList.$compared = SpeedList.$names;
 SpeedList.rows = SpeedList.prototype.rows = $c1383;
 $sig(_Pair, ["dimension"], false);
-$sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
-$sig(display__display, ["value", "dimension", "system", "digits"], false);
-$sig(tensions__resolve, ["given", "speed", "report", "sure"], false);
-$sig(of_drive__judged, ["rule", "title", "value", "limit", "dimension", "place", "source", "says", "remedy", "otherwise", "short", "because", "allows", "binding", "more"], false);
-$sig(check__keeps, ["value", "limit", "at_most"], false);
-$sig(drive__named, ["what", "name", "among", "of"], false);
-$sig(errors__no_such, ["what", "name", "known", "of"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };
 export { InputError as InputError };
@@ -8332,6 +8351,7 @@ export { TrainResult as TrainResult };
 export { CaseResult as CaseResult };
 export { MemberResult as MemberResult };
 export { in_page_checks__alone as alone };
+export { in_page_checks__remarks_of as remarksOf };
 export { in_page_checks__weak_kinds as weakKinds };
 export { in_page_checks__unjudged as unjudged };
 export { judge__judge as judge };

@@ -1,7 +1,15 @@
 // A drive put together in the page: read by the functions of the program, with the numeric form of
 // its laws from the book that the server hands out.
 import { known, read, told } from "../../documents.js";
-import { alone, arcsOf, criteriaOf, givenOf, InputError, unjudged, weakKinds } from "../../reader.js";
+import {
+  alone,
+  arcsOf,
+  criteriaOf,
+  givenOf,
+  InputError,
+  unjudged,
+  weakKinds,
+} from "../../reader.js";
 import { numbersOf } from "./own.js";
 
 /** @import { Assembled, Book, BookLagging, Design, Judging, Problem } from "../../types.d.ts" */
@@ -135,7 +143,11 @@ export function assembled(drive, arcs) {
       lagging: lagging.name,
       condition: lagging.condition,
       belt: drive.belt.name,
-      prepared: { law: lawIn(arc.law.compact()), given: numbersIn(givenOf(drive, arc)), inputs: [] },
+      prepared: {
+        law: lawIn(arc.law.compact()),
+        given: numbersIn(givenOf(drive, arc)),
+        inputs: [],
+      },
       tested: tested && numbersOf({ ...tested }),
       criteria: numbersIn(criteriaOf(drive, beside, beside.indexOf(arc))),
     };

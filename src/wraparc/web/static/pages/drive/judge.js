@@ -1,6 +1,6 @@
 // The checks of a drive that the page has solved: those of the program, translated.
 import { words } from "../../base/units.js";
-import { judge as verdictOn, resultsOf } from "../../reader.js";
+import { resultsOf, judge as verdictOn } from "../../reader.js";
 import { moved } from "./own.js";
 import { checkTable, verdictOf } from "./words.js";
 

@@ -7,7 +7,7 @@ import { arcsOf, asked, judge, misses } from "./judge.js";
 import * as own from "./own.js";
 import { answer } from "./solving.js";
 import { wholeOf } from "./whole.js";
-import { verdictOf } from "./words.js";
+import { remarksOf, verdictOf } from "./words.js";
 
 export { confirmed } from "./own.js";
 export { find, ways } from "./ways.js";
@@ -107,7 +107,7 @@ function take(doc, full, judging, numbers, moved) {
   Object.assign(quick, { level, levels });
   if (found) {
     quick.verdict = verdictOf(found, quick.load_case);
-    quick.remarks = [...found.verdict.data];
+    quick.remarks = remarksOf(found);
   }
   show();
 }

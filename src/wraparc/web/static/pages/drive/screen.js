@@ -16,6 +16,7 @@ import {
   words,
   written,
 } from "../../base/units.js";
+import { views } from "../../frame/tabs.js";
 import { levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
@@ -27,9 +28,8 @@ import { addCase } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
-import { fullTension, limits, scaleOf } from "./ranges.js";
 import { questions } from "./questions.js";
-import { views } from "../../frame/tabs.js";
+import { fullTension, limits, scaleOf } from "./ranges.js";
 import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
 
 /** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */

@@ -2,7 +2,7 @@
 import { app } from "../../base/design.js";
 import { digits, percent, unit } from "../../base/units.js";
 import { leastAlone, leastTold } from "./least.js";
-import { barsOf, checkTable, onSafeSide, quantity, verdictOf } from "./words.js";
+import { barsOf, checkTable, onSafeSide, quantity, remarksOf, verdictOf } from "./words.js";
 
 /** @import { Assembled, FullAnswer, FullArc, QuickAnswer } from "../../types.d.ts" */
 /** @import { Table, TableRow } from "../../types.d.ts" */
@@ -158,7 +158,7 @@ export function wholeOf(judged) {
     least_tension,
     summary: summaryOf(judged),
     sources: judged.of.kinds.map((kind) => ({ kind })),
-    remarks: [...judged.verdict.data],
+    remarks: remarksOf(judged),
     judging: null,
   };
 }

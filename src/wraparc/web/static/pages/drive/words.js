@@ -1,7 +1,7 @@
 // What the checks of the page come to, as the server tells it, and numbers in its digits.
 import { app } from "../../base/design.js";
 import { factor, LARGER_SI, LARGER_US, unit } from "../../base/units.js";
-import { checkTable as tableOfChecks, short } from "../../reader.js";
+import { remarksOf as remarksOn, short, checkTable as tableOfChecks } from "../../reader.js";
 
 /** @import { Bar, Level, Table, Units, Verdict } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
@@ -90,6 +90,9 @@ function shortOf({ result, arcs }, verdict, load_case, pulley) {
 /** The arcs of a drive or a train as results. @param {any} result @returns {any[]} */
 export const resultsIn = (result) => [...(result.arcs ?? result.drive_result().arcs)];
 
+/** On what data an answer stands. @param {Judged} judged @returns {string[]} */
+export const remarksOf = ({ of, verdict }) => remarksOn(of.drive, verdict);
+
 /** The checks of one arc that have a value and a limit, as bars. @param {Judged} judged
  * @param {string} load_case @param {string} [pulley] @returns {Bar[]} */
 export const barsOf = (judged, load_case, pulley) =>
@@ -99,7 +102,17 @@ export const barsOf = (judged, load_case, pulley) =>
       const { title, level, at_most, share, reason } = c;
       const [found] = c.texts();
       const place = c.place.__str__();
-      return { title, level, place, at_most, share, found, limit: c.bound(), says: reason, source: "" };
+      return {
+        title,
+        level,
+        place,
+        at_most,
+        share,
+        found,
+        limit: c.bound(),
+        says: reason,
+        source: "",
+      };
     });
 /** The checks as a table. @param {Judged} judged */
 export const checkTable = ({ verdict }) => tableOf(tableOfChecks(verdict), "checks");
