@@ -39,7 +39,8 @@ from wraparc.train import (
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import display, percent, quantity
+from wraparc.units import Cell, digits, display, percent, quantity, unit_row
+from wraparc.units.cell import cell_text
 from wraparc.web import in_page, in_page_train
 
 ROOT = Path(__file__).parents[1]
@@ -116,6 +117,25 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     Induction,
     FluidCoupling,
 )
+#: How numbers are shown.
+CELLS_FILE = FILE.with_name("cells.js")
+CELLS_ENTRIES: tuple[Callable[..., object], ...] = (
+    display,
+    digits.safe,
+    cell_text,
+    quantity,
+    percent,
+)
+#: Functions of Python that are others there: those of `static/base/digits.js` by name.
+OF_DIGITS: dict[Any, Any] = {
+    unit_row: "unitRow",
+    digits.read: "Number",
+    digits.scientific: "scientific",
+    digits.exponent_of: "exponentOf",
+    digits.fixed: "decimal",
+    digits.trimmed: "trimmed",
+    Cell: "cellOf",
+}
 #: What reads documents in the page.
 PYTHON = FILE.with_name("python.js")
 READER_FILE = FILE.with_name("reader.js")
@@ -172,6 +192,14 @@ def train_module() -> str:
     return formatted(HEAD + taken + native + text)
 
 
+def cells_module() -> str:
+    """Return the module that shows numbers as it must stand in its file."""
+    found = translated(CELLS_ENTRIES, "wraparc", OF_DIGITS)
+    text = found.text()
+    native = sorted(found.natives - {"Number"})
+    return formatted(f'{HEAD}import {{ {", ".join(native)} }} from "./base/digits.js";\n{text}')
+
+
 def reader_module() -> str:
     """Return the module that reads documents as it must stand in its file."""
     frozen = [catalogue.design_friction]
@@ -203,6 +231,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
     texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
+    texts[CELLS_FILE] = cells_module()
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)

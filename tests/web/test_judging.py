@@ -168,7 +168,7 @@ def test_the_page_judges_as_python_does(compared: list[tuple[str, Data, Any]]) -
             continue
         for system in SYSTEMS:
             verdict = there[system]["verdict"]
-            words = [verdict[k] for k in ("level", "told", "headline")] + verdict["sentences"]
+            words = [verdict[k] for k in ("level", "word", "headline")] + verdict["sentences"]
             expected = there[system] | {"verdict": words}
             wrong |= {
                 (name, system, key): (here[system][key], expected[key])

@@ -63,7 +63,7 @@ from wraparc.web.answers.book_words import (
 from wraparc.web.answers.documents import json_like
 from wraparc.web.answers.judging import Ask, Words, words_of
 from wraparc.web.answers.prepared import Law
-from wraparc.web.answers.shown import both, tables
+from wraparc.web.answers.shown import tables, worded
 
 _NO_INTERVAL = (
     "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
@@ -314,7 +314,7 @@ def _heads() -> Heads:
         of = with_criteria(probe(), take_up=take_up)
         found = tables([least_table(of)], ["least"])[0]
         least[held] = found.model_copy(update={"rows": []})
-    return Heads(checks=checks.model_copy(update={"rows": [], "note": both(NOTE)}), least=least)
+    return Heads(checks=checks.model_copy(update={"rows": [], "note": worded(NOTE)}), least=least)
 
 
 def _number(value: float | None) -> float:

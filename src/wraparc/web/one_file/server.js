@@ -7,12 +7,12 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
+import { firstAnswer } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
-import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { documentOf } from "./texts.js";
+import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
@@ -62,7 +62,7 @@ const ANSWERS = {
     const numbers = found && numbersOfAll([one]);
     const judged = numbers && judge({ ...judging, cases: [arc] }, document, numbers);
     if (!judged) throw refused(UNSOLVED);
-    const { level, levels, ...verdict } = inBoth(() => verdictOf(judged, arc.load_case));
+    const { level, levels, ...verdict } = verdictOf(judged, arc.load_case);
     const first = { ...firstAnswer(judging, arc), ...shownOf(found), sequence };
     return { ...first, level, levels, verdict: { ...verdict, level } };
   },
@@ -72,7 +72,7 @@ const ANSWERS = {
     const numbers = await beside(arcsOf(judging));
     const judged = numbers && judge(judging, document, numbers);
     if (!judged) throw refused(UNSOLVED);
-    return inBoth(() => wholeAnswer(judged, judging, data.book));
+    return wholeAnswer(judged, judging, data.book);
   },
   train({ document, match }) {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");

@@ -10,12 +10,10 @@ const LIMIT = 0;
 /** Rows of the page that the table of Python leaves to others. */
 const MORE = ["least_exit_tension", "largest_effective_tension"];
 
-/** A table of Python as the page shows one, in the units looked at.
+/** A table of Python as the page shows one.
  * @param {any} of @param {string} key @returns {Table} */
 export function tableOf({ title, heads, note, rows }, key) {
-  const both = (/** @type {any} */ v) => ({ si: v, us: v });
-  const made = rows.map((/** @type {any} */ r) => ({ ...r, values: both([...r.values]) }));
-  return { key, title, heads: both(heads), note, rows: made };
+  return { key, title, heads, note, rows };
 }
 /** As `wholeOf`, its capacities with notes. @param {Judged} judged @param {Judging} judging
  * @param {Book} book */

@@ -261,7 +261,7 @@ if (($in("belt_path", record))) {
 if ((wrap == null)) {
 return null;
 }
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c28], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
 }
 if (($in("across", record))) {
 (found_before = $b.len($bound(report, "problems")));
@@ -270,7 +270,7 @@ if (($b.len($bound(report, "problems")) > found_before)) {
 return null;
 }
 }
-(built = $method($c32, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
 return built;
 }
 function conditions__at_its_place(condition, laws) {
@@ -325,32 +325,37 @@ return problems;
 }
 function display__display(value, dimension, system = "si", digits = 4) {
 
-return $once(display___shown, $kept_display___shown)(value, dimension, system, digits);
+return display__joined(display__parts(value, dimension, system, digits));
 }
-function display___shown(value, dimension, system, digits) {
-let bound, larger, larger_unit, number, size, unit;
-([unit, larger] = $at($at($c11, system), dimension));
-if (($eq(dimension, "temperature"))) {
-return ("" + $str(display___rounded(display___degrees(value, unit), digits)) + " " + $str(unit));
-}
-(number = (value / parse__unit_factor(unit, dimension)));
-if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c27)))) {
+function display__parts(value, dimension, system, digits) {
+let bound, factor, number, other, row, size, unit, zero;
+
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+([unit, number] = [row.unit, (value / row.factor)]);
+if ((($b.abs(number) < 1e-09) && (!$eq(dimension, "wear_coefficient")))) {
 (number = 0.0);
 }
-(size = $b.abs($b.float(display___rounded(number, digits))));
-for ([bound, larger_unit] of $iter(larger)) {
+(size = $b.abs(digits__read(digits__rounded(number, digits))));
+for ([bound, other, factor, zero] of $iter(row.larger)) {
 if ((bound <= size && size < Infinity)) {
-([unit, number] = [larger_unit, (value / parse__unit_factor(larger_unit, dimension))]);
+([unit, number] = [other, ($sub(value, zero) / factor)]);
 }
 }
-return $m.rstrip(("" + $str(display___rounded(number, digits)) + " " + $str(unit)));
+return [digits__rounded(number, digits), unit];
 }
-const $kept_display___shown = new Map();
-function display___degrees(kelvin, unit) {
-let zero;
-(zero = parse__parse_quantity(("" + "0 " + $str(unit)), "temperature"));
-return ($sub(kelvin, zero) / $sub(parse__parse_quantity(("" + "1 " + $str(unit)), "temperature"), zero));
+function display__unit_row(dimension, system) {
+let larger, more, one, unit, zero;
+
+([unit, more] = $at($at($c11, system), dimension));
+if (($eq(dimension, "temperature"))) {
+(zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
+(one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
+return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
 }
+(larger = $b.tuple((function* () { for (const [bound, name] of $iter(more)) { yield [bound, name, parse__unit_factor(name, dimension), 0.0]; } })()));
+return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
+}
+const $kept_display__unit_row = new Map();
 function parse__parse_quantity(value, dimension) {
 let kind, problem;
 
@@ -582,30 +587,6 @@ return "energy_per_area";
 }
 return $b.next((function* () { for (const name of $iter($c26)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
-function display___rounded(number, digits) {
-let exponent, given, rounded, whole;
-
-if (!$truth($math.isfinite(number))) {
-return $b.str(number);
-}
-if (($eq(number, 0))) {
-return "0";
-}
-(given = ("" + $format(number, ("" + "." + $str($sub(4, 1)) + "e"))));
-(whole = $and((digits <= 4), () => $math.isclose($b.float(given), number, ({rel_tol: 1e-09}))));
-if (($truth(whole) && ($neg(4) <= display___exponent(given) && display___exponent(given) < 12))) {
-return ("" + $format($b.Decimal(given).normalize(), ("" + "f")));
-}
-(rounded = ("" + $format(number, ("" + "." + $str($sub(digits, 1)) + "e"))));
-(exponent = display___exponent(rounded));
-if (!($neg(4) <= exponent && exponent < 12)) {
-return rounded;
-}
-return ("" + $format($b.float(rounded), ("" + "." + $str($b.max(0, $sub($sub(digits, 1), exponent))) + "f")));
-}
-function display___exponent(scientific) {
-return $b.int($at($m.rpartition(scientific, "e"), 2));
-}
 function parse__unit_factor(unit, dimension) {
 let resolved;
 
@@ -614,6 +595,56 @@ if ($truth(resolved.zero)) {
 throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
 }
 return $b.float($bound(resolved, "factor"));
+}
+function digits__rounded(number, digits) {
+let given, power, text;
+
+if ($truth($math.isnan(number))) {
+return "nan";
+}
+if ($truth($math.isinf(number))) {
+return ((number > 0.0) ? "inf" : "-inf");
+}
+if (($eq(number, 0.0))) {
+return "0";
+}
+(given = digits__scientific(number, $sub(4, 1)));
+(power = digits__exponent_of(given));
+if (((digits <= 4) && $truth(digits___equal(digits__read(given), number)) && ($neg(4) <= power && power < 12))) {
+return digits__trimmed(digits__fixed(digits__read(given), $b.max(0, $sub($sub(4, 1), power))));
+}
+(text = digits__scientific(number, $sub(digits, 1)));
+(power = digits__exponent_of(text));
+return (($neg(4) <= power && power < 12) ? digits__fixed(digits__read(text), $b.max(0, $sub($sub(digits, 1), power))) : text);
+}
+function digits__scientific(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "e")));
+}
+function digits__exponent_of(text) {
+
+return $b.int($at($m.rpartition(text, "e"), 2));
+}
+function digits__read(text) {
+
+return $b.float(text);
+}
+function digits___equal(a, b) {
+return ($b.abs($sub(a, b)) <= $mul(1e-09, $b.max($b.abs(a), $b.abs(b))));
+}
+function digits__fixed(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "f")));
+}
+function digits__trimmed(text) {
+
+return (($in(".", text)) ? $m.rstrip($m.rstrip(text, "0"), ".") : text);
+}
+function display__joined(of) {
+let number, unit;
+
+([number, unit] = of);
+return $add(number, ((!$eq(unit, "")) ? $add(" ", unit) : ""));
 }
 function limits__raise_all(problems) {
 
@@ -642,8 +673,8 @@ let built, ends;
 if (!$truth($b.isinstance(record, Record))) {
 return null;
 }
-(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c29], ["after", $c30]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
-(built = $method($c31, "built", [record, report], [...ends]));
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c30, "built", [record, report], [...ends]));
 return built;
 }
 function across_keys__check_width(pulleys, belt, report) {
@@ -669,7 +700,7 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 function drive_build__build_criteria(record, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($c33)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
@@ -684,7 +715,7 @@ report.take(new InputError(problem), []);
 if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
-(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c34)); } })())));
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
 (speed = $m.get(belt, "speed"));
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
@@ -875,12 +906,12 @@ return new LoadFault(message, ($truth(inherited) ? remedy : "Leave one of them o
 }
 function tension_rules__effective_keys(of) {
 
-return [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
+return [...(function* () { for (const key of $iter($c34)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
 }
 function tension_rules__families(of) {
 let keys, pulls;
 
-(keys = [...(function* () { for (const key of $iter($c36)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
+(keys = [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
 (pulls = tension_rules__effective_keys(of));
 if (($b.len(pulls) > 0)) {
 $m.append(keys, $at(pulls, 0));
@@ -914,7 +945,7 @@ let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c37))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c36))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
 return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
 } catch ($error) {
 if ($error instanceof InputError) {
@@ -999,7 +1030,7 @@ function conveyor_build___refuse_tensions(record, pulleys, report) {
 let key, pulley;
 
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
 }
 }
@@ -1015,7 +1046,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c38, "built", [given, report], [...more]));
+(conveyor = $method($c37, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -1029,7 +1060,7 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c39)) {
+for ([first, second, example] of $iter($c38)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
 $m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
@@ -1040,7 +1071,7 @@ $m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], 
 }
 }
 }
-for (key of $iter($c40)) {
+for (key of $iter($c39)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
@@ -1124,7 +1155,7 @@ if ((!$in("train", document))) {
 (drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c41, document, file));
+([record, report] = source__read_tables($c40, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1165,7 +1196,7 @@ let case_, key, message, pulley, remedy;
 
 (message = "the tensions of single pulleys follow from [train]");
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
 }
 }
@@ -1198,7 +1229,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c42, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($c41, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1299,7 +1330,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c43, key))) {
+for ([name, position] of $iter($m.findall($c42, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -1329,10 +1360,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c44, report));
-(common = $map([...(function* () { for (const key of $iter($c45)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c43, report));
+(common = $map([...(function* () { for (const key of $iter($c44)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c46.built($m.get(record, "cost"), report));
+$put(common, "cost", $c45.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -1351,8 +1382,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c47)))) {
+(given = [...(function* () { for (const key of $iter($c46)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c46)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -1374,7 +1405,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c48)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -1396,7 +1427,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c49, "built", [shape, report], [...height]));
+(block = $method($c48, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -1435,7 +1466,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c50, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c49, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -1453,7 +1484,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c57.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c56.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -1462,7 +1493,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c51, $map([["pressure", $m.get($c52, kind, "tested_pressure")]])));
+(names = $merged($c50, $map([["pressure", $m.get($c51, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -1471,7 +1502,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c53, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c52, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -1654,7 +1685,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c54;
+return $c53;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -1755,7 +1786,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c55], ["temperature", $c56]])) {
+for ([key, table] of $iter([["slip_speed", $c54], ["temperature", $c55]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -1814,7 +1845,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c58, document, file));
+([record, report] = source__read_tables($c57, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -1850,7 +1881,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c60)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c59)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -1877,11 +1908,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -1898,7 +1929,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c60)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function tension_rules__overridden(of, over, fixed, at, runs) {
@@ -2194,7 +2225,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c602, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c601, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -2204,14 +2235,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c606, 0), 0));
+(least = $at($at($c605, 0), 0));
 return [$call(Problem, [], [["key", "length"], ["value", display__display(length, "length")], ["message", ("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated")], ["remedy", "Give secondary_resistance, or a length_coefficient of your own."]])];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c606, 0), 0)) ? NaN : $at($at($c606, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c606))) {
+(found = ((length < $at($at($c605, 0), 0)) ? NaN : $at($at($c605, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c605))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -2288,10 +2319,10 @@ return text;
 return ("" + $repr(value) + " " + $str($at($c12, dimension).si_unit));
 }
 function display__display_unit(dimension, system = "si") {
-let unit;
+let row;
 
-(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c11, system), dimension), 0)));
-return [unit, parse__unit_factor(unit, dimension)];
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+return [row.unit, row.factor];
 }
 class Problem extends $Object {
 $init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
@@ -2496,7 +2527,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c59)) {
+for (group of $iter($c58)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -2574,7 +2605,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c60)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -2621,8 +2652,12 @@ const self = this; super.$init(message);
 }
 }
 class Unit extends $Object {
-$init(factor, powers, zero = $c67) { this.factor = factor; this.powers = powers; this.zero = zero;  }
+$init(factor, powers, zero = $c66) { this.factor = factor; this.powers = powers; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
+}
+class UnitRow extends $Object {
+$init(unit, factor, larger) { this.unit = unit; this.factor = factor; this.larger = larger;  }
+*[Symbol.iterator]() { yield this.unit; yield this.factor; yield this.larger; }
 }
 class WidthProfile extends $Object {
 $init(position = [], value = [], crown = 0.0, uncertainty = null) { this.position = position; this.value = value; this.crown = crown; this.uncertainty = uncertainty; this.__post_init__?.(); }
@@ -2673,19 +2708,19 @@ $init(name, place, values, raw, diameter, inherited = []) { this.name = name; th
 static of(name, record, diameter) {
 const cls = this; let values;
 
-(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c34)) { yield $m.get(record, key); } })())));
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
 return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
 }
 at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c62) {
+overridden(record, fixed = false, speed = null, runs = $c61) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
 (values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
-(own = $b.zip($c34, values, $bound(self, "values"), $k({strict: true})));
+(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
 (kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
 return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
 }
@@ -2717,7 +2752,7 @@ class LoadCase extends $Object {
 $init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c63]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c62]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -2918,7 +2953,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c62, self._take_up.fixed]);
+([runs, fixed] = [$c61, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -2931,7 +2966,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c35), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c34), ...$iter($c63), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -2975,10 +3010,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c64)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c63)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c64)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c63)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -3054,7 +3089,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c65))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c64))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -3066,7 +3101,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c66.built(record, $bound(self, "_report")));
+(motor = $c65.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -3120,12 +3155,12 @@ $init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coef
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c596)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c596)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c597, self.form));
+([logarithmic, exponential] = $at($c596, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -3143,7 +3178,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 }
 }
 class Piece extends $Object {
-$init(a, b, post_peak_slope = $c68, residual_friction = $c69) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
+$init(a, b, post_peak_slope = $c67, residual_friction = $c68) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
 }
 class CoefficientPieces extends $Object {
 $init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
@@ -3300,8 +3335,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c598)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c598))));
+if (($truth(self.surface) && (!$in(self.surface, $c597)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c597))));
 $m.append(problems, $call(Problem, [], [["key", "surface"], ["value", $shown($bound(self, "surface"))], ["message", message]]));
 }
 limits__raise_all(problems);
@@ -3364,7 +3399,7 @@ $init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c599)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c598)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -3397,7 +3432,7 @@ class DesignStandard extends $Object {
 $init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c600)]], ["condition", ["", ...$iter($c601)]]]));
+(words = $map([["name", ["", ...$iter($c599)]], ["condition", ["", ...$iter($c600)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -3434,7 +3469,7 @@ return value;
 class Table extends Kind {
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c602) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c601) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -3503,7 +3538,7 @@ return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fi
 }
 }
 class Entry extends $Object {
-$init(key, meaning = "", kind = $c602, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
+$init(key, meaning = "", kind = $c601, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
 __post_init__() {
 const self = this; (self.title = $or(self.title, () => $m.replace(self.key, "_", " ").capitalize()));
 (self.attribute = $or(self.attribute, () => self.key));
@@ -3532,7 +3567,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c603) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c602) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -3729,7 +3764,7 @@ $init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.e
 *[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
 }
 class Definition extends $Object {
-$init(names, factor, unit, zero = $c609) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
+$init(names, factor, unit, zero = $c608) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
 }
 class Variant extends Kind {
@@ -3766,7 +3801,7 @@ $init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, cree
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c604]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c603]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, $call(Problem, [], [["key", "across.worn_depth"], ["value", display__display($bound(worn, "largest"), "length")], ["message", $add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length"))], ["remedy", "Give the depth worn off, on radius, not what is left."]]));
@@ -3786,8 +3821,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c605))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c605))));
+if ((!$in(self.drive_at, $c604))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c604))));
 $m.append(problems, $call(Problem, [], [["key", "drive_at"], ["value", $shown($bound(self, "drive_at"))], ["message", message]]));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -3921,7 +3956,7 @@ return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($boun
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1278);
+([least, most] = $c1277);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -3946,8 +3981,8 @@ $init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c607))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c607))));
+if ((!$in(self.shape, $c606))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c606))));
 $m.append(problems, $call(Problem, [], [["key", "shape"], ["value", $shown($bound(self, "shape"))], ["message", message]]));
 }
 limits__raise_all(problems);
@@ -4006,7 +4041,7 @@ $init(parameters, values, covariance, residual_noise = null, date = "", method =
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c608));
+(problems = limits__limit_problems(self, $c607));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, $call(Problem, [], [["key", "parameters"], ["value", $b.str(n)], ["message", message]]));
@@ -4102,8 +4137,8 @@ $init(length, trough_angle, centre_roll, depth = "full") { this.length = length;
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c970))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c970))));
+if ((!$in(self.depth, $c969))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c969))));
 $m.append(problems, $call(Problem, [], [["key", "depth"], ["value", $shown($bound(self, "depth"))], ["message", message]]));
 }
 limits__raise_all(problems);
@@ -4319,785 +4354,785 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c635 = $made(Quantity, {dimension: "number", limit: null});
-const $c623 = $made(Entry, {key: "format", kind: $c635, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
-const $c636 = $made(Text, {longest: 200, lines: false});
-const $c624 = $made(Entry, {key: "title", kind: $c636, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c637 = $made(Text, {longest: 5000, lines: true});
-const $c625 = $made(Entry, {key: "description", kind: $c637, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c583 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c638 = $made(Quantity, {dimension: "length", limit: $c583});
-const $c626 = $made(Entry, {key: "creep_limit", kind: $c638, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c640 = $made(Name, {longest: 60});
-const $c648 = $made(Name, {longest: 60});
-const $c643 = $made(Entry, {key: "name", kind: $c648, required: true, alias: "", example: "", attribute: "name", unless: ""});
-const $c578 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
-const $c649 = $made(Quantity, {dimension: "number", limit: $c578});
-const $c644 = $made(Entry, {key: "friction_factor", kind: $c649, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c650 = $made(ByName, {kind: $c649, most: 200});
-const $c645 = $made(Entry, {key: "friction_factors", kind: $c650, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
-const $c652 = ["DIN 22101", "practice"];
-const $c651 = $made(Choice, {options: $c652});
-const $c646 = $made(Entry, {key: "standard", kind: $c651, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c660 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c659 = $made(Choice, {options: $c660});
-const $c655 = $made(Entry, {key: "kind", kind: $c659, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c661 = $made(Text, {longest: 500, lines: false});
-const $c656 = $made(Entry, {key: "source", kind: $c661, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c662 = $made(Text, {longest: 60, lines: false});
-const $c657 = $made(Entry, {key: "date", kind: $c662, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c663 = $made(Text, {longest: 1000, lines: false});
-const $c658 = $made(Entry, {key: "note", kind: $c663, required: false, alias: "", example: "", attribute: "note", unless: ""});
-const $c653 = [$c655, $c656, $c657, $c658];
-const $c654 = new Map([["kind", $c655], ["source", $c656], ["date", $c657], ["note", $c658]]);
-const $c2 = $made(Table, {of: Provenance, entries: $c653, _known: $c654});
-const $c647 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c641 = [$c643, $c644, $c645, $c646, $c647];
-const $c642 = new Map([["name", $c643], ["friction_factor", $c644], ["friction_factors", $c645], ["standard", $c646], ["provenance", $c647]]);
-const $c8 = $made(Table, {of: Condition, entries: $c641, _known: $c642});
-const $c160 = $made(TextOr, {text: $c640, table: $c8});
-const $c639 = $made(OneOrMore, {kind: $c160, most: 8});
-const $c627 = $made(Entry, {key: "condition", kind: $c639, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c634 = $made(Quantity, {dimension: "number", limit: null});
+const $c622 = $made(Entry, {key: "format", kind: $c634, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
+const $c635 = $made(Text, {longest: 200, lines: false});
+const $c623 = $made(Entry, {key: "title", kind: $c635, required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c636 = $made(Text, {longest: 5000, lines: true});
+const $c624 = $made(Entry, {key: "description", kind: $c636, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c582 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c637 = $made(Quantity, {dimension: "length", limit: $c582});
+const $c625 = $made(Entry, {key: "creep_limit", kind: $c637, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c639 = $made(Name, {longest: 60});
+const $c647 = $made(Name, {longest: 60});
+const $c642 = $made(Entry, {key: "name", kind: $c647, required: true, alias: "", example: "", attribute: "name", unless: ""});
+const $c577 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
+const $c648 = $made(Quantity, {dimension: "number", limit: $c577});
+const $c643 = $made(Entry, {key: "friction_factor", kind: $c648, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c649 = $made(ByName, {kind: $c648, most: 200});
+const $c644 = $made(Entry, {key: "friction_factors", kind: $c649, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
+const $c651 = ["DIN 22101", "practice"];
+const $c650 = $made(Choice, {options: $c651});
+const $c645 = $made(Entry, {key: "standard", kind: $c650, required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c659 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c658 = $made(Choice, {options: $c659});
+const $c654 = $made(Entry, {key: "kind", kind: $c658, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c660 = $made(Text, {longest: 500, lines: false});
+const $c655 = $made(Entry, {key: "source", kind: $c660, required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c661 = $made(Text, {longest: 60, lines: false});
+const $c656 = $made(Entry, {key: "date", kind: $c661, required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c662 = $made(Text, {longest: 1000, lines: false});
+const $c657 = $made(Entry, {key: "note", kind: $c662, required: false, alias: "", example: "", attribute: "note", unless: ""});
+const $c652 = [$c654, $c655, $c656, $c657];
+const $c653 = new Map([["kind", $c654], ["source", $c655], ["date", $c656], ["note", $c657]]);
+const $c2 = $made(Table, {of: Provenance, entries: $c652, _known: $c653});
+const $c646 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c640 = [$c642, $c643, $c644, $c645, $c646];
+const $c641 = new Map([["name", $c642], ["friction_factor", $c643], ["friction_factors", $c644], ["standard", $c645], ["provenance", $c646]]);
+const $c8 = $made(Table, {of: Condition, entries: $c640, _known: $c641});
+const $c159 = $made(TextOr, {text: $c639, table: $c8});
+const $c638 = $made(OneOrMore, {kind: $c159, most: 8});
+const $c626 = $made(Entry, {key: "condition", kind: $c638, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c100 = $made(Name, {longest: 60});
+const $c80 = $made(Entry, {key: "preset", kind: $c100, required: false, alias: "", example: "", attribute: "preset", unless: ""});
 const $c101 = $made(Name, {longest: 60});
-const $c81 = $made(Entry, {key: "preset", kind: $c101, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c102 = $made(Name, {longest: 60});
-const $c82 = $made(Entry, {key: "name", kind: $c102, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c103 = $made(Text, {longest: 60, lines: false});
-const $c83 = $made(Entry, {key: "kind", kind: $c103, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c122 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c104 = $made(Quantity, {dimension: "length", limit: $c122});
-const $c84 = $made(Entry, {key: "width", kind: $c104, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c123 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c81 = $made(Entry, {key: "name", kind: $c101, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c102 = $made(Text, {longest: 60, lines: false});
+const $c82 = $made(Entry, {key: "kind", kind: $c102, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c121 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c103 = $made(Quantity, {dimension: "length", limit: $c121});
+const $c83 = $made(Entry, {key: "width", kind: $c103, required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c122 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c105 = $made(Quantity, {dimension: "force_per_width", limit: $c122});
+const $c104 = $made(WordOr, {word: "rigid", kind: $c105, meaning: Infinity});
+const $c84 = $made(Entry, {key: "modulus", kind: $c104, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
+const $c123 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
 const $c106 = $made(Quantity, {dimension: "force_per_width", limit: $c123});
-const $c105 = $made(WordOr, {word: "rigid", kind: $c106, meaning: Infinity});
-const $c85 = $made(Entry, {key: "modulus", kind: $c105, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
+const $c85 = $made(Entry, {key: "rating", kind: $c106, required: false, alias: "", example: "", attribute: "rating", unless: ""});
 const $c124 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
 const $c107 = $made(Quantity, {dimension: "force_per_width", limit: $c124});
-const $c86 = $made(Entry, {key: "rating", kind: $c107, required: false, alias: "", example: "", attribute: "rating", unless: ""});
-const $c125 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c108 = $made(Quantity, {dimension: "force_per_width", limit: $c125});
-const $c87 = $made(Entry, {key: "strength", kind: $c108, required: false, alias: "", example: "", attribute: "strength", unless: ""});
-const $c126 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c109 = $made(Quantity, {dimension: "speed", limit: $c126});
-const $c88 = $made(Entry, {key: "speed", kind: $c109, required: false, alias: "", example: "", attribute: "speed", unless: ""});
-const $c127 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c110 = $made(Quantity, {dimension: "number", limit: $c127});
-const $c89 = $made(Entry, {key: "momentary_factor", kind: $c110, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
-const $c128 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c111 = $made(Quantity, {dimension: "length", limit: $c128});
-const $c90 = $made(Entry, {key: "least_pulley_diameter", kind: $c111, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
-const $c129 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c112 = $made(Quantity, {dimension: "pressure", limit: $c129});
-const $c91 = $made(Entry, {key: "largest_wrap_pressure", kind: $c112, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
-const $c130 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
-const $c113 = $made(Quantity, {dimension: "force_per_width", limit: $c130});
-const $c92 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c113, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
+const $c86 = $made(Entry, {key: "strength", kind: $c107, required: false, alias: "", example: "", attribute: "strength", unless: ""});
+const $c125 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c108 = $made(Quantity, {dimension: "speed", limit: $c125});
+const $c87 = $made(Entry, {key: "speed", kind: $c108, required: false, alias: "", example: "", attribute: "speed", unless: ""});
+const $c126 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c109 = $made(Quantity, {dimension: "number", limit: $c126});
+const $c88 = $made(Entry, {key: "momentary_factor", kind: $c109, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
+const $c127 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c110 = $made(Quantity, {dimension: "length", limit: $c127});
+const $c89 = $made(Entry, {key: "least_pulley_diameter", kind: $c110, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
+const $c128 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c111 = $made(Quantity, {dimension: "pressure", limit: $c128});
+const $c90 = $made(Entry, {key: "largest_wrap_pressure", kind: $c111, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
+const $c129 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
+const $c112 = $made(Quantity, {dimension: "force_per_width", limit: $c129});
+const $c91 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c112, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
+const $c130 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c113 = $made(Quantity, {dimension: "length", limit: $c130});
+const $c92 = $made(Entry, {key: "pulley_cover", kind: $c113, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
 const $c131 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
 const $c114 = $made(Quantity, {dimension: "length", limit: $c131});
-const $c93 = $made(Entry, {key: "pulley_cover", kind: $c114, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
-const $c132 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
+const $c93 = $made(Entry, {key: "carry_cover", kind: $c114, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
+const $c132 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
 const $c115 = $made(Quantity, {dimension: "length", limit: $c132});
-const $c94 = $made(Entry, {key: "carry_cover", kind: $c115, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
+const $c94 = $made(Entry, {key: "carcass", kind: $c115, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
 const $c133 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
 const $c116 = $made(Quantity, {dimension: "length", limit: $c133});
-const $c95 = $made(Entry, {key: "carcass", kind: $c116, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
-const $c134 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c117 = $made(Quantity, {dimension: "length", limit: $c134});
-const $c96 = $made(Entry, {key: "thickness", kind: $c117, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c135 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
-const $c119 = $made(Quantity, {dimension: "pressure", limit: $c135});
-const $c118 = $made(WordOr, {word: "rigid", kind: $c119, meaning: Infinity});
-const $c97 = $made(Entry, {key: "cover_shear_modulus", kind: $c118, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
-const $c136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c120 = $made(Quantity, {dimension: "mass_per_length", limit: $c136});
-const $c98 = $made(Entry, {key: "mass", kind: $c120, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c99 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c121 = $made(ByName, {kind: $c2, most: 200});
-const $c100 = $made(Entry, {key: "sources", kind: $c121, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c1 = [$c81, $c82, $c83, $c84, $c85, $c86, $c87, $c88, $c89, $c90, $c91, $c92, $c93, $c94, $c95, $c96, $c97, $c98, $c99, $c100];
-const $c664 = new Map([["preset", $c81], ["name", $c82], ["kind", $c83], ["width", $c84], ["modulus", $c85], ["rating", $c86], ["strength", $c87], ["speed", $c88], ["momentary_factor", $c89], ["least_pulley_diameter", $c90], ["largest_wrap_pressure", $c91], ["in_plane_shear_stiffness", $c92], ["pulley_cover", $c93], ["carry_cover", $c94], ["carcass", $c95], ["thickness", $c96], ["cover_shear_modulus", $c97], ["mass", $c98], ["provenance", $c99], ["sources", $c100]]);
-const $c5 = $made(Table, {of: Belt, entries: $c1, _known: $c664});
-const $c628 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
-const $c155 = $made(Name, {longest: 60});
-const $c137 = $made(Entry, {key: "name", kind: $c155, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
-const $c667 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c156 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c138 = $made(Entry, {key: "diameter", kind: $c156, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c668 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
-const $c157 = $made(Quantity, {dimension: "angle", limit: $c668});
-const $c139 = $made(Entry, {key: "wrap_angle", kind: $c157, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
-const $c579 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
-const $c676 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c671 = $made(Entry, {key: "x", kind: $c676, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c677 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c672 = $made(Entry, {key: "y", kind: $c677, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c679 = ["clockwise", "counterclockwise"];
-const $c678 = $made(Choice, {options: $c679});
-const $c673 = $made(Entry, {key: "turn", kind: $c678, required: false, alias: "", example: "", attribute: "turn", unless: ""});
-const $c686 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c683 = $made(Entry, {key: "x", kind: $c686, required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c95 = $made(Entry, {key: "thickness", kind: $c116, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c134 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
+const $c118 = $made(Quantity, {dimension: "pressure", limit: $c134});
+const $c117 = $made(WordOr, {word: "rigid", kind: $c118, meaning: Infinity});
+const $c96 = $made(Entry, {key: "cover_shear_modulus", kind: $c117, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
+const $c135 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c119 = $made(Quantity, {dimension: "mass_per_length", limit: $c135});
+const $c97 = $made(Entry, {key: "mass", kind: $c119, required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c98 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c120 = $made(ByName, {kind: $c2, most: 200});
+const $c99 = $made(Entry, {key: "sources", kind: $c120, required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c1 = [$c80, $c81, $c82, $c83, $c84, $c85, $c86, $c87, $c88, $c89, $c90, $c91, $c92, $c93, $c94, $c95, $c96, $c97, $c98, $c99];
+const $c663 = new Map([["preset", $c80], ["name", $c81], ["kind", $c82], ["width", $c83], ["modulus", $c84], ["rating", $c85], ["strength", $c86], ["speed", $c87], ["momentary_factor", $c88], ["least_pulley_diameter", $c89], ["largest_wrap_pressure", $c90], ["in_plane_shear_stiffness", $c91], ["pulley_cover", $c92], ["carry_cover", $c93], ["carcass", $c94], ["thickness", $c95], ["cover_shear_modulus", $c96], ["mass", $c97], ["provenance", $c98], ["sources", $c99]]);
+const $c5 = $made(Table, {of: Belt, entries: $c1, _known: $c663});
+const $c627 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
+const $c154 = $made(Name, {longest: 60});
+const $c136 = $made(Entry, {key: "name", kind: $c154, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
+const $c666 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
+const $c155 = $made(Quantity, {dimension: "length", limit: $c666});
+const $c137 = $made(Entry, {key: "diameter", kind: $c155, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c667 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
+const $c156 = $made(Quantity, {dimension: "angle", limit: $c667});
+const $c138 = $made(Entry, {key: "wrap_angle", kind: $c156, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
+const $c578 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
+const $c675 = $made(Quantity, {dimension: "length", limit: $c578});
+const $c670 = $made(Entry, {key: "x", kind: $c675, required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c676 = $made(Quantity, {dimension: "length", limit: $c578});
+const $c671 = $made(Entry, {key: "y", kind: $c676, required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c678 = ["clockwise", "counterclockwise"];
+const $c677 = $made(Choice, {options: $c678});
+const $c672 = $made(Entry, {key: "turn", kind: $c677, required: false, alias: "", example: "", attribute: "turn", unless: ""});
+const $c685 = $made(Quantity, {dimension: "length", limit: $c578});
+const $c682 = $made(Entry, {key: "x", kind: $c685, required: true, alias: "", example: "", attribute: "x", unless: ""});
+const $c686 = $made(Quantity, {dimension: "length", limit: $c578});
+const $c683 = $made(Entry, {key: "y", kind: $c686, required: true, alias: "", example: "", attribute: "y", unless: ""});
+const $c579 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
 const $c687 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c684 = $made(Entry, {key: "y", kind: $c687, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c580 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
-const $c688 = $made(Quantity, {dimension: "length", limit: $c580});
-const $c685 = $made(Entry, {key: "diameter", kind: $c688, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c681 = [$c683, $c684, $c685, $c673];
-const $c682 = new Map([["x", $c683], ["y", $c684], ["diameter", $c685], ["turn", $c673]]);
-const $c680 = $made(Table, {of: Point, entries: $c681, _known: $c682});
-const $c674 = $made(Entry, {key: "before", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
-const $c675 = $made(Entry, {key: "after", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
-const $c669 = [$c671, $c672, $c673, $c674, $c675];
-const $c670 = new Map([["x", $c671], ["y", $c672], ["turn", $c673], ["before", $c674], ["after", $c675]]);
-const $c158 = $made(Table, {of: Point, entries: $c669, _known: $c670});
-const $c140 = $made(Entry, {key: "belt_path", kind: $c158, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
-const $c689 = $made(Name, {longest: 500});
-const $c713 = $made(Name, {longest: 500});
-const $c693 = $made(Entry, {key: "preset", kind: $c713, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c714 = $made(Name, {longest: 60});
-const $c694 = $made(Entry, {key: "name", kind: $c714, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c715 = $made(Text, {longest: 200, lines: false});
-const $c695 = $made(Entry, {key: "title", kind: $c715, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c716 = $made(Text, {longest: 5000, lines: true});
-const $c696 = $made(Entry, {key: "description", kind: $c716, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c598 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c717 = $made(Choice, {options: $c598});
-const $c697 = $made(Entry, {key: "surface", kind: $c717, required: false, alias: "", example: "", attribute: "surface", unless: ""});
-const $c585 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c718 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c698 = $made(Entry, {key: "thickness", kind: $c718, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c588 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
-const $c719 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c699 = $made(Entry, {key: "elastic_modulus", kind: $c719, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c684 = $made(Entry, {key: "diameter", kind: $c687, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
+const $c680 = [$c682, $c683, $c684, $c672];
+const $c681 = new Map([["x", $c682], ["y", $c683], ["diameter", $c684], ["turn", $c672]]);
+const $c679 = $made(Table, {of: Point, entries: $c680, _known: $c681});
+const $c673 = $made(Entry, {key: "before", kind: $c679, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
+const $c674 = $made(Entry, {key: "after", kind: $c679, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
+const $c668 = [$c670, $c671, $c672, $c673, $c674];
+const $c669 = new Map([["x", $c670], ["y", $c671], ["turn", $c672], ["before", $c673], ["after", $c674]]);
+const $c157 = $made(Table, {of: Point, entries: $c668, _known: $c669});
+const $c139 = $made(Entry, {key: "belt_path", kind: $c157, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
+const $c688 = $made(Name, {longest: 500});
+const $c712 = $made(Name, {longest: 500});
+const $c692 = $made(Entry, {key: "preset", kind: $c712, required: false, alias: "", example: "", attribute: "preset", unless: ""});
+const $c713 = $made(Name, {longest: 60});
+const $c693 = $made(Entry, {key: "name", kind: $c713, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c714 = $made(Text, {longest: 200, lines: false});
+const $c694 = $made(Entry, {key: "title", kind: $c714, required: false, alias: "", example: "", attribute: "title", unless: ""});
+const $c715 = $made(Text, {longest: 5000, lines: true});
+const $c695 = $made(Entry, {key: "description", kind: $c715, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c597 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c716 = $made(Choice, {options: $c597});
+const $c696 = $made(Entry, {key: "surface", kind: $c716, required: false, alias: "", example: "", attribute: "surface", unless: ""});
+const $c584 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c717 = $made(Quantity, {dimension: "length", limit: $c584});
+const $c697 = $made(Entry, {key: "thickness", kind: $c717, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c587 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
+const $c718 = $made(Quantity, {dimension: "pressure", limit: $c587});
+const $c698 = $made(Entry, {key: "elastic_modulus", kind: $c718, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c585 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
+const $c720 = $made(Quantity, {dimension: "pressure", limit: $c585});
+const $c719 = $made(WordOr, {word: "rigid", kind: $c720, meaning: Infinity});
+const $c699 = $made(Entry, {key: "shear_modulus", kind: $c719, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
 const $c586 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c721 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c720 = $made(WordOr, {word: "rigid", kind: $c721, meaning: Infinity});
-const $c700 = $made(Entry, {key: "shear_modulus", kind: $c720, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c587 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c723 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c722 = $made(WordOr, {word: "rigid", kind: $c723, meaning: Infinity});
-const $c701 = $made(Entry, {key: "compression_modulus", kind: $c722, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c607 = ["square", "strip"];
-const $c731 = $made(Choice, {options: $c607});
-const $c726 = $made(Entry, {key: "shape", kind: $c731, required: false, alias: "", example: "", attribute: "shape", unless: ""});
-const $c733 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
-const $c732 = $made(Quantity, {dimension: "length", limit: $c733});
-const $c727 = $made(Entry, {key: "width", kind: $c732, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c735 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
-const $c734 = $made(Quantity, {dimension: "length", limit: $c735});
-const $c728 = $made(Entry, {key: "height", kind: $c734, required: false, alias: "", example: "", attribute: "height", unless: ""});
-const $c737 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c736 = $made(Quantity, {dimension: "number", limit: $c737});
-const $c729 = $made(Entry, {key: "stiffening", kind: $c736, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
-const $c739 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
-const $c738 = $made(Quantity, {dimension: "number", limit: $c739});
-const $c730 = $made(Entry, {key: "contact_fraction", kind: $c738, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
-const $c724 = [$c726, $c727, $c728, $c729, $c730];
-const $c725 = new Map([["shape", $c726], ["width", $c727], ["height", $c728], ["stiffening", $c729], ["contact_fraction", $c730]]);
-const $c49 = $made(Table, {of: Block, entries: $c724, _known: $c725});
-const $c702 = $made(Entry, {key: "block", kind: $c49, required: false, alias: "", example: "", attribute: "block", unless: ""});
-const $c589 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c740 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c703 = $made(Entry, {key: "wear_coefficient", kind: $c740, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c590 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c741 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c704 = $made(Entry, {key: "belt_energy_share", kind: $c741, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c722 = $made(Quantity, {dimension: "pressure", limit: $c586});
+const $c721 = $made(WordOr, {word: "rigid", kind: $c722, meaning: Infinity});
+const $c700 = $made(Entry, {key: "compression_modulus", kind: $c721, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c606 = ["square", "strip"];
+const $c730 = $made(Choice, {options: $c606});
+const $c725 = $made(Entry, {key: "shape", kind: $c730, required: false, alias: "", example: "", attribute: "shape", unless: ""});
+const $c732 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
+const $c731 = $made(Quantity, {dimension: "length", limit: $c732});
+const $c726 = $made(Entry, {key: "width", kind: $c731, required: true, alias: "", example: "", attribute: "width", unless: ""});
+const $c734 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
+const $c733 = $made(Quantity, {dimension: "length", limit: $c734});
+const $c727 = $made(Entry, {key: "height", kind: $c733, required: false, alias: "", example: "", attribute: "height", unless: ""});
+const $c736 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c735 = $made(Quantity, {dimension: "number", limit: $c736});
+const $c728 = $made(Entry, {key: "stiffening", kind: $c735, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
+const $c738 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
+const $c737 = $made(Quantity, {dimension: "number", limit: $c738});
+const $c729 = $made(Entry, {key: "contact_fraction", kind: $c737, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
+const $c723 = [$c725, $c726, $c727, $c728, $c729];
+const $c724 = new Map([["shape", $c725], ["width", $c726], ["height", $c727], ["stiffening", $c728], ["contact_fraction", $c729]]);
+const $c48 = $made(Table, {of: Block, entries: $c723, _known: $c724});
+const $c701 = $made(Entry, {key: "block", kind: $c48, required: false, alias: "", example: "", attribute: "block", unless: ""});
+const $c588 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c739 = $made(Quantity, {dimension: "wear_coefficient", limit: $c588});
+const $c702 = $made(Entry, {key: "wear_coefficient", kind: $c739, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c589 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c740 = $made(Quantity, {dimension: "number", limit: $c589});
+const $c703 = $made(Entry, {key: "belt_energy_share", kind: $c740, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c590 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c741 = $made(Quantity, {dimension: "pressure", limit: $c590});
+const $c704 = $made(Entry, {key: "bond_strength", kind: $c741, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
 const $c591 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
 const $c742 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c705 = $made(Entry, {key: "bond_strength", kind: $c742, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c592 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c743 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c706 = $made(Entry, {key: "fatigue_limit", kind: $c743, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c752 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c751 = $made(Quantity, {dimension: "number", limit: $c752});
-const $c746 = $made(Entry, {key: "material", kind: $c751, required: true, alias: "", example: "", attribute: "material", unless: ""});
-const $c754 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c753 = $made(Quantity, {dimension: "number", limit: $c754});
-const $c747 = $made(Entry, {key: "installation", kind: $c753, required: true, alias: "", example: "", attribute: "installation", unless: ""});
-const $c755 = $made(Name, {longest: 12});
-const $c748 = $made(Entry, {key: "currency", kind: $c755, required: true, alias: "", example: "", attribute: "currency", unless: ""});
-const $c757 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c756 = $made(Quantity, {dimension: "area", limit: $c757});
-const $c749 = $made(Entry, {key: "area", kind: $c756, required: true, alias: "", example: "", attribute: "area", unless: ""});
-const $c759 = $made(Quantity, {dimension: "number", limit: null});
-const $c758 = $made(Rows, {kind: $c759, least: 2, most: 2});
-const $c750 = $made(Entry, {key: "life_years", kind: $c758, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
-const $c744 = [$c746, $c747, $c748, $c749, $c750];
-const $c745 = new Map([["material", $c746], ["installation", $c747], ["currency", $c748], ["area", $c749], ["life_years", $c750]]);
-const $c46 = $made(Table, {of: Cost, entries: $c744, _known: $c745});
-const $c707 = $made(Entry, {key: "cost", kind: $c46, required: false, alias: "", example: "", attribute: "cost", unless: ""});
-const $c761 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c760 = $made(Quantity, {dimension: "speed", limit: $c761});
-const $c708 = $made(Entry, {key: "slip_speed", kind: $c760, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
-const $c763 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c762 = $made(Quantity, {dimension: "temperature", limit: $c763});
-const $c709 = $made(Entry, {key: "temperature", kind: $c762, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
-const $c770 = $made(Name, {longest: 60});
-const $c767 = $made(Entry, {key: "condition", kind: $c770, required: true, alias: "", example: "", attribute: "condition", unless: ""});
-const $c772 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c771 = $made(Quantity, {dimension: "number", limit: $c772});
-const $c768 = $made(Entry, {key: "factor", kind: $c771, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c769 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c765 = [$c767, $c768, $c769];
-const $c766 = new Map([["condition", $c767], ["factor", $c768], ["provenance", $c769]]);
-const $c50 = $made(Table, {of: ConditionFactor, entries: $c765, _known: $c766});
-const $c764 = $made(Rows, {kind: $c50, least: 0, most: 20});
-const $c710 = $made(Entry, {key: "condition_factor", kind: $c764, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
-const $c800 = ["integral-log"];
-const $c799 = $made(Choice, {options: $c800});
-const $c782 = $made(Entry, {key: "kind", kind: $c799, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c801 = $made(Name, {longest: 60});
-const $c783 = $made(Entry, {key: "condition", kind: $c801, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c784 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c785 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
-const $c814 = $made(Name, {longest: 120});
-const $c813 = $made(Rows, {kind: $c814, least: 1, most: 1000});
-const $c804 = $made(Entry, {key: "parameters", kind: $c813, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
-const $c815 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c805 = $made(Entry, {key: "values", kind: $c815, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c817 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c816 = $made(Rows, {kind: $c817, least: 1, most: 1000});
-const $c806 = $made(Entry, {key: "covariance", kind: $c816, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
-const $c819 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c818 = $made(Quantity, {dimension: "number", limit: $c819});
-const $c807 = $made(Entry, {key: "residual_noise", kind: $c818, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
-const $c821 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c820 = $made(Quantity, {dimension: "number", limit: $c821});
-const $c808 = $made(Entry, {key: "coverage_factor", kind: $c820, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
-const $c822 = $made(Text, {longest: 60, lines: false});
-const $c809 = $made(Entry, {key: "date", kind: $c822, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c823 = $made(Text, {longest: 500, lines: false});
-const $c810 = $made(Entry, {key: "method", kind: $c823, required: false, alias: "", example: "", attribute: "method", unless: ""});
-const $c825 = $made(Text, {longest: 2000, lines: true});
-const $c824 = $made(Rows, {kind: $c825, least: 0, most: 50});
-const $c811 = $made(Entry, {key: "misfit", kind: $c824, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
-const $c826 = $made(Text, {longest: 500, lines: false});
-const $c812 = $made(Entry, {key: "misfit_accepted", kind: $c826, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
-const $c802 = [$c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812];
-const $c803 = new Map([["parameters", $c804], ["values", $c805], ["covariance", $c806], ["residual_noise", $c807], ["coverage_factor", $c808], ["date", $c809], ["method", $c810], ["misfit", $c811], ["misfit_accepted", $c812]]);
-const $c57 = $made(Table, {of: Fit, entries: $c802, _known: $c803});
-const $c786 = $made(Entry, {key: "fit", kind: $c57, required: false, alias: "", example: "", attribute: "fit", unless: ""});
-const $c829 = ["lagging shear", "cover shear"];
-const $c828 = $made(Choice, {options: $c829});
-const $c827 = $made(Rows, {kind: $c828, least: 0, most: 2});
-const $c787 = $made(Entry, {key: "slip_includes", kind: $c827, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
-const $c836 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c835 = $made(Quantity, {dimension: "speed", limit: $c836});
-const $c834 = $made(Rows, {kind: $c835, least: 2, most: 100});
-const $c832 = $made(Entry, {key: "slip_speed", kind: $c834, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c837 = $made(Rows, {kind: $c771, least: 2, most: 100});
-const $c833 = $made(Entry, {key: "factor", kind: $c837, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c830 = [$c832, $c833, $c769];
-const $c831 = new Map([["slip_speed", $c832], ["factor", $c833], ["provenance", $c769]]);
-const $c55 = $made(Table, {of: FrictionFactor, entries: $c830, _known: $c831});
-const $c788 = $made(Entry, {key: "slip_speed_factor", kind: $c55, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
-const $c843 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c842 = $made(Quantity, {dimension: "temperature", limit: $c843});
-const $c841 = $made(Rows, {kind: $c842, least: 2, most: 100});
-const $c840 = $made(Entry, {key: "temperature", kind: $c841, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c838 = [$c840, $c833, $c769];
-const $c839 = new Map([["temperature", $c840], ["factor", $c833], ["provenance", $c769]]);
-const $c56 = $made(Table, {of: FrictionFactor, entries: $c838, _known: $c839});
-const $c789 = $made(Entry, {key: "temperature_factor", kind: $c56, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
-const $c790 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c846 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c845 = $made(Quantity, {dimension: "pressure", limit: $c846});
-const $c844 = $made(Rows, {kind: $c845, least: 2, most: 2});
-const $c791 = $made(Entry, {key: "tested_pressure", kind: $c844, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
-const $c848 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c847 = $made(Quantity, {dimension: "length", limit: $c848});
-const $c792 = $made(Entry, {key: "tested_slip", kind: $c847, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
-const $c850 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c849 = $made(Quantity, {dimension: "speed", limit: $c850});
-const $c793 = $made(Entry, {key: "tested_slip_speed", kind: $c849, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
-const $c855 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c861 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
-const $c860 = $made(Quantity, {dimension: "number", limit: $c861});
-const $c856 = $made(Entry, {key: "peak_friction", kind: $c860, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
-const $c857 = $made(Entry, {key: "peak_slip", kind: $c847, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
-const $c863 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
-const $c862 = $made(Quantity, {dimension: "per_length", limit: $c863});
-const $c858 = $made(Entry, {key: "post_peak_slope", kind: $c862, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c859 = $made(Entry, {key: "residual_friction", kind: $c860, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c853 = [$c855, $c856, $c857, $c858, $c859];
-const $c854 = new Map([["pressure", $c855], ["peak_friction", $c856], ["peak_slip", $c857], ["post_peak_slope", $c858], ["residual_friction", $c859]]);
-const $c852 = $made(Table, {of: null, entries: $c853, _known: $c854});
-const $c851 = $made(Rows, {kind: $c852, least: 1, most: 200});
-const $c794 = $made(Entry, {key: "knots", kind: $c851, required: false, alias: "", example: "", attribute: "knots", unless: ""});
-const $c868 = $made(Entry, {key: "from", kind: $c845, required: true, alias: "", example: "", attribute: "from", unless: ""});
-const $c869 = $made(Entry, {key: "to", kind: $c845, required: true, alias: "", example: "", attribute: "to", unless: ""});
-const $c874 = $made(Text, {longest: 300, lines: false});
-const $c870 = $made(Entry, {key: "A", kind: $c874, required: true, alias: "", example: "", attribute: "A", unless: ""});
-const $c871 = $made(Entry, {key: "b", kind: $c874, required: true, alias: "", example: "", attribute: "b", unless: ""});
-const $c872 = $made(Entry, {key: "post_peak_slope", kind: $c874, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c873 = $made(Entry, {key: "residual_friction", kind: $c874, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c866 = [$c868, $c869, $c870, $c871, $c872, $c873];
-const $c867 = new Map([["from", $c868], ["to", $c869], ["A", $c870], ["b", $c871], ["post_peak_slope", $c872], ["residual_friction", $c873]]);
-const $c865 = $made(Table, {of: null, entries: $c866, _known: $c867});
-const $c864 = $made(Rows, {kind: $c865, least: 1, most: 50});
-const $c795 = $made(Entry, {key: "pieces", kind: $c864, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
+const $c705 = $made(Entry, {key: "fatigue_limit", kind: $c742, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c751 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c750 = $made(Quantity, {dimension: "number", limit: $c751});
+const $c745 = $made(Entry, {key: "material", kind: $c750, required: true, alias: "", example: "", attribute: "material", unless: ""});
+const $c753 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c752 = $made(Quantity, {dimension: "number", limit: $c753});
+const $c746 = $made(Entry, {key: "installation", kind: $c752, required: true, alias: "", example: "", attribute: "installation", unless: ""});
+const $c754 = $made(Name, {longest: 12});
+const $c747 = $made(Entry, {key: "currency", kind: $c754, required: true, alias: "", example: "", attribute: "currency", unless: ""});
+const $c756 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c755 = $made(Quantity, {dimension: "area", limit: $c756});
+const $c748 = $made(Entry, {key: "area", kind: $c755, required: true, alias: "", example: "", attribute: "area", unless: ""});
+const $c758 = $made(Quantity, {dimension: "number", limit: null});
+const $c757 = $made(Rows, {kind: $c758, least: 2, most: 2});
+const $c749 = $made(Entry, {key: "life_years", kind: $c757, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
+const $c743 = [$c745, $c746, $c747, $c748, $c749];
+const $c744 = new Map([["material", $c745], ["installation", $c746], ["currency", $c747], ["area", $c748], ["life_years", $c749]]);
+const $c45 = $made(Table, {of: Cost, entries: $c743, _known: $c744});
+const $c706 = $made(Entry, {key: "cost", kind: $c45, required: false, alias: "", example: "", attribute: "cost", unless: ""});
+const $c760 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c759 = $made(Quantity, {dimension: "speed", limit: $c760});
+const $c707 = $made(Entry, {key: "slip_speed", kind: $c759, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
+const $c762 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c761 = $made(Quantity, {dimension: "temperature", limit: $c762});
+const $c708 = $made(Entry, {key: "temperature", kind: $c761, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
+const $c769 = $made(Name, {longest: 60});
+const $c766 = $made(Entry, {key: "condition", kind: $c769, required: true, alias: "", example: "", attribute: "condition", unless: ""});
+const $c771 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c770 = $made(Quantity, {dimension: "number", limit: $c771});
+const $c767 = $made(Entry, {key: "factor", kind: $c770, required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c768 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c764 = [$c766, $c767, $c768];
+const $c765 = new Map([["condition", $c766], ["factor", $c767], ["provenance", $c768]]);
+const $c49 = $made(Table, {of: ConditionFactor, entries: $c764, _known: $c765});
+const $c763 = $made(Rows, {kind: $c49, least: 0, most: 20});
+const $c709 = $made(Entry, {key: "condition_factor", kind: $c763, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
+const $c799 = ["integral-log"];
+const $c798 = $made(Choice, {options: $c799});
+const $c781 = $made(Entry, {key: "kind", kind: $c798, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c800 = $made(Name, {longest: 60});
+const $c782 = $made(Entry, {key: "condition", kind: $c800, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c783 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
+const $c784 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
+const $c813 = $made(Name, {longest: 120});
+const $c812 = $made(Rows, {kind: $c813, least: 1, most: 1000});
+const $c803 = $made(Entry, {key: "parameters", kind: $c812, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
+const $c814 = $made(Rows, {kind: $c758, least: 1, most: 1000});
+const $c804 = $made(Entry, {key: "values", kind: $c814, required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c816 = $made(Rows, {kind: $c758, least: 1, most: 1000});
+const $c815 = $made(Rows, {kind: $c816, least: 1, most: 1000});
+const $c805 = $made(Entry, {key: "covariance", kind: $c815, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
+const $c818 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c817 = $made(Quantity, {dimension: "number", limit: $c818});
+const $c806 = $made(Entry, {key: "residual_noise", kind: $c817, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
+const $c820 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c819 = $made(Quantity, {dimension: "number", limit: $c820});
+const $c807 = $made(Entry, {key: "coverage_factor", kind: $c819, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
+const $c821 = $made(Text, {longest: 60, lines: false});
+const $c808 = $made(Entry, {key: "date", kind: $c821, required: false, alias: "", example: "", attribute: "date", unless: ""});
+const $c822 = $made(Text, {longest: 500, lines: false});
+const $c809 = $made(Entry, {key: "method", kind: $c822, required: false, alias: "", example: "", attribute: "method", unless: ""});
+const $c824 = $made(Text, {longest: 2000, lines: true});
+const $c823 = $made(Rows, {kind: $c824, least: 0, most: 50});
+const $c810 = $made(Entry, {key: "misfit", kind: $c823, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
+const $c825 = $made(Text, {longest: 500, lines: false});
+const $c811 = $made(Entry, {key: "misfit_accepted", kind: $c825, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
+const $c801 = [$c803, $c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811];
+const $c802 = new Map([["parameters", $c803], ["values", $c804], ["covariance", $c805], ["residual_noise", $c806], ["coverage_factor", $c807], ["date", $c808], ["method", $c809], ["misfit", $c810], ["misfit_accepted", $c811]]);
+const $c56 = $made(Table, {of: Fit, entries: $c801, _known: $c802});
+const $c785 = $made(Entry, {key: "fit", kind: $c56, required: false, alias: "", example: "", attribute: "fit", unless: ""});
+const $c828 = ["lagging shear", "cover shear"];
+const $c827 = $made(Choice, {options: $c828});
+const $c826 = $made(Rows, {kind: $c827, least: 0, most: 2});
+const $c786 = $made(Entry, {key: "slip_includes", kind: $c826, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
+const $c835 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c834 = $made(Quantity, {dimension: "speed", limit: $c835});
+const $c833 = $made(Rows, {kind: $c834, least: 2, most: 100});
+const $c831 = $made(Entry, {key: "slip_speed", kind: $c833, required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c836 = $made(Rows, {kind: $c770, least: 2, most: 100});
+const $c832 = $made(Entry, {key: "factor", kind: $c836, required: true, alias: "", example: "", attribute: "factor", unless: ""});
+const $c829 = [$c831, $c832, $c768];
+const $c830 = new Map([["slip_speed", $c831], ["factor", $c832], ["provenance", $c768]]);
+const $c54 = $made(Table, {of: FrictionFactor, entries: $c829, _known: $c830});
+const $c787 = $made(Entry, {key: "slip_speed_factor", kind: $c54, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
+const $c842 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c841 = $made(Quantity, {dimension: "temperature", limit: $c842});
+const $c840 = $made(Rows, {kind: $c841, least: 2, most: 100});
+const $c839 = $made(Entry, {key: "temperature", kind: $c840, required: true, alias: "", example: "", attribute: "at", unless: ""});
+const $c837 = [$c839, $c832, $c768];
+const $c838 = new Map([["temperature", $c839], ["factor", $c832], ["provenance", $c768]]);
+const $c55 = $made(Table, {of: FrictionFactor, entries: $c837, _known: $c838});
+const $c788 = $made(Entry, {key: "temperature_factor", kind: $c55, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
+const $c789 = $made(Entry, {key: "notes", kind: $c823, required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c845 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c844 = $made(Quantity, {dimension: "pressure", limit: $c845});
+const $c843 = $made(Rows, {kind: $c844, least: 2, most: 2});
+const $c790 = $made(Entry, {key: "tested_pressure", kind: $c843, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
+const $c847 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c846 = $made(Quantity, {dimension: "length", limit: $c847});
+const $c791 = $made(Entry, {key: "tested_slip", kind: $c846, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
+const $c849 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c848 = $made(Quantity, {dimension: "speed", limit: $c849});
+const $c792 = $made(Entry, {key: "tested_slip_speed", kind: $c848, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
+const $c854 = $made(Entry, {key: "pressure", kind: $c844, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c860 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
+const $c859 = $made(Quantity, {dimension: "number", limit: $c860});
+const $c855 = $made(Entry, {key: "peak_friction", kind: $c859, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
+const $c856 = $made(Entry, {key: "peak_slip", kind: $c846, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
+const $c862 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
+const $c861 = $made(Quantity, {dimension: "per_length", limit: $c862});
+const $c857 = $made(Entry, {key: "post_peak_slope", kind: $c861, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c858 = $made(Entry, {key: "residual_friction", kind: $c859, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c852 = [$c854, $c855, $c856, $c857, $c858];
+const $c853 = new Map([["pressure", $c854], ["peak_friction", $c855], ["peak_slip", $c856], ["post_peak_slope", $c857], ["residual_friction", $c858]]);
+const $c851 = $made(Table, {of: null, entries: $c852, _known: $c853});
+const $c850 = $made(Rows, {kind: $c851, least: 1, most: 200});
+const $c793 = $made(Entry, {key: "knots", kind: $c850, required: false, alias: "", example: "", attribute: "knots", unless: ""});
+const $c867 = $made(Entry, {key: "from", kind: $c844, required: true, alias: "", example: "", attribute: "from", unless: ""});
+const $c868 = $made(Entry, {key: "to", kind: $c844, required: true, alias: "", example: "", attribute: "to", unless: ""});
+const $c873 = $made(Text, {longest: 300, lines: false});
+const $c869 = $made(Entry, {key: "A", kind: $c873, required: true, alias: "", example: "", attribute: "A", unless: ""});
+const $c870 = $made(Entry, {key: "b", kind: $c873, required: true, alias: "", example: "", attribute: "b", unless: ""});
+const $c871 = $made(Entry, {key: "post_peak_slope", kind: $c873, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
+const $c872 = $made(Entry, {key: "residual_friction", kind: $c873, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
+const $c865 = [$c867, $c868, $c869, $c870, $c871, $c872];
+const $c866 = new Map([["from", $c867], ["to", $c868], ["A", $c869], ["b", $c870], ["post_peak_slope", $c871], ["residual_friction", $c872]]);
+const $c864 = $made(Table, {of: null, entries: $c865, _known: $c866});
+const $c863 = $made(Rows, {kind: $c864, least: 1, most: 50});
+const $c794 = $made(Entry, {key: "pieces", kind: $c863, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
+const $c874 = $made(Text, {longest: 20, lines: false});
+const $c795 = $made(Entry, {key: "slip_unit", kind: $c874, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
 const $c875 = $made(Text, {longest: 20, lines: false});
-const $c796 = $made(Entry, {key: "slip_unit", kind: $c875, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
-const $c876 = $made(Text, {longest: 20, lines: false});
-const $c797 = $made(Entry, {key: "pressure_unit", kind: $c876, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
-const $c878 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c877 = $made(Quantity, {dimension: "number", limit: $c878});
-const $c798 = $made(Entry, {key: "continuity", kind: $c877, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
-const $c780 = [$c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c796, $c797, $c798];
-const $c781 = new Map([["kind", $c782], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["knots", $c794], ["pieces", $c795], ["slip_unit", $c796], ["pressure_unit", $c797], ["continuity", $c798]]);
-const $c775 = $made(Table, {of: IntegralLog, entries: $c780, _known: $c781});
-const $c884 = ["constant"];
-const $c883 = $made(Choice, {options: $c884});
-const $c881 = $made(Entry, {key: "kind", kind: $c883, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c882 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c879 = [$c881, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c882];
-const $c880 = new Map([["kind", $c881], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c882]]);
-const $c776 = $made(Table, {of: Constant, entries: $c879, _known: $c880});
-const $c890 = ["elastic-plastic"];
-const $c889 = $made(Choice, {options: $c890});
-const $c887 = $made(Entry, {key: "kind", kind: $c889, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c892 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
-const $c891 = $made(Quantity, {dimension: "pressure_per_length", limit: $c892});
-const $c888 = $made(Entry, {key: "stiffness", kind: $c891, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
-const $c885 = [$c887, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c888, $c882];
-const $c886 = new Map([["kind", $c887], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["stiffness", $c888], ["friction", $c882]]);
-const $c777 = $made(Table, {of: ElasticPlastic, entries: $c885, _known: $c886});
-const $c900 = ["power"];
-const $c899 = $made(Choice, {options: $c900});
-const $c895 = $made(Entry, {key: "kind", kind: $c899, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c896 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c897 = $made(Entry, {key: "reference_pressure", kind: $c845, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
-const $c898 = $made(Entry, {key: "exponent", kind: $c759, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
-const $c893 = [$c895, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c896, $c897, $c898];
-const $c894 = new Map([["kind", $c895], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c896], ["reference_pressure", $c897], ["exponent", $c898]]);
-const $c778 = $made(Table, {of: PressurePower, entries: $c893, _known: $c894});
-const $c907 = ["table"];
-const $c906 = $made(Choice, {options: $c907});
-const $c903 = $made(Entry, {key: "kind", kind: $c906, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c910 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c909 = $made(Quantity, {dimension: "length", limit: $c910});
-const $c908 = $made(Rows, {kind: $c909, least: 2, most: 1000});
-const $c904 = $made(Entry, {key: "slip", kind: $c908, required: true, alias: "", example: "", attribute: "slip", unless: ""});
-const $c915 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c919 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
-const $c918 = $made(Quantity, {dimension: "number", limit: $c919});
-const $c917 = $made(Rows, {kind: $c918, least: 2, most: 1000});
-const $c916 = $made(Entry, {key: "friction", kind: $c917, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c913 = [$c915, $c916];
-const $c914 = new Map([["pressure", $c915], ["friction", $c916]]);
-const $c912 = $made(Table, {of: null, entries: $c913, _known: $c914});
-const $c911 = $made(Rows, {kind: $c912, least: 1, most: 200});
-const $c905 = $made(Entry, {key: "rows", kind: $c911, required: true, alias: "", example: "", attribute: "rows", unless: ""});
-const $c901 = [$c903, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c904, $c905];
-const $c902 = new Map([["kind", $c903], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["slip", $c904], ["rows", $c905]]);
-const $c779 = $made(Table, {of: MeasuredTable, entries: $c901, _known: $c902});
-const $c774 = new Map([["integral-log", $c775], ["constant", $c776], ["elastic-plastic", $c777], ["power", $c778], ["table", $c779]]);
-const $c53 = $made(Variant, {tag: "kind", tables: $c774});
-const $c773 = $made(OneOrMore, {kind: $c53, most: 50});
-const $c711 = $made(Entry, {key: "law", kind: $c773, required: false, alias: "", example: "", attribute: "law", unless: ""});
-const $c712 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c691 = [$c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c692 = new Map([["preset", $c693], ["name", $c694], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c698], ["elastic_modulus", $c699], ["shear_modulus", $c700], ["compression_modulus", $c701], ["block", $c702], ["wear_coefficient", $c703], ["belt_energy_share", $c704], ["bond_strength", $c705], ["fatigue_limit", $c706], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c690 = $made(Table, {of: Lagging, entries: $c691, _known: $c692});
-const $c159 = $made(TextOr, {text: $c689, table: $c690});
-const $c141 = $made(Entry, {key: "lagging", kind: $c159, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
-const $c142 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c581 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c161 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c143 = $made(Entry, {key: "entry_tension", kind: $c161, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c144 = $made(Entry, {key: "exit_tension", kind: $c161, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c162 = $made(Quantity, {dimension: "force", limit: null});
-const $c145 = $made(Entry, {key: "effective_tension", kind: $c162, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c163 = $made(Quantity, {dimension: "torque", limit: null});
-const $c146 = $made(Entry, {key: "torque", kind: $c163, required: false, alias: "", example: "", attribute: "torque", unless: ""});
-const $c164 = $made(Quantity, {dimension: "power", limit: null});
-const $c147 = $made(Entry, {key: "power", kind: $c164, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c920 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
-const $c166 = $made(Quantity, {dimension: "length", limit: $c920});
-const $c165 = $made(WordOr, {word: "formula", kind: $c166, meaning: null});
-const $c148 = $made(Entry, {key: "overrun", kind: $c165, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
-const $c167 = $made(Flag, {});
-const $c149 = $made(Entry, {key: "recovery", kind: $c167, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
-const $c921 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c168 = $made(Quantity, {dimension: "length", limit: $c921});
-const $c150 = $made(Entry, {key: "creep_limit", kind: $c168, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c604 = ["pulley", "carry"];
-const $c169 = $made(Choice, {options: $c604});
-const $c151 = $made(Entry, {key: "side", kind: $c169, required: false, alias: "", example: "", attribute: "side", unless: ""});
-const $c922 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c170 = $made(Quantity, {dimension: "mass", limit: $c922});
-const $c152 = $made(Entry, {key: "mass", kind: $c170, required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c796 = $made(Entry, {key: "pressure_unit", kind: $c875, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
+const $c877 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c876 = $made(Quantity, {dimension: "number", limit: $c877});
+const $c797 = $made(Entry, {key: "continuity", kind: $c876, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
+const $c779 = [$c781, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c796, $c797];
+const $c780 = new Map([["kind", $c781], ["condition", $c782], ["provenance", $c783], ["condition_source", $c784], ["fit", $c785], ["slip_includes", $c786], ["slip_speed_factor", $c787], ["temperature_factor", $c788], ["notes", $c789], ["tested_pressure", $c790], ["tested_slip", $c791], ["tested_slip_speed", $c792], ["knots", $c793], ["pieces", $c794], ["slip_unit", $c795], ["pressure_unit", $c796], ["continuity", $c797]]);
+const $c774 = $made(Table, {of: IntegralLog, entries: $c779, _known: $c780});
+const $c883 = ["constant"];
+const $c882 = $made(Choice, {options: $c883});
+const $c880 = $made(Entry, {key: "kind", kind: $c882, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c881 = $made(Entry, {key: "friction", kind: $c859, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c878 = [$c880, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c881];
+const $c879 = new Map([["kind", $c880], ["condition", $c782], ["provenance", $c783], ["condition_source", $c784], ["fit", $c785], ["slip_includes", $c786], ["slip_speed_factor", $c787], ["temperature_factor", $c788], ["notes", $c789], ["tested_pressure", $c790], ["tested_slip", $c791], ["tested_slip_speed", $c792], ["friction", $c881]]);
+const $c775 = $made(Table, {of: Constant, entries: $c878, _known: $c879});
+const $c889 = ["elastic-plastic"];
+const $c888 = $made(Choice, {options: $c889});
+const $c886 = $made(Entry, {key: "kind", kind: $c888, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c891 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
+const $c890 = $made(Quantity, {dimension: "pressure_per_length", limit: $c891});
+const $c887 = $made(Entry, {key: "stiffness", kind: $c890, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
+const $c884 = [$c886, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c887, $c881];
+const $c885 = new Map([["kind", $c886], ["condition", $c782], ["provenance", $c783], ["condition_source", $c784], ["fit", $c785], ["slip_includes", $c786], ["slip_speed_factor", $c787], ["temperature_factor", $c788], ["notes", $c789], ["tested_pressure", $c790], ["tested_slip", $c791], ["tested_slip_speed", $c792], ["stiffness", $c887], ["friction", $c881]]);
+const $c776 = $made(Table, {of: ElasticPlastic, entries: $c884, _known: $c885});
+const $c899 = ["power"];
+const $c898 = $made(Choice, {options: $c899});
+const $c894 = $made(Entry, {key: "kind", kind: $c898, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c895 = $made(Entry, {key: "friction", kind: $c859, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
+const $c896 = $made(Entry, {key: "reference_pressure", kind: $c844, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
+const $c897 = $made(Entry, {key: "exponent", kind: $c758, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
+const $c892 = [$c894, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c895, $c896, $c897];
+const $c893 = new Map([["kind", $c894], ["condition", $c782], ["provenance", $c783], ["condition_source", $c784], ["fit", $c785], ["slip_includes", $c786], ["slip_speed_factor", $c787], ["temperature_factor", $c788], ["notes", $c789], ["tested_pressure", $c790], ["tested_slip", $c791], ["tested_slip_speed", $c792], ["friction", $c895], ["reference_pressure", $c896], ["exponent", $c897]]);
+const $c777 = $made(Table, {of: PressurePower, entries: $c892, _known: $c893});
+const $c906 = ["table"];
+const $c905 = $made(Choice, {options: $c906});
+const $c902 = $made(Entry, {key: "kind", kind: $c905, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c909 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c908 = $made(Quantity, {dimension: "length", limit: $c909});
+const $c907 = $made(Rows, {kind: $c908, least: 2, most: 1000});
+const $c903 = $made(Entry, {key: "slip", kind: $c907, required: true, alias: "", example: "", attribute: "slip", unless: ""});
+const $c914 = $made(Entry, {key: "pressure", kind: $c844, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
+const $c918 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
+const $c917 = $made(Quantity, {dimension: "number", limit: $c918});
+const $c916 = $made(Rows, {kind: $c917, least: 2, most: 1000});
+const $c915 = $made(Entry, {key: "friction", kind: $c916, required: true, alias: "", example: "", attribute: "values", unless: ""});
+const $c912 = [$c914, $c915];
+const $c913 = new Map([["pressure", $c914], ["friction", $c915]]);
+const $c911 = $made(Table, {of: null, entries: $c912, _known: $c913});
+const $c910 = $made(Rows, {kind: $c911, least: 1, most: 200});
+const $c904 = $made(Entry, {key: "rows", kind: $c910, required: true, alias: "", example: "", attribute: "rows", unless: ""});
+const $c900 = [$c902, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c903, $c904];
+const $c901 = new Map([["kind", $c902], ["condition", $c782], ["provenance", $c783], ["condition_source", $c784], ["fit", $c785], ["slip_includes", $c786], ["slip_speed_factor", $c787], ["temperature_factor", $c788], ["notes", $c789], ["slip", $c903], ["rows", $c904]]);
+const $c778 = $made(Table, {of: MeasuredTable, entries: $c900, _known: $c901});
+const $c773 = new Map([["integral-log", $c774], ["constant", $c775], ["elastic-plastic", $c776], ["power", $c777], ["table", $c778]]);
+const $c52 = $made(Variant, {tag: "kind", tables: $c773});
+const $c772 = $made(OneOrMore, {kind: $c52, most: 50});
+const $c710 = $made(Entry, {key: "law", kind: $c772, required: false, alias: "", example: "", attribute: "law", unless: ""});
+const $c711 = $made(Entry, {key: "notes", kind: $c823, required: false, alias: "", example: "", attribute: "notes", unless: ""});
+const $c690 = [$c692, $c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c98, $c99, $c711];
+const $c691 = new Map([["preset", $c692], ["name", $c693], ["title", $c694], ["description", $c695], ["surface", $c696], ["thickness", $c697], ["elastic_modulus", $c698], ["shear_modulus", $c699], ["compression_modulus", $c700], ["block", $c701], ["wear_coefficient", $c702], ["belt_energy_share", $c703], ["bond_strength", $c704], ["fatigue_limit", $c705], ["cost", $c706], ["slip_speed", $c707], ["temperature", $c708], ["condition_factor", $c709], ["law", $c710], ["provenance", $c98], ["sources", $c99], ["notes", $c711]]);
+const $c689 = $made(Table, {of: Lagging, entries: $c690, _known: $c691});
+const $c158 = $made(TextOr, {text: $c688, table: $c689});
+const $c140 = $made(Entry, {key: "lagging", kind: $c158, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
+const $c141 = $made(Entry, {key: "condition", kind: $c159, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c580 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c160 = $made(Quantity, {dimension: "force", limit: $c580});
+const $c142 = $made(Entry, {key: "entry_tension", kind: $c160, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c143 = $made(Entry, {key: "exit_tension", kind: $c160, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c161 = $made(Quantity, {dimension: "force", limit: null});
+const $c144 = $made(Entry, {key: "effective_tension", kind: $c161, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c162 = $made(Quantity, {dimension: "torque", limit: null});
+const $c145 = $made(Entry, {key: "torque", kind: $c162, required: false, alias: "", example: "", attribute: "torque", unless: ""});
+const $c163 = $made(Quantity, {dimension: "power", limit: null});
+const $c146 = $made(Entry, {key: "power", kind: $c163, required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c919 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
+const $c165 = $made(Quantity, {dimension: "length", limit: $c919});
+const $c164 = $made(WordOr, {word: "formula", kind: $c165, meaning: null});
+const $c147 = $made(Entry, {key: "overrun", kind: $c164, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
+const $c166 = $made(Flag, {});
+const $c148 = $made(Entry, {key: "recovery", kind: $c166, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
+const $c920 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
+const $c167 = $made(Quantity, {dimension: "length", limit: $c920});
+const $c149 = $made(Entry, {key: "creep_limit", kind: $c167, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
+const $c603 = ["pulley", "carry"];
+const $c168 = $made(Choice, {options: $c603});
+const $c150 = $made(Entry, {key: "side", kind: $c168, required: false, alias: "", example: "", attribute: "side", unless: ""});
+const $c921 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
+const $c169 = $made(Quantity, {dimension: "mass", limit: $c921});
+const $c151 = $made(Entry, {key: "mass", kind: $c169, required: false, alias: "", example: "", attribute: "mass", unless: ""});
+const $c1356 = $made(Quantity, {dimension: "length", limit: null});
 const $c1357 = $made(Quantity, {dimension: "length", limit: null});
-const $c1358 = $made(Quantity, {dimension: "length", limit: null});
-const $c1356 = [$c1357, $c1358];
-const $c1283 = $made(_Pair, {kinds: $c1356});
-const $c1281 = $made(Rows, {kind: $c1283, least: 0, most: 500});
-const $c1287 = $made(Entry, {key: "rows", kind: $c1281, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1292 = $made(Quantity, {dimension: "length", limit: null});
-const $c1288 = $made(Entry, {key: "crown", kind: $c1292, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1294 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1293 = $made(Quantity, {dimension: "number", limit: $c1294});
-const $c1289 = $made(Entry, {key: "factor", kind: $c1293, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1296 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1295 = $made(Quantity, {dimension: "length", limit: $c1296});
-const $c1290 = $made(Entry, {key: "uncertainty", kind: $c1295, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1298 = ["radius", "diameter"];
-const $c1297 = $made(Choice, {options: $c1298});
-const $c1291 = $made(Entry, {key: "on", kind: $c1297, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1285 = [$c1287, $c1288, $c1289, $c1290, $c1291];
-const $c1286 = new Map([["rows", $c1287], ["crown", $c1288], ["factor", $c1289], ["uncertainty", $c1290], ["on", $c1291]]);
-const $c1284 = $made(Table, {of: null, entries: $c1285, _known: $c1286});
-const $c1282 = $made(TextOr, {text: $c1281, table: $c1284});
-const $c934 = $made(Profile, {dimension: "length", diameters: true, rows: $c1281, within: $c1282});
-const $c925 = $made(Entry, {key: "shell_profile", kind: $c934, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
+const $c1355 = [$c1356, $c1357];
+const $c1282 = $made(_Pair, {kinds: $c1355});
+const $c1280 = $made(Rows, {kind: $c1282, least: 0, most: 500});
+const $c1286 = $made(Entry, {key: "rows", kind: $c1280, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1291 = $made(Quantity, {dimension: "length", limit: null});
+const $c1287 = $made(Entry, {key: "crown", kind: $c1291, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1293 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1292 = $made(Quantity, {dimension: "number", limit: $c1293});
+const $c1288 = $made(Entry, {key: "factor", kind: $c1292, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1295 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1294 = $made(Quantity, {dimension: "length", limit: $c1295});
+const $c1289 = $made(Entry, {key: "uncertainty", kind: $c1294, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1297 = ["radius", "diameter"];
+const $c1296 = $made(Choice, {options: $c1297});
+const $c1290 = $made(Entry, {key: "on", kind: $c1296, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1284 = [$c1286, $c1287, $c1288, $c1289, $c1290];
+const $c1285 = new Map([["rows", $c1286], ["crown", $c1287], ["factor", $c1288], ["uncertainty", $c1289], ["on", $c1290]]);
+const $c1283 = $made(Table, {of: null, entries: $c1284, _known: $c1285});
+const $c1281 = $made(TextOr, {text: $c1280, table: $c1283});
+const $c933 = $made(Profile, {dimension: "length", diameters: true, rows: $c1280, within: $c1281});
+const $c924 = $made(Entry, {key: "shell_profile", kind: $c933, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
+const $c1359 = $made(Quantity, {dimension: "length", limit: null});
 const $c1360 = $made(Quantity, {dimension: "length", limit: null});
-const $c1361 = $made(Quantity, {dimension: "length", limit: null});
-const $c1359 = [$c1360, $c1361];
-const $c1301 = $made(_Pair, {kinds: $c1359});
-const $c1299 = $made(Rows, {kind: $c1301, least: 0, most: 500});
-const $c1305 = $made(Entry, {key: "rows", kind: $c1299, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1310 = $made(Quantity, {dimension: "length", limit: null});
-const $c1306 = $made(Entry, {key: "crown", kind: $c1310, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1312 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1311 = $made(Quantity, {dimension: "number", limit: $c1312});
-const $c1307 = $made(Entry, {key: "factor", kind: $c1311, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1314 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1313 = $made(Quantity, {dimension: "length", limit: $c1314});
-const $c1308 = $made(Entry, {key: "uncertainty", kind: $c1313, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1315 = $made(Choice, {options: $c1298});
-const $c1309 = $made(Entry, {key: "on", kind: $c1315, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1303 = [$c1305, $c1306, $c1307, $c1308, $c1309];
-const $c1304 = new Map([["rows", $c1305], ["crown", $c1306], ["factor", $c1307], ["uncertainty", $c1308], ["on", $c1309]]);
-const $c1302 = $made(Table, {of: null, entries: $c1303, _known: $c1304});
-const $c1300 = $made(TextOr, {text: $c1299, table: $c1302});
-const $c935 = $made(Profile, {dimension: "length", diameters: true, rows: $c1299, within: $c1300});
-const $c926 = $made(Entry, {key: "worn_depth", kind: $c935, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
+const $c1358 = [$c1359, $c1360];
+const $c1300 = $made(_Pair, {kinds: $c1358});
+const $c1298 = $made(Rows, {kind: $c1300, least: 0, most: 500});
+const $c1304 = $made(Entry, {key: "rows", kind: $c1298, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1309 = $made(Quantity, {dimension: "length", limit: null});
+const $c1305 = $made(Entry, {key: "crown", kind: $c1309, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1311 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1310 = $made(Quantity, {dimension: "number", limit: $c1311});
+const $c1306 = $made(Entry, {key: "factor", kind: $c1310, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1313 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1312 = $made(Quantity, {dimension: "length", limit: $c1313});
+const $c1307 = $made(Entry, {key: "uncertainty", kind: $c1312, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1314 = $made(Choice, {options: $c1297});
+const $c1308 = $made(Entry, {key: "on", kind: $c1314, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1302 = [$c1304, $c1305, $c1306, $c1307, $c1308];
+const $c1303 = new Map([["rows", $c1304], ["crown", $c1305], ["factor", $c1306], ["uncertainty", $c1307], ["on", $c1308]]);
+const $c1301 = $made(Table, {of: null, entries: $c1302, _known: $c1303});
+const $c1299 = $made(TextOr, {text: $c1298, table: $c1301});
+const $c934 = $made(Profile, {dimension: "length", diameters: true, rows: $c1298, within: $c1299});
+const $c925 = $made(Entry, {key: "worn_depth", kind: $c934, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
+const $c1362 = $made(Quantity, {dimension: "length", limit: null});
 const $c1363 = $made(Quantity, {dimension: "length", limit: null});
-const $c1364 = $made(Quantity, {dimension: "length", limit: null});
-const $c1362 = [$c1363, $c1364];
-const $c1318 = $made(_Pair, {kinds: $c1362});
-const $c1316 = $made(Rows, {kind: $c1318, least: 0, most: 500});
-const $c1322 = $made(Entry, {key: "rows", kind: $c1316, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1327 = $made(Quantity, {dimension: "length", limit: null});
-const $c1323 = $made(Entry, {key: "crown", kind: $c1327, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1329 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1328 = $made(Quantity, {dimension: "number", limit: $c1329});
-const $c1324 = $made(Entry, {key: "factor", kind: $c1328, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1331 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1330 = $made(Quantity, {dimension: "length", limit: $c1331});
-const $c1325 = $made(Entry, {key: "uncertainty", kind: $c1330, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1332 = $made(Choice, {options: $c1298});
-const $c1326 = $made(Entry, {key: "on", kind: $c1332, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1320 = [$c1322, $c1323, $c1324, $c1325, $c1326];
-const $c1321 = new Map([["rows", $c1322], ["crown", $c1323], ["factor", $c1324], ["uncertainty", $c1325], ["on", $c1326]]);
-const $c1319 = $made(Table, {of: null, entries: $c1320, _known: $c1321});
-const $c1317 = $made(TextOr, {text: $c1316, table: $c1319});
-const $c936 = $made(Profile, {dimension: "length", diameters: true, rows: $c1316, within: $c1317});
-const $c927 = $made(Entry, {key: "build_up", kind: $c936, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
-const $c938 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c937 = $made(Quantity, {dimension: "number", limit: $c938});
-const $c928 = $made(Entry, {key: "misalignment", kind: $c937, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
-const $c940 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c939 = $made(Quantity, {dimension: "length", limit: $c940});
-const $c929 = $made(Entry, {key: "deflection", kind: $c939, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
-const $c1366 = $made(Quantity, {dimension: "length", limit: null});
-const $c1367 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1365 = [$c1366, $c1367];
-const $c1335 = $made(_Pair, {kinds: $c1365});
-const $c1333 = $made(Rows, {kind: $c1335, least: 0, most: 500});
-const $c1339 = $made(Entry, {key: "rows", kind: $c1333, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1343 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1340 = $made(Entry, {key: "crown", kind: $c1343, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1345 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1344 = $made(Quantity, {dimension: "number", limit: $c1345});
-const $c1341 = $made(Entry, {key: "factor", kind: $c1344, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1347 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1346 = $made(Quantity, {dimension: "force_per_width", limit: $c1347});
-const $c1342 = $made(Entry, {key: "uncertainty", kind: $c1346, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1337 = [$c1339, $c1340, $c1341, $c1342];
-const $c1338 = new Map([["rows", $c1339], ["crown", $c1340], ["factor", $c1341], ["uncertainty", $c1342]]);
-const $c1336 = $made(Table, {of: null, entries: $c1337, _known: $c1338});
-const $c1334 = $made(TextOr, {text: $c1333, table: $c1336});
-const $c941 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1333, within: $c1334});
-const $c930 = $made(Entry, {key: "entry_profile", kind: $c941, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
-const $c951 = ["pulley"];
-const $c950 = $made(Choice, {options: $c951});
-const $c948 = $made(Entry, {key: "kind", kind: $c950, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c953 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c952 = $made(Quantity, {dimension: "length", limit: $c953});
-const $c949 = $made(Entry, {key: "distance", kind: $c952, required: true, alias: "", example: "", attribute: "distance", unless: ""});
-const $c946 = [$c948, $c949];
-const $c947 = new Map([["kind", $c948], ["distance", $c949]]);
-const $c944 = $made(Table, {of: GrippingPulley, entries: $c946, _known: $c947});
-const $c962 = ["transition"];
-const $c961 = $made(Choice, {options: $c962});
-const $c956 = $made(Entry, {key: "kind", kind: $c961, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c964 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c963 = $made(Quantity, {dimension: "length", limit: $c964});
-const $c957 = $made(Entry, {key: "length", kind: $c963, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
-const $c966 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
-const $c965 = $made(Quantity, {dimension: "angle", limit: $c966});
-const $c958 = $made(Entry, {key: "trough_angle", kind: $c965, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
-const $c968 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c967 = $made(Quantity, {dimension: "length", limit: $c968});
-const $c959 = $made(Entry, {key: "centre_roll", kind: $c967, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
-const $c970 = ["full", "half"];
-const $c969 = $made(Choice, {options: $c970});
-const $c960 = $made(Entry, {key: "depth", kind: $c969, required: false, alias: "", example: "", attribute: "depth", unless: ""});
-const $c954 = [$c956, $c957, $c958, $c959, $c960];
-const $c955 = new Map([["kind", $c956], ["length", $c957], ["trough_angle", $c958], ["centre_roll", $c959], ["depth", $c960]]);
-const $c945 = $made(Table, {of: Transition, entries: $c954, _known: $c955});
-const $c943 = new Map([["pulley", $c944], ["transition", $c945]]);
-const $c29 = $made(Variant, {tag: "kind", tables: $c943});
-const $c942 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
-const $c931 = $made(Entry, {key: "before", kind: $c942, required: false, alias: "", example: "", attribute: "before", unless: ""});
-const $c978 = ["pulley"];
-const $c977 = $made(Choice, {options: $c978});
-const $c976 = $made(Entry, {key: "kind", kind: $c977, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c974 = [$c976, $c949];
-const $c975 = new Map([["kind", $c976], ["distance", $c949]]);
-const $c973 = $made(Table, {of: GrippingPulley, entries: $c974, _known: $c975});
-const $c972 = new Map([["pulley", $c973]]);
-const $c30 = $made(Variant, {tag: "kind", tables: $c972});
-const $c971 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
-const $c932 = $made(Entry, {key: "after", kind: $c971, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c979 = $made(Count, {least: 4, most: 128});
-const $c933 = $made(Entry, {key: "strips", kind: $c979, required: false, alias: "", example: "", attribute: "strips", unless: ""});
-const $c923 = [$c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932, $c933];
-const $c924 = new Map([["shell_profile", $c925], ["worn_depth", $c926], ["build_up", $c927], ["misalignment", $c928], ["deflection", $c929], ["entry_profile", $c930], ["before", $c931], ["after", $c932], ["strips", $c933]]);
-const $c31 = $made(Table, {of: Across, entries: $c923, _known: $c924});
-const $c153 = $made(Entry, {key: "across", kind: $c31, required: false, alias: "", example: "", attribute: "across", unless: ""});
-const $c171 = $made(ByName, {kind: $c2, most: 200});
-const $c154 = $made(Entry, {key: "sources", kind: $c171, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c9 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
-const $c666 = new Map([["name", $c137], ["diameter", $c138], ["wrap_angle", $c139], ["belt_path", $c140], ["lagging", $c141], ["condition", $c142], ["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147], ["overrun", $c148], ["recovery", $c149], ["creep_limit", $c150], ["side", $c151], ["mass", $c152], ["across", $c153], ["sources", $c154]]);
-const $c32 = $made(Table, {of: Pulley, entries: $c9, _known: $c666});
-const $c665 = $made(Rows, {kind: $c32, least: 1, most: 10});
-const $c629 = $made(Entry, {key: "pulley", kind: $c665, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
-const $c980 = $made(ByName, {kind: $c690, most: 200});
-const $c630 = $made(Entry, {key: "lagging", kind: $c980, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
-const $c991 = $made(Name, {longest: 60});
-const $c985 = $made(Entry, {key: "name", kind: $c991, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
-const $c992 = $made(Text, {longest: 1000, lines: true});
-const $c986 = $made(Entry, {key: "description", kind: $c992, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c63 = ["running", "starting", "braking"];
-const $c993 = $made(Choice, {options: $c63});
-const $c987 = $made(Entry, {key: "kind", kind: $c993, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c988 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c996 = [$c143, $c144, $c145, $c146, $c147];
-const $c997 = new Map([["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147]]);
-const $c995 = $made(Table, {of: null, entries: $c996, _known: $c997});
-const $c994 = $made(ByName, {kind: $c995, most: 200});
-const $c989 = $made(Entry, {key: "pulley", kind: $c994, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
-const $c998 = $made(Elsewhere, {});
-const $c990 = $made(Entry, {key: "train", kind: $c998, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c983 = [$c985, $c986, $c987, $c988, $c989, $c990];
-const $c984 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c990]]);
-const $c982 = $made(Table, {of: null, entries: $c983, _known: $c984});
-const $c981 = $made(Rows, {kind: $c982, least: 1, most: 1000});
-const $c631 = $made(Entry, {key: "load_case", kind: $c981, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1021 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1020 = $made(Quantity, {dimension: "length", limit: $c1021});
-const $c1001 = $made(Entry, {key: "length", kind: $c1020, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
-const $c1023 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
-const $c1022 = $made(Quantity, {dimension: "length", limit: $c1023});
-const $c1002 = $made(Entry, {key: "lift", kind: $c1022, required: false, alias: "", example: "", attribute: "lift", unless: ""});
-const $c1025 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1024 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1003 = $made(Entry, {key: "belt_mass", kind: $c1024, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
-const $c1027 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1026 = $made(Quantity, {dimension: "mass_per_length", limit: $c1027});
-const $c1004 = $made(Entry, {key: "carry_idler_mass", kind: $c1026, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
-const $c1029 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1028 = $made(Quantity, {dimension: "mass_per_length", limit: $c1029});
-const $c1005 = $made(Entry, {key: "return_idler_mass", kind: $c1028, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
-const $c1030 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1006 = $made(Entry, {key: "material_mass", kind: $c1030, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
-const $c1032 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1031 = $made(Quantity, {dimension: "mass_flow", limit: $c1032});
-const $c1007 = $made(Entry, {key: "capacity", kind: $c1031, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
-const $c1034 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
-const $c1033 = $made(Quantity, {dimension: "number", limit: $c1034});
-const $c1008 = $made(Entry, {key: "friction_factor", kind: $c1033, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
-const $c1036 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1035 = $made(Quantity, {dimension: "number", limit: $c1036});
-const $c1009 = $made(Entry, {key: "length_coefficient", kind: $c1035, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
-const $c1038 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
-const $c1037 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1010 = $made(Entry, {key: "secondary_resistance", kind: $c1037, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
-const $c1039 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1011 = $made(Entry, {key: "special_resistance", kind: $c1039, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
-const $c1041 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c1040 = $made(Quantity, {dimension: "number", limit: $c1041});
-const $c1012 = $made(Entry, {key: "return_share", kind: $c1040, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
-const $c1043 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
-const $c1042 = $made(Quantity, {dimension: "number", limit: $c1043});
-const $c1013 = $made(Entry, {key: "start_factor", kind: $c1042, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1045 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
-const $c1044 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1014 = $made(Entry, {key: "start_time", kind: $c1044, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
-const $c1046 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1015 = $made(Entry, {key: "stop_time", kind: $c1046, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
-const $c1048 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
-const $c1047 = $made(Quantity, {dimension: "force", limit: $c1048});
-const $c1016 = $made(Entry, {key: "take_up_tension", kind: $c1047, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
-const $c1050 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
-const $c1049 = $made(Quantity, {dimension: "mass", limit: $c1050});
-const $c1017 = $made(Entry, {key: "counterweight", kind: $c1049, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
-const $c1052 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
-const $c1051 = $made(Quantity, {dimension: "length", limit: $c1052});
-const $c1018 = $made(Entry, {key: "take_up_distance", kind: $c1051, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
-const $c605 = ["head", "tail"];
-const $c1053 = $made(Choice, {options: $c605});
-const $c1019 = $made(Entry, {key: "drive_at", kind: $c1053, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
-const $c999 = [$c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018, $c1019];
-const $c1000 = new Map([["length", $c1001], ["lift", $c1002], ["belt_mass", $c1003], ["carry_idler_mass", $c1004], ["return_idler_mass", $c1005], ["material_mass", $c1006], ["capacity", $c1007], ["friction_factor", $c1008], ["length_coefficient", $c1009], ["secondary_resistance", $c1010], ["special_resistance", $c1011], ["return_share", $c1012], ["start_factor", $c1013], ["start_time", $c1014], ["stop_time", $c1015], ["take_up_tension", $c1016], ["counterweight", $c1017], ["take_up_distance", $c1018], ["drive_at", $c1019]]);
-const $c38 = $made(Table, {of: Conveyor, entries: $c999, _known: $c1000});
-const $c632 = $made(Entry, {key: "conveyor", kind: $c38, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
-const $c599 = ["gravity", "winch", "fixed"];
-const $c1059 = $made(Choice, {options: $c599});
-const $c1056 = $made(Entry, {key: "kind", kind: $c1059, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c594 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c1060 = $made(Quantity, {dimension: "number", limit: $c594});
-const $c1057 = $made(Entry, {key: "sheave_ratio", kind: $c1060, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
-const $c1061 = $made(Name, {longest: 60});
-const $c1058 = $made(Entry, {key: "after", kind: $c1061, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c1054 = [$c1056, $c1057, $c1058];
-const $c1055 = new Map([["kind", $c1056], ["sheave_ratio", $c1057], ["after", $c1058]]);
-const $c500 = $made(Table, {of: TakeUp, entries: $c1054, _known: $c1055});
-const $c496 = $made(Entry, {key: "take_up", kind: $c500, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
-const $c600 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1361 = [$c1362, $c1363];
+const $c1317 = $made(_Pair, {kinds: $c1361});
+const $c1315 = $made(Rows, {kind: $c1317, least: 0, most: 500});
+const $c1321 = $made(Entry, {key: "rows", kind: $c1315, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1326 = $made(Quantity, {dimension: "length", limit: null});
+const $c1322 = $made(Entry, {key: "crown", kind: $c1326, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1328 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1327 = $made(Quantity, {dimension: "number", limit: $c1328});
+const $c1323 = $made(Entry, {key: "factor", kind: $c1327, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1330 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1329 = $made(Quantity, {dimension: "length", limit: $c1330});
+const $c1324 = $made(Entry, {key: "uncertainty", kind: $c1329, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1331 = $made(Choice, {options: $c1297});
+const $c1325 = $made(Entry, {key: "on", kind: $c1331, required: false, alias: "", example: "", attribute: "on", unless: ""});
+const $c1319 = [$c1321, $c1322, $c1323, $c1324, $c1325];
+const $c1320 = new Map([["rows", $c1321], ["crown", $c1322], ["factor", $c1323], ["uncertainty", $c1324], ["on", $c1325]]);
+const $c1318 = $made(Table, {of: null, entries: $c1319, _known: $c1320});
+const $c1316 = $made(TextOr, {text: $c1315, table: $c1318});
+const $c935 = $made(Profile, {dimension: "length", diameters: true, rows: $c1315, within: $c1316});
+const $c926 = $made(Entry, {key: "build_up", kind: $c935, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
+const $c937 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c936 = $made(Quantity, {dimension: "number", limit: $c937});
+const $c927 = $made(Entry, {key: "misalignment", kind: $c936, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
+const $c939 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
+const $c938 = $made(Quantity, {dimension: "length", limit: $c939});
+const $c928 = $made(Entry, {key: "deflection", kind: $c938, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
+const $c1365 = $made(Quantity, {dimension: "length", limit: null});
+const $c1366 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1364 = [$c1365, $c1366];
+const $c1334 = $made(_Pair, {kinds: $c1364});
+const $c1332 = $made(Rows, {kind: $c1334, least: 0, most: 500});
+const $c1338 = $made(Entry, {key: "rows", kind: $c1332, required: false, alias: "", example: "", attribute: "rows", unless: ""});
+const $c1342 = $made(Quantity, {dimension: "force_per_width", limit: null});
+const $c1339 = $made(Entry, {key: "crown", kind: $c1342, required: false, alias: "", example: "", attribute: "crown", unless: ""});
+const $c1344 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c1343 = $made(Quantity, {dimension: "number", limit: $c1344});
+const $c1340 = $made(Entry, {key: "factor", kind: $c1343, required: false, alias: "", example: "", attribute: "factor", unless: ""});
+const $c1346 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1345 = $made(Quantity, {dimension: "force_per_width", limit: $c1346});
+const $c1341 = $made(Entry, {key: "uncertainty", kind: $c1345, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
+const $c1336 = [$c1338, $c1339, $c1340, $c1341];
+const $c1337 = new Map([["rows", $c1338], ["crown", $c1339], ["factor", $c1340], ["uncertainty", $c1341]]);
+const $c1335 = $made(Table, {of: null, entries: $c1336, _known: $c1337});
+const $c1333 = $made(TextOr, {text: $c1332, table: $c1335});
+const $c940 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1332, within: $c1333});
+const $c929 = $made(Entry, {key: "entry_profile", kind: $c940, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
+const $c950 = ["pulley"];
+const $c949 = $made(Choice, {options: $c950});
+const $c947 = $made(Entry, {key: "kind", kind: $c949, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c952 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c951 = $made(Quantity, {dimension: "length", limit: $c952});
+const $c948 = $made(Entry, {key: "distance", kind: $c951, required: true, alias: "", example: "", attribute: "distance", unless: ""});
+const $c945 = [$c947, $c948];
+const $c946 = new Map([["kind", $c947], ["distance", $c948]]);
+const $c943 = $made(Table, {of: GrippingPulley, entries: $c945, _known: $c946});
+const $c961 = ["transition"];
+const $c960 = $made(Choice, {options: $c961});
+const $c955 = $made(Entry, {key: "kind", kind: $c960, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c963 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
+const $c962 = $made(Quantity, {dimension: "length", limit: $c963});
+const $c956 = $made(Entry, {key: "length", kind: $c962, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
+const $c965 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
+const $c964 = $made(Quantity, {dimension: "angle", limit: $c965});
+const $c957 = $made(Entry, {key: "trough_angle", kind: $c964, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
+const $c967 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
+const $c966 = $made(Quantity, {dimension: "length", limit: $c967});
+const $c958 = $made(Entry, {key: "centre_roll", kind: $c966, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
+const $c969 = ["full", "half"];
+const $c968 = $made(Choice, {options: $c969});
+const $c959 = $made(Entry, {key: "depth", kind: $c968, required: false, alias: "", example: "", attribute: "depth", unless: ""});
+const $c953 = [$c955, $c956, $c957, $c958, $c959];
+const $c954 = new Map([["kind", $c955], ["length", $c956], ["trough_angle", $c957], ["centre_roll", $c958], ["depth", $c959]]);
+const $c944 = $made(Table, {of: Transition, entries: $c953, _known: $c954});
+const $c942 = new Map([["pulley", $c943], ["transition", $c944]]);
+const $c28 = $made(Variant, {tag: "kind", tables: $c942});
+const $c941 = $made(WordOr, {word: "far", kind: $c28, meaning: null});
+const $c930 = $made(Entry, {key: "before", kind: $c941, required: false, alias: "", example: "", attribute: "before", unless: ""});
+const $c977 = ["pulley"];
+const $c976 = $made(Choice, {options: $c977});
+const $c975 = $made(Entry, {key: "kind", kind: $c976, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c973 = [$c975, $c948];
+const $c974 = new Map([["kind", $c975], ["distance", $c948]]);
+const $c972 = $made(Table, {of: GrippingPulley, entries: $c973, _known: $c974});
+const $c971 = new Map([["pulley", $c972]]);
+const $c29 = $made(Variant, {tag: "kind", tables: $c971});
+const $c970 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
+const $c931 = $made(Entry, {key: "after", kind: $c970, required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c978 = $made(Count, {least: 4, most: 128});
+const $c932 = $made(Entry, {key: "strips", kind: $c978, required: false, alias: "", example: "", attribute: "strips", unless: ""});
+const $c922 = [$c924, $c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932];
+const $c923 = new Map([["shell_profile", $c924], ["worn_depth", $c925], ["build_up", $c926], ["misalignment", $c927], ["deflection", $c928], ["entry_profile", $c929], ["before", $c930], ["after", $c931], ["strips", $c932]]);
+const $c30 = $made(Table, {of: Across, entries: $c922, _known: $c923});
+const $c152 = $made(Entry, {key: "across", kind: $c30, required: false, alias: "", example: "", attribute: "across", unless: ""});
+const $c170 = $made(ByName, {kind: $c2, most: 200});
+const $c153 = $made(Entry, {key: "sources", kind: $c170, required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c9 = [$c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153];
+const $c665 = new Map([["name", $c136], ["diameter", $c137], ["wrap_angle", $c138], ["belt_path", $c139], ["lagging", $c140], ["condition", $c141], ["entry_tension", $c142], ["exit_tension", $c143], ["effective_tension", $c144], ["torque", $c145], ["power", $c146], ["overrun", $c147], ["recovery", $c148], ["creep_limit", $c149], ["side", $c150], ["mass", $c151], ["across", $c152], ["sources", $c153]]);
+const $c31 = $made(Table, {of: Pulley, entries: $c9, _known: $c665});
+const $c664 = $made(Rows, {kind: $c31, least: 1, most: 10});
+const $c628 = $made(Entry, {key: "pulley", kind: $c664, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
+const $c979 = $made(ByName, {kind: $c689, most: 200});
+const $c629 = $made(Entry, {key: "lagging", kind: $c979, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
+const $c990 = $made(Name, {longest: 60});
+const $c984 = $made(Entry, {key: "name", kind: $c990, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
+const $c991 = $made(Text, {longest: 1000, lines: true});
+const $c985 = $made(Entry, {key: "description", kind: $c991, required: false, alias: "", example: "", attribute: "description", unless: ""});
+const $c62 = ["running", "starting", "braking"];
+const $c992 = $made(Choice, {options: $c62});
+const $c986 = $made(Entry, {key: "kind", kind: $c992, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c987 = $made(Entry, {key: "condition", kind: $c159, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c995 = [$c142, $c143, $c144, $c145, $c146];
+const $c996 = new Map([["entry_tension", $c142], ["exit_tension", $c143], ["effective_tension", $c144], ["torque", $c145], ["power", $c146]]);
+const $c994 = $made(Table, {of: null, entries: $c995, _known: $c996});
+const $c993 = $made(ByName, {kind: $c994, most: 200});
+const $c988 = $made(Entry, {key: "pulley", kind: $c993, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
+const $c997 = $made(Elsewhere, {});
+const $c989 = $made(Entry, {key: "train", kind: $c997, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c982 = [$c984, $c985, $c986, $c987, $c988, $c989];
+const $c983 = new Map([["name", $c984], ["description", $c985], ["kind", $c986], ["condition", $c987], ["pulley", $c988], ["train", $c989]]);
+const $c981 = $made(Table, {of: null, entries: $c982, _known: $c983});
+const $c980 = $made(Rows, {kind: $c981, least: 1, most: 1000});
+const $c630 = $made(Entry, {key: "load_case", kind: $c980, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1020 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1019 = $made(Quantity, {dimension: "length", limit: $c1020});
+const $c1000 = $made(Entry, {key: "length", kind: $c1019, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
+const $c1022 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
+const $c1021 = $made(Quantity, {dimension: "length", limit: $c1022});
+const $c1001 = $made(Entry, {key: "lift", kind: $c1021, required: false, alias: "", example: "", attribute: "lift", unless: ""});
+const $c1024 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1023 = $made(Quantity, {dimension: "mass_per_length", limit: $c1024});
+const $c1002 = $made(Entry, {key: "belt_mass", kind: $c1023, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
+const $c1026 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1025 = $made(Quantity, {dimension: "mass_per_length", limit: $c1026});
+const $c1003 = $made(Entry, {key: "carry_idler_mass", kind: $c1025, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
+const $c1028 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
+const $c1027 = $made(Quantity, {dimension: "mass_per_length", limit: $c1028});
+const $c1004 = $made(Entry, {key: "return_idler_mass", kind: $c1027, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
+const $c1029 = $made(Quantity, {dimension: "mass_per_length", limit: $c1024});
+const $c1005 = $made(Entry, {key: "material_mass", kind: $c1029, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
+const $c1031 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1030 = $made(Quantity, {dimension: "mass_flow", limit: $c1031});
+const $c1006 = $made(Entry, {key: "capacity", kind: $c1030, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
+const $c1033 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
+const $c1032 = $made(Quantity, {dimension: "number", limit: $c1033});
+const $c1007 = $made(Entry, {key: "friction_factor", kind: $c1032, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
+const $c1035 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
+const $c1034 = $made(Quantity, {dimension: "number", limit: $c1035});
+const $c1008 = $made(Entry, {key: "length_coefficient", kind: $c1034, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
+const $c1037 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
+const $c1036 = $made(Quantity, {dimension: "force", limit: $c1037});
+const $c1009 = $made(Entry, {key: "secondary_resistance", kind: $c1036, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
+const $c1038 = $made(Quantity, {dimension: "force", limit: $c1037});
+const $c1010 = $made(Entry, {key: "special_resistance", kind: $c1038, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
+const $c1040 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
+const $c1039 = $made(Quantity, {dimension: "number", limit: $c1040});
+const $c1011 = $made(Entry, {key: "return_share", kind: $c1039, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
+const $c1042 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
+const $c1041 = $made(Quantity, {dimension: "number", limit: $c1042});
+const $c1012 = $made(Entry, {key: "start_factor", kind: $c1041, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1044 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
+const $c1043 = $made(Quantity, {dimension: "time", limit: $c1044});
+const $c1013 = $made(Entry, {key: "start_time", kind: $c1043, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
+const $c1045 = $made(Quantity, {dimension: "time", limit: $c1044});
+const $c1014 = $made(Entry, {key: "stop_time", kind: $c1045, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
+const $c1047 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
+const $c1046 = $made(Quantity, {dimension: "force", limit: $c1047});
+const $c1015 = $made(Entry, {key: "take_up_tension", kind: $c1046, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
+const $c1049 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
+const $c1048 = $made(Quantity, {dimension: "mass", limit: $c1049});
+const $c1016 = $made(Entry, {key: "counterweight", kind: $c1048, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
+const $c1051 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
+const $c1050 = $made(Quantity, {dimension: "length", limit: $c1051});
+const $c1017 = $made(Entry, {key: "take_up_distance", kind: $c1050, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
+const $c604 = ["head", "tail"];
+const $c1052 = $made(Choice, {options: $c604});
+const $c1018 = $made(Entry, {key: "drive_at", kind: $c1052, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
+const $c998 = [$c1000, $c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018];
+const $c999 = new Map([["length", $c1000], ["lift", $c1001], ["belt_mass", $c1002], ["carry_idler_mass", $c1003], ["return_idler_mass", $c1004], ["material_mass", $c1005], ["capacity", $c1006], ["friction_factor", $c1007], ["length_coefficient", $c1008], ["secondary_resistance", $c1009], ["special_resistance", $c1010], ["return_share", $c1011], ["start_factor", $c1012], ["start_time", $c1013], ["stop_time", $c1014], ["take_up_tension", $c1015], ["counterweight", $c1016], ["take_up_distance", $c1017], ["drive_at", $c1018]]);
+const $c37 = $made(Table, {of: Conveyor, entries: $c998, _known: $c999});
+const $c631 = $made(Entry, {key: "conveyor", kind: $c37, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
+const $c598 = ["gravity", "winch", "fixed"];
+const $c1058 = $made(Choice, {options: $c598});
+const $c1055 = $made(Entry, {key: "kind", kind: $c1058, required: false, alias: "", example: "", attribute: "kind", unless: ""});
+const $c593 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c1059 = $made(Quantity, {dimension: "number", limit: $c593});
+const $c1056 = $made(Entry, {key: "sheave_ratio", kind: $c1059, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
+const $c1060 = $made(Name, {longest: 60});
+const $c1057 = $made(Entry, {key: "after", kind: $c1060, required: false, alias: "", example: "", attribute: "after", unless: ""});
+const $c1053 = [$c1055, $c1056, $c1057];
+const $c1054 = new Map([["kind", $c1055], ["sheave_ratio", $c1056], ["after", $c1057]]);
+const $c499 = $made(Table, {of: TakeUp, entries: $c1053, _known: $c1054});
+const $c495 = $made(Entry, {key: "take_up", kind: $c499, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
+const $c599 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1068 = $made(Choice, {options: $c599});
+const $c1063 = $made(Entry, {key: "name", kind: $c1068, required: false, alias: "", example: "", attribute: "name", unless: ""});
+const $c600 = ["dry", "wet", "wet and dirty"];
 const $c1069 = $made(Choice, {options: $c600});
-const $c1064 = $made(Entry, {key: "name", kind: $c1069, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c601 = ["dry", "wet", "wet and dirty"];
-const $c1070 = $made(Choice, {options: $c601});
-const $c1065 = $made(Entry, {key: "condition", kind: $c1070, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c595 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
+const $c1064 = $made(Entry, {key: "condition", kind: $c1069, required: false, alias: "", example: "", attribute: "condition", unless: ""});
+const $c594 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
+const $c1070 = $made(Quantity, {dimension: "number", limit: $c594});
+const $c1065 = $made(Entry, {key: "friction", kind: $c1070, required: false, alias: "", example: "", attribute: "friction", unless: ""});
+const $c595 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
 const $c1071 = $made(Quantity, {dimension: "number", limit: $c595});
-const $c1066 = $made(Entry, {key: "friction", kind: $c1071, required: false, alias: "", example: "", attribute: "friction", unless: ""});
-const $c596 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1072 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1067 = $made(Entry, {key: "start_factor", kind: $c1072, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1073 = $made(Flag, {});
-const $c1068 = $made(Entry, {key: "binding", kind: $c1073, required: false, alias: "", example: "", attribute: "binding", unless: ""});
-const $c1062 = [$c1064, $c1065, $c1066, $c1067, $c1068];
-const $c1063 = new Map([["name", $c1064], ["condition", $c1065], ["friction", $c1066], ["start_factor", $c1067], ["binding", $c1068]]);
-const $c501 = $made(Table, {of: DesignStandard, entries: $c1062, _known: $c1063});
-const $c497 = $made(Entry, {key: "design_standard", kind: $c501, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c1080 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1076 = $made(Entry, {key: "running", kind: $c1080, required: false, alias: "", example: "", attribute: "running", unless: ""});
-const $c1081 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1077 = $made(Entry, {key: "starting", kind: $c1081, required: false, alias: "", example: "", attribute: "starting", unless: ""});
-const $c1082 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1078 = $made(Entry, {key: "braking", kind: $c1082, required: false, alias: "", example: "", attribute: "braking", unless: ""});
-const $c1083 = $made(Text, {longest: 500, lines: false});
-const $c1079 = $made(Entry, {key: "source", kind: $c1083, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c1074 = [$c1076, $c1077, $c1078, $c1079];
-const $c1075 = new Map([["running", $c1076], ["starting", $c1077], ["braking", $c1078], ["source", $c1079]]);
-const $c502 = $made(Table, {of: SafetyFactors, entries: $c1074, _known: $c1075});
-const $c498 = $made(Entry, {key: "safety_factor", kind: $c502, required: false, alias: "", example: "", attribute: "safety", unless: ""});
-const $c1090 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
-const $c1089 = $made(Quantity, {dimension: "length", limit: $c1090});
-const $c1086 = $made(Entry, {key: "idler_spacing", kind: $c1089, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
-const $c1092 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1091 = $made(Quantity, {dimension: "mass_per_length", limit: $c1092});
-const $c1087 = $made(Entry, {key: "line_mass", kind: $c1091, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
-const $c1094 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
-const $c1093 = $made(Quantity, {dimension: "number", limit: $c1094});
-const $c1088 = $made(Entry, {key: "share", kind: $c1093, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1084 = [$c1086, $c1087, $c1088];
-const $c1085 = new Map([["idler_spacing", $c1086], ["line_mass", $c1087], ["share", $c1088]]);
-const $c503 = $made(Table, {of: Sag, entries: $c1084, _known: $c1085});
-const $c499 = $made(Entry, {key: "sag", kind: $c503, required: false, alias: "", example: "", attribute: "sag", unless: ""});
+const $c1066 = $made(Entry, {key: "start_factor", kind: $c1071, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
+const $c1072 = $made(Flag, {});
+const $c1067 = $made(Entry, {key: "binding", kind: $c1072, required: false, alias: "", example: "", attribute: "binding", unless: ""});
+const $c1061 = [$c1063, $c1064, $c1065, $c1066, $c1067];
+const $c1062 = new Map([["name", $c1063], ["condition", $c1064], ["friction", $c1065], ["start_factor", $c1066], ["binding", $c1067]]);
+const $c500 = $made(Table, {of: DesignStandard, entries: $c1061, _known: $c1062});
+const $c496 = $made(Entry, {key: "design_standard", kind: $c500, required: false, alias: "", example: "", attribute: "standard", unless: ""});
+const $c1079 = $made(Quantity, {dimension: "number", limit: $c595});
+const $c1075 = $made(Entry, {key: "running", kind: $c1079, required: false, alias: "", example: "", attribute: "running", unless: ""});
+const $c1080 = $made(Quantity, {dimension: "number", limit: $c595});
+const $c1076 = $made(Entry, {key: "starting", kind: $c1080, required: false, alias: "", example: "", attribute: "starting", unless: ""});
+const $c1081 = $made(Quantity, {dimension: "number", limit: $c595});
+const $c1077 = $made(Entry, {key: "braking", kind: $c1081, required: false, alias: "", example: "", attribute: "braking", unless: ""});
+const $c1082 = $made(Text, {longest: 500, lines: false});
+const $c1078 = $made(Entry, {key: "source", kind: $c1082, required: false, alias: "", example: "", attribute: "source", unless: ""});
+const $c1073 = [$c1075, $c1076, $c1077, $c1078];
+const $c1074 = new Map([["running", $c1075], ["starting", $c1076], ["braking", $c1077], ["source", $c1078]]);
+const $c501 = $made(Table, {of: SafetyFactors, entries: $c1073, _known: $c1074});
+const $c497 = $made(Entry, {key: "safety_factor", kind: $c501, required: false, alias: "", example: "", attribute: "safety", unless: ""});
+const $c1089 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
+const $c1088 = $made(Quantity, {dimension: "length", limit: $c1089});
+const $c1085 = $made(Entry, {key: "idler_spacing", kind: $c1088, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
+const $c1091 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1090 = $made(Quantity, {dimension: "mass_per_length", limit: $c1091});
+const $c1086 = $made(Entry, {key: "line_mass", kind: $c1090, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
+const $c1093 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
+const $c1092 = $made(Quantity, {dimension: "number", limit: $c1093});
+const $c1087 = $made(Entry, {key: "share", kind: $c1092, required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1083 = [$c1085, $c1086, $c1087];
+const $c1084 = new Map([["idler_spacing", $c1085], ["line_mass", $c1086], ["share", $c1087]]);
+const $c502 = $made(Table, {of: Sag, entries: $c1083, _known: $c1084});
+const $c498 = $made(Entry, {key: "sag", kind: $c502, required: false, alias: "", example: "", attribute: "sag", unless: ""});
+const $c1094 = $made(Elsewhere, {});
+const $c632 = $made(Entry, {key: "train", kind: $c1094, required: false, alias: "", example: "", attribute: "train", unless: ""});
 const $c1095 = $made(Elsewhere, {});
-const $c633 = $made(Entry, {key: "train", kind: $c1095, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1096 = $made(Elsewhere, {});
-const $c634 = $made(Entry, {key: "motion", kind: $c1096, required: false, alias: "", example: "", attribute: "motion", unless: ""});
-const $c621 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c496, $c497, $c498, $c499, $c633, $c634];
-const $c622 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c631], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c633], ["motion", $c634]]);
-const $c0 = $made(Table, {of: Drive, entries: $c621, _known: $c622});
+const $c633 = $made(Entry, {key: "motion", kind: $c1095, required: false, alias: "", example: "", attribute: "motion", unless: ""});
+const $c620 = [$c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c495, $c496, $c497, $c498, $c632, $c633];
+const $c621 = new Map([["format", $c622], ["title", $c623], ["description", $c624], ["creep_limit", $c625], ["condition", $c626], ["belt", $c627], ["pulley", $c628], ["lagging", $c629], ["load_case", $c630], ["conveyor", $c631], ["take_up", $c495], ["design_standard", $c496], ["safety_factor", $c497], ["sag", $c498], ["train", $c632], ["motion", $c633]]);
+const $c0 = $made(Table, {of: Drive, entries: $c620, _known: $c621});
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c122], ["modulus", $c123], ["rating", $c124], ["strength", $c125], ["speed", $c126], ["momentary_factor", $c127], ["least_pulley_diameter", $c128], ["largest_wrap_pressure", $c129], ["in_plane_shear_stiffness", $c130], ["pulley_cover", $c131], ["carry_cover", $c132], ["carcass", $c133], ["thickness", $c134], ["cover_shear_modulus", $c135], ["mass", $c136]]);
+const $c4 = new Map([["width", $c121], ["modulus", $c122], ["rating", $c123], ["strength", $c124], ["speed", $c125], ["momentary_factor", $c126], ["least_pulley_diameter", $c127], ["largest_wrap_pressure", $c128], ["in_plane_shear_stiffness", $c129], ["pulley_cover", $c130], ["carry_cover", $c131], ["carcass", $c132], ["thickness", $c133], ["cover_shear_modulus", $c134], ["mass", $c135]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, {});
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c197 = [10000, "m"];
-const $c196 = [$c197];
-const $c174 = ["mm", $c196];
-const $c175 = ["kN", []];
-const $c176 = ["kN/m", []];
-const $c199 = [10000, "MPa"];
-const $c198 = [$c199];
-const $c177 = ["kPa", $c198];
-const $c178 = ["kPa/mm", []];
-const $c179 = ["m/s", []];
-const $c180 = ["deg", []];
-const $c181 = ["kW", []];
-const $c182 = ["kN m", []];
-const $c183 = ["m2", []];
-const $c184 = ["s", []];
-const $c185 = ["degC", []];
-const $c186 = ["1/mm", []];
-const $c187 = ["mm3/J", []];
-const $c188 = ["J/m2", []];
-const $c201 = [10000, "kW/m2"];
-const $c200 = [$c201];
-const $c189 = ["W/m2", $c200];
-const $c190 = ["rpm", []];
-const $c191 = ["kg", []];
-const $c192 = ["kg/m", []];
-const $c193 = ["t/h", []];
-const $c194 = ["kg m2", []];
-const $c195 = ["", []];
-const $c172 = new Map([["length", $c174], ["force", $c175], ["force_per_width", $c176], ["spring_rate", $c176], ["pressure", $c177], ["pressure_per_length", $c178], ["speed", $c179], ["angle", $c180], ["power", $c181], ["torque", $c182], ["area", $c183], ["time", $c184], ["temperature", $c185], ["per_length", $c186], ["wear_coefficient", $c187], ["energy_per_area", $c188], ["power_per_area", $c189], ["rotation_speed", $c190], ["mass", $c191], ["mass_per_length", $c192], ["mass_flow", $c193], ["moment_of_inertia", $c194], ["number", $c195]]);
-const $c222 = [400, "ft"];
-const $c221 = [$c222];
-const $c202 = ["in", $c221];
-const $c203 = ["lbf", []];
-const $c204 = ["PIW", []];
-const $c205 = ["lbf/in", []];
-const $c224 = [10000, "ksi"];
-const $c223 = [$c224];
-const $c206 = ["psi", $c223];
-const $c207 = ["psi/in", []];
-const $c208 = ["fpm", []];
-const $c209 = ["hp", []];
-const $c210 = ["lbf ft", []];
-const $c211 = ["in2", []];
-const $c212 = ["degF", []];
-const $c213 = ["1/in", []];
-const $c214 = ["in3/(ft lbf)", []];
-const $c215 = ["ft lbf/ft2", []];
-const $c216 = ["hp/ft2", []];
-const $c217 = ["lbm", []];
-const $c218 = ["lbm/ft", []];
-const $c219 = ["lbm/h", []];
-const $c220 = ["lbm ft2", []];
-const $c173 = new Map([["length", $c202], ["force", $c203], ["force_per_width", $c204], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c180], ["power", $c209], ["torque", $c210], ["area", $c211], ["time", $c184], ["temperature", $c212], ["per_length", $c213], ["wear_coefficient", $c214], ["energy_per_area", $c215], ["power_per_area", $c216], ["rotation_speed", $c190], ["mass", $c217], ["mass_per_length", $c218], ["mass_flow", $c219], ["moment_of_inertia", $c220], ["number", $c195]]);
-const $c11 = new Map([["si", $c172], ["us", $c173]]);
-const $c225 = new DimensionText("m", "a length", "1200 mm");
-const $c226 = new DimensionText("N", "a force", "150 kN");
-const $c227 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c228 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c229 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c230 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c231 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c232 = new DimensionText("rad", "an angle", "180 deg");
-const $c233 = new DimensionText("W", "a power", "250 kW");
-const $c234 = new DimensionText("N m", "a torque", "40 kN m");
-const $c235 = new DimensionText("m2", "an area", "2500 mm2");
-const $c236 = new DimensionText("s", "a time", "10 s");
-const $c237 = new DimensionText("K", "a temperature", "20 degC");
-const $c238 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c239 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c240 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c241 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c242 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c243 = new DimensionText("kg", "a mass", "500 kg");
-const $c244 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c245 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c246 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c247 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
+const $c196 = [10000, "m"];
+const $c195 = [$c196];
+const $c173 = ["mm", $c195];
+const $c174 = ["kN", []];
+const $c175 = ["kN/m", []];
+const $c198 = [10000, "MPa"];
+const $c197 = [$c198];
+const $c176 = ["kPa", $c197];
+const $c177 = ["kPa/mm", []];
+const $c178 = ["m/s", []];
+const $c179 = ["deg", []];
+const $c180 = ["kW", []];
+const $c181 = ["kN m", []];
+const $c182 = ["m2", []];
+const $c183 = ["s", []];
+const $c184 = ["degC", []];
+const $c185 = ["1/mm", []];
+const $c186 = ["mm3/J", []];
+const $c187 = ["J/m2", []];
+const $c200 = [10000, "kW/m2"];
+const $c199 = [$c200];
+const $c188 = ["W/m2", $c199];
+const $c189 = ["rpm", []];
+const $c190 = ["kg", []];
+const $c191 = ["kg/m", []];
+const $c192 = ["t/h", []];
+const $c193 = ["kg m2", []];
+const $c194 = ["", []];
+const $c171 = new Map([["length", $c173], ["force", $c174], ["force_per_width", $c175], ["spring_rate", $c175], ["pressure", $c176], ["pressure_per_length", $c177], ["speed", $c178], ["angle", $c179], ["power", $c180], ["torque", $c181], ["area", $c182], ["time", $c183], ["temperature", $c184], ["per_length", $c185], ["wear_coefficient", $c186], ["energy_per_area", $c187], ["power_per_area", $c188], ["rotation_speed", $c189], ["mass", $c190], ["mass_per_length", $c191], ["mass_flow", $c192], ["moment_of_inertia", $c193], ["number", $c194]]);
+const $c221 = [400, "ft"];
+const $c220 = [$c221];
+const $c201 = ["in", $c220];
+const $c202 = ["lbf", []];
+const $c203 = ["PIW", []];
+const $c204 = ["lbf/in", []];
+const $c223 = [10000, "ksi"];
+const $c222 = [$c223];
+const $c205 = ["psi", $c222];
+const $c206 = ["psi/in", []];
+const $c207 = ["fpm", []];
+const $c208 = ["hp", []];
+const $c209 = ["lbf ft", []];
+const $c210 = ["in2", []];
+const $c211 = ["degF", []];
+const $c212 = ["1/in", []];
+const $c213 = ["in3/(ft lbf)", []];
+const $c214 = ["ft lbf/ft2", []];
+const $c215 = ["hp/ft2", []];
+const $c216 = ["lbm", []];
+const $c217 = ["lbm/ft", []];
+const $c218 = ["lbm/h", []];
+const $c219 = ["lbm ft2", []];
+const $c172 = new Map([["length", $c201], ["force", $c202], ["force_per_width", $c203], ["spring_rate", $c204], ["pressure", $c205], ["pressure_per_length", $c206], ["speed", $c207], ["angle", $c179], ["power", $c208], ["torque", $c209], ["area", $c210], ["time", $c183], ["temperature", $c211], ["per_length", $c212], ["wear_coefficient", $c213], ["energy_per_area", $c214], ["power_per_area", $c215], ["rotation_speed", $c189], ["mass", $c216], ["mass_per_length", $c217], ["mass_flow", $c218], ["moment_of_inertia", $c219], ["number", $c194]]);
+const $c11 = new Map([["si", $c171], ["us", $c172]]);
+const $c224 = new DimensionText("m", "a length", "1200 mm");
+const $c225 = new DimensionText("N", "a force", "150 kN");
+const $c226 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c227 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c228 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c229 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c230 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c231 = new DimensionText("rad", "an angle", "180 deg");
+const $c232 = new DimensionText("W", "a power", "250 kW");
+const $c233 = new DimensionText("N m", "a torque", "40 kN m");
+const $c234 = new DimensionText("m2", "an area", "2500 mm2");
+const $c235 = new DimensionText("s", "a time", "10 s");
+const $c236 = new DimensionText("K", "a temperature", "20 degC");
+const $c237 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c238 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c239 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c240 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c241 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c242 = new DimensionText("kg", "a mass", "500 kg");
+const $c243 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c244 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c245 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c246 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c224], ["force", $c225], ["force_per_width", $c226], ["spring_rate", $c227], ["pressure", $c228], ["pressure_per_length", $c229], ["speed", $c230], ["angle", $c231], ["power", $c232], ["torque", $c233], ["area", $c234], ["time", $c235], ["temperature", $c236], ["per_length", $c237], ["wear_coefficient", $c238], ["energy_per_area", $c239], ["power_per_area", $c240], ["rotation_speed", $c241], ["mass", $c242], ["mass_per_length", $c243], ["mass_flow", $c244], ["moment_of_inertia", $c245], ["number", $c246]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -5107,586 +5142,585 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c310 = ["meter", "meters", "metre", "metres"];
-const $c311 = $Decimal.of("1");
-const $c312 = $Decimal.of("0");
-const $c248 = new Definition($c310, $c311, "m", $c312);
-const $c313 = ["km"];
-const $c314 = $Decimal.of("1000");
-const $c315 = $Decimal.of("0");
-const $c249 = new Definition($c313, $c314, "m", $c315);
-const $c316 = ["dm"];
-const $c317 = $Decimal.of("0.1");
-const $c318 = $Decimal.of("0");
-const $c250 = new Definition($c316, $c317, "m", $c318);
-const $c319 = ["cm"];
-const $c320 = $Decimal.of("0.01");
-const $c321 = $Decimal.of("0");
-const $c251 = new Definition($c319, $c320, "m", $c321);
-const $c322 = ["mm"];
-const $c323 = $Decimal.of("0.001");
-const $c324 = $Decimal.of("0");
-const $c252 = new Definition($c322, $c323, "m", $c324);
-const $c325 = ["um", "micron", "microns"];
-const $c326 = $Decimal.of("0.000001");
-const $c327 = $Decimal.of("0");
-const $c253 = new Definition($c325, $c326, "m", $c327);
-const $c328 = ["in", "inch", "inches", "\""];
-const $c329 = $Decimal.of("0.0254");
-const $c330 = $Decimal.of("0");
-const $c254 = new Definition($c328, $c329, "m", $c330);
-const $c331 = ["ft", "foot", "feet"];
-const $c332 = $Decimal.of("12");
-const $c333 = $Decimal.of("0");
-const $c255 = new Definition($c331, $c332, "in", $c333);
-const $c334 = ["yd"];
-const $c335 = $Decimal.of("3");
-const $c336 = $Decimal.of("0");
-const $c256 = new Definition($c334, $c335, "ft", $c336);
-const $c337 = ["mi", "mile", "miles"];
-const $c338 = $Decimal.of("5280");
-const $c339 = $Decimal.of("0");
-const $c257 = new Definition($c337, $c338, "ft", $c339);
-const $c340 = ["thou"];
-const $c341 = $Decimal.of("0.001");
-const $c342 = $Decimal.of("0");
-const $c258 = new Definition($c340, $c341, "in", $c342);
-const $c343 = ["g"];
-const $c344 = $Decimal.of("0.001");
-const $c345 = $Decimal.of("0");
-const $c259 = new Definition($c343, $c344, "kg", $c345);
-const $c346 = ["t", "tonne", "tonnes"];
-const $c347 = $Decimal.of("1000");
-const $c348 = $Decimal.of("0");
-const $c260 = new Definition($c346, $c347, "kg", $c348);
-const $c349 = ["lbm"];
-const $c350 = $Decimal.of("0.45359237");
-const $c351 = $Decimal.of("0");
-const $c261 = new Definition($c349, $c350, "kg", $c351);
-const $c352 = ["sec", "second", "seconds"];
-const $c353 = $Decimal.of("1");
-const $c354 = $Decimal.of("0");
-const $c262 = new Definition($c352, $c353, "s", $c354);
-const $c355 = ["ms"];
-const $c356 = $Decimal.of("0.001");
-const $c357 = $Decimal.of("0");
-const $c263 = new Definition($c355, $c356, "s", $c357);
-const $c358 = ["min", "minute", "minutes"];
-const $c359 = $Decimal.of("60");
-const $c360 = $Decimal.of("0");
-const $c264 = new Definition($c358, $c359, "s", $c360);
-const $c361 = ["h", "hr", "hour", "hours"];
-const $c362 = $Decimal.of("60");
-const $c363 = $Decimal.of("0");
-const $c265 = new Definition($c361, $c362, "min", $c363);
-const $c364 = ["d", "day", "days"];
-const $c365 = $Decimal.of("24");
-const $c366 = $Decimal.of("0");
-const $c266 = new Definition($c364, $c365, "h", $c366);
-const $c367 = ["N", "newton", "newtons"];
-const $c368 = $Decimal.of("1");
-const $c369 = $Decimal.of("0");
-const $c267 = new Definition($c367, $c368, "kg m/s2", $c369);
-const $c370 = ["mN"];
-const $c371 = $Decimal.of("0.001");
-const $c372 = $Decimal.of("0");
-const $c268 = new Definition($c370, $c371, "N", $c372);
-const $c373 = ["daN"];
-const $c374 = $Decimal.of("10");
-const $c375 = $Decimal.of("0");
-const $c269 = new Definition($c373, $c374, "N", $c375);
-const $c376 = ["kN"];
-const $c377 = $Decimal.of("1000");
-const $c378 = $Decimal.of("0");
-const $c270 = new Definition($c376, $c377, "N", $c378);
-const $c379 = ["MN"];
-const $c380 = $Decimal.of("1E+6");
-const $c381 = $Decimal.of("0");
-const $c271 = new Definition($c379, $c380, "N", $c381);
-const $c382 = ["kgf", "kp"];
-const $c383 = $Decimal.of("9.80665");
-const $c384 = $Decimal.of("0");
-const $c272 = new Definition($c382, $c383, "N", $c384);
-const $c385 = ["gf"];
-const $c386 = $Decimal.of("0.001");
-const $c387 = $Decimal.of("0");
-const $c273 = new Definition($c385, $c386, "kgf", $c387);
-const $c388 = ["tf"];
-const $c389 = $Decimal.of("1000");
-const $c390 = $Decimal.of("0");
-const $c274 = new Definition($c388, $c389, "kgf", $c390);
-const $c391 = ["lbf", "lb", "lbs"];
-const $c392 = $Decimal.of("4.4482216152605");
-const $c393 = $Decimal.of("0");
-const $c275 = new Definition($c391, $c392, "N", $c393);
-const $c394 = ["klbf", "kip", "kips"];
-const $c395 = $Decimal.of("1000");
-const $c396 = $Decimal.of("0");
-const $c276 = new Definition($c394, $c395, "lbf", $c396);
-const $c397 = ["PIW", "piw", "PLI", "pli"];
-const $c398 = $Decimal.of("1");
-const $c399 = $Decimal.of("0");
-const $c277 = new Definition($c397, $c398, "lbf/in", $c399);
-const $c400 = ["Pa"];
-const $c401 = $Decimal.of("1");
-const $c402 = $Decimal.of("0");
-const $c278 = new Definition($c400, $c401, "N/m2", $c402);
-const $c403 = ["hPa"];
-const $c404 = $Decimal.of("100");
-const $c405 = $Decimal.of("0");
-const $c279 = new Definition($c403, $c404, "Pa", $c405);
-const $c406 = ["kPa"];
-const $c407 = $Decimal.of("1000");
-const $c408 = $Decimal.of("0");
-const $c280 = new Definition($c406, $c407, "Pa", $c408);
-const $c409 = ["MPa"];
-const $c410 = $Decimal.of("1E+6");
-const $c411 = $Decimal.of("0");
-const $c281 = new Definition($c409, $c410, "Pa", $c411);
-const $c412 = ["GPa"];
-const $c413 = $Decimal.of("1E+9");
-const $c414 = $Decimal.of("0");
-const $c282 = new Definition($c412, $c413, "Pa", $c414);
-const $c415 = ["bar"];
-const $c416 = $Decimal.of("1E+5");
-const $c417 = $Decimal.of("0");
-const $c283 = new Definition($c415, $c416, "Pa", $c417);
-const $c418 = ["mbar"];
-const $c419 = $Decimal.of("100");
-const $c420 = $Decimal.of("0");
-const $c284 = new Definition($c418, $c419, "Pa", $c420);
-const $c421 = ["psi", "PSI"];
-const $c422 = $Decimal.of("1");
-const $c423 = $Decimal.of("0");
-const $c285 = new Definition($c421, $c422, "lbf/in2", $c423);
-const $c424 = ["ksi"];
-const $c425 = $Decimal.of("1000");
-const $c426 = $Decimal.of("0");
-const $c286 = new Definition($c424, $c425, "psi", $c426);
-const $c427 = ["J", "joule"];
-const $c428 = $Decimal.of("1");
-const $c429 = $Decimal.of("0");
-const $c287 = new Definition($c427, $c428, "N m", $c429);
-const $c430 = ["mJ"];
-const $c431 = $Decimal.of("0.001");
-const $c432 = $Decimal.of("0");
-const $c288 = new Definition($c430, $c431, "J", $c432);
-const $c433 = ["kJ"];
-const $c434 = $Decimal.of("1000");
-const $c435 = $Decimal.of("0");
-const $c289 = new Definition($c433, $c434, "J", $c435);
-const $c436 = ["MJ"];
-const $c437 = $Decimal.of("1E+6");
-const $c438 = $Decimal.of("0");
-const $c290 = new Definition($c436, $c437, "J", $c438);
-const $c439 = ["Nm"];
-const $c440 = $Decimal.of("1");
-const $c441 = $Decimal.of("0");
-const $c291 = new Definition($c439, $c440, "N m", $c441);
-const $c442 = ["kNm"];
-const $c443 = $Decimal.of("1000");
-const $c444 = $Decimal.of("0");
-const $c292 = new Definition($c442, $c443, "N m", $c444);
-const $c445 = ["MNm"];
-const $c446 = $Decimal.of("1E+6");
-const $c447 = $Decimal.of("0");
-const $c293 = new Definition($c445, $c446, "N m", $c447);
-const $c448 = ["W", "watt", "watts"];
-const $c449 = $Decimal.of("1");
-const $c450 = $Decimal.of("0");
-const $c294 = new Definition($c448, $c449, "J/s", $c450);
-const $c451 = ["kW"];
-const $c452 = $Decimal.of("1000");
-const $c453 = $Decimal.of("0");
-const $c295 = new Definition($c451, $c452, "W", $c453);
-const $c454 = ["MW"];
-const $c455 = $Decimal.of("1E+6");
-const $c456 = $Decimal.of("0");
-const $c296 = new Definition($c454, $c455, "W", $c456);
-const $c457 = ["hp", "HP", "bhp", "BHP"];
-const $c458 = $Decimal.of("550");
-const $c459 = $Decimal.of("0");
-const $c297 = new Definition($c457, $c458, "ft lbf/s", $c459);
-const $c460 = ["PS", "cv", "CV", "hp(metric)"];
-const $c461 = $Decimal.of("75");
-const $c462 = $Decimal.of("0");
-const $c298 = new Definition($c460, $c461, "kgf m/s", $c462);
-const $c463 = ["fpm", "FPM"];
-const $c464 = $Decimal.of("1");
-const $c465 = $Decimal.of("0");
-const $c299 = new Definition($c463, $c464, "ft/min", $c465);
-const $c466 = ["fps"];
-const $c467 = $Decimal.of("1");
-const $c468 = $Decimal.of("0");
-const $c300 = new Definition($c466, $c467, "ft/s", $c468);
-const $c469 = ["kph", "kmh"];
-const $c470 = $Decimal.of("1");
-const $c471 = $Decimal.of("0");
-const $c301 = new Definition($c469, $c470, "km/h", $c471);
-const $c472 = ["mph"];
-const $c473 = $Decimal.of("1");
-const $c474 = $Decimal.of("0");
-const $c302 = new Definition($c472, $c473, "mi/h", $c474);
-const $c475 = ["mrad"];
-const $c476 = $Decimal.of("0.001");
-const $c477 = $Decimal.of("0");
-const $c303 = new Definition($c475, $c476, "rad", $c477);
-const $c478 = ["deg", "degree", "degrees", "°"];
-const $c479 = $Decimal.of("0.01745329251994329576923690768");
-const $c480 = $Decimal.of("0");
-const $c304 = new Definition($c478, $c479, "rad", $c480);
-const $c481 = ["rev", "turn", "turns"];
-const $c482 = $Decimal.of("360");
-const $c483 = $Decimal.of("0");
-const $c305 = new Definition($c481, $c482, "deg", $c483);
-const $c484 = ["rpm", "RPM"];
-const $c485 = $Decimal.of("1");
-const $c486 = $Decimal.of("0");
-const $c306 = new Definition($c484, $c485, "rev/min", $c486);
-const $c487 = ["degC", "°C"];
-const $c488 = $Decimal.of("1");
-const $c489 = $Decimal.of("-273.15");
-const $c307 = new Definition($c487, $c488, "K", $c489);
-const $c490 = ["degF", "°F"];
-const $c491 = $Decimal.of("0.5555555555555555555555555556");
-const $c492 = $Decimal.of("-459.67");
-const $c308 = new Definition($c490, $c491, "K", $c492);
-const $c493 = ["%", "percent"];
-const $c494 = $Decimal.of("0.01");
-const $c495 = $Decimal.of("0");
-const $c309 = new Definition($c493, $c494, "", $c495);
-const $c22 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
+const $c309 = ["meter", "meters", "metre", "metres"];
+const $c310 = $Decimal.of("1");
+const $c311 = $Decimal.of("0");
+const $c247 = new Definition($c309, $c310, "m", $c311);
+const $c312 = ["km"];
+const $c313 = $Decimal.of("1000");
+const $c314 = $Decimal.of("0");
+const $c248 = new Definition($c312, $c313, "m", $c314);
+const $c315 = ["dm"];
+const $c316 = $Decimal.of("0.1");
+const $c317 = $Decimal.of("0");
+const $c249 = new Definition($c315, $c316, "m", $c317);
+const $c318 = ["cm"];
+const $c319 = $Decimal.of("0.01");
+const $c320 = $Decimal.of("0");
+const $c250 = new Definition($c318, $c319, "m", $c320);
+const $c321 = ["mm"];
+const $c322 = $Decimal.of("0.001");
+const $c323 = $Decimal.of("0");
+const $c251 = new Definition($c321, $c322, "m", $c323);
+const $c324 = ["um", "micron", "microns"];
+const $c325 = $Decimal.of("0.000001");
+const $c326 = $Decimal.of("0");
+const $c252 = new Definition($c324, $c325, "m", $c326);
+const $c327 = ["in", "inch", "inches", "\""];
+const $c328 = $Decimal.of("0.0254");
+const $c329 = $Decimal.of("0");
+const $c253 = new Definition($c327, $c328, "m", $c329);
+const $c330 = ["ft", "foot", "feet"];
+const $c331 = $Decimal.of("12");
+const $c332 = $Decimal.of("0");
+const $c254 = new Definition($c330, $c331, "in", $c332);
+const $c333 = ["yd"];
+const $c334 = $Decimal.of("3");
+const $c335 = $Decimal.of("0");
+const $c255 = new Definition($c333, $c334, "ft", $c335);
+const $c336 = ["mi", "mile", "miles"];
+const $c337 = $Decimal.of("5280");
+const $c338 = $Decimal.of("0");
+const $c256 = new Definition($c336, $c337, "ft", $c338);
+const $c339 = ["thou"];
+const $c340 = $Decimal.of("0.001");
+const $c341 = $Decimal.of("0");
+const $c257 = new Definition($c339, $c340, "in", $c341);
+const $c342 = ["g"];
+const $c343 = $Decimal.of("0.001");
+const $c344 = $Decimal.of("0");
+const $c258 = new Definition($c342, $c343, "kg", $c344);
+const $c345 = ["t", "tonne", "tonnes"];
+const $c346 = $Decimal.of("1000");
+const $c347 = $Decimal.of("0");
+const $c259 = new Definition($c345, $c346, "kg", $c347);
+const $c348 = ["lbm"];
+const $c349 = $Decimal.of("0.45359237");
+const $c350 = $Decimal.of("0");
+const $c260 = new Definition($c348, $c349, "kg", $c350);
+const $c351 = ["sec", "second", "seconds"];
+const $c352 = $Decimal.of("1");
+const $c353 = $Decimal.of("0");
+const $c261 = new Definition($c351, $c352, "s", $c353);
+const $c354 = ["ms"];
+const $c355 = $Decimal.of("0.001");
+const $c356 = $Decimal.of("0");
+const $c262 = new Definition($c354, $c355, "s", $c356);
+const $c357 = ["min", "minute", "minutes"];
+const $c358 = $Decimal.of("60");
+const $c359 = $Decimal.of("0");
+const $c263 = new Definition($c357, $c358, "s", $c359);
+const $c360 = ["h", "hr", "hour", "hours"];
+const $c361 = $Decimal.of("60");
+const $c362 = $Decimal.of("0");
+const $c264 = new Definition($c360, $c361, "min", $c362);
+const $c363 = ["d", "day", "days"];
+const $c364 = $Decimal.of("24");
+const $c365 = $Decimal.of("0");
+const $c265 = new Definition($c363, $c364, "h", $c365);
+const $c366 = ["N", "newton", "newtons"];
+const $c367 = $Decimal.of("1");
+const $c368 = $Decimal.of("0");
+const $c266 = new Definition($c366, $c367, "kg m/s2", $c368);
+const $c369 = ["mN"];
+const $c370 = $Decimal.of("0.001");
+const $c371 = $Decimal.of("0");
+const $c267 = new Definition($c369, $c370, "N", $c371);
+const $c372 = ["daN"];
+const $c373 = $Decimal.of("10");
+const $c374 = $Decimal.of("0");
+const $c268 = new Definition($c372, $c373, "N", $c374);
+const $c375 = ["kN"];
+const $c376 = $Decimal.of("1000");
+const $c377 = $Decimal.of("0");
+const $c269 = new Definition($c375, $c376, "N", $c377);
+const $c378 = ["MN"];
+const $c379 = $Decimal.of("1E+6");
+const $c380 = $Decimal.of("0");
+const $c270 = new Definition($c378, $c379, "N", $c380);
+const $c381 = ["kgf", "kp"];
+const $c382 = $Decimal.of("9.80665");
+const $c383 = $Decimal.of("0");
+const $c271 = new Definition($c381, $c382, "N", $c383);
+const $c384 = ["gf"];
+const $c385 = $Decimal.of("0.001");
+const $c386 = $Decimal.of("0");
+const $c272 = new Definition($c384, $c385, "kgf", $c386);
+const $c387 = ["tf"];
+const $c388 = $Decimal.of("1000");
+const $c389 = $Decimal.of("0");
+const $c273 = new Definition($c387, $c388, "kgf", $c389);
+const $c390 = ["lbf", "lb", "lbs"];
+const $c391 = $Decimal.of("4.4482216152605");
+const $c392 = $Decimal.of("0");
+const $c274 = new Definition($c390, $c391, "N", $c392);
+const $c393 = ["klbf", "kip", "kips"];
+const $c394 = $Decimal.of("1000");
+const $c395 = $Decimal.of("0");
+const $c275 = new Definition($c393, $c394, "lbf", $c395);
+const $c396 = ["PIW", "piw", "PLI", "pli"];
+const $c397 = $Decimal.of("1");
+const $c398 = $Decimal.of("0");
+const $c276 = new Definition($c396, $c397, "lbf/in", $c398);
+const $c399 = ["Pa"];
+const $c400 = $Decimal.of("1");
+const $c401 = $Decimal.of("0");
+const $c277 = new Definition($c399, $c400, "N/m2", $c401);
+const $c402 = ["hPa"];
+const $c403 = $Decimal.of("100");
+const $c404 = $Decimal.of("0");
+const $c278 = new Definition($c402, $c403, "Pa", $c404);
+const $c405 = ["kPa"];
+const $c406 = $Decimal.of("1000");
+const $c407 = $Decimal.of("0");
+const $c279 = new Definition($c405, $c406, "Pa", $c407);
+const $c408 = ["MPa"];
+const $c409 = $Decimal.of("1E+6");
+const $c410 = $Decimal.of("0");
+const $c280 = new Definition($c408, $c409, "Pa", $c410);
+const $c411 = ["GPa"];
+const $c412 = $Decimal.of("1E+9");
+const $c413 = $Decimal.of("0");
+const $c281 = new Definition($c411, $c412, "Pa", $c413);
+const $c414 = ["bar"];
+const $c415 = $Decimal.of("1E+5");
+const $c416 = $Decimal.of("0");
+const $c282 = new Definition($c414, $c415, "Pa", $c416);
+const $c417 = ["mbar"];
+const $c418 = $Decimal.of("100");
+const $c419 = $Decimal.of("0");
+const $c283 = new Definition($c417, $c418, "Pa", $c419);
+const $c420 = ["psi", "PSI"];
+const $c421 = $Decimal.of("1");
+const $c422 = $Decimal.of("0");
+const $c284 = new Definition($c420, $c421, "lbf/in2", $c422);
+const $c423 = ["ksi"];
+const $c424 = $Decimal.of("1000");
+const $c425 = $Decimal.of("0");
+const $c285 = new Definition($c423, $c424, "psi", $c425);
+const $c426 = ["J", "joule"];
+const $c427 = $Decimal.of("1");
+const $c428 = $Decimal.of("0");
+const $c286 = new Definition($c426, $c427, "N m", $c428);
+const $c429 = ["mJ"];
+const $c430 = $Decimal.of("0.001");
+const $c431 = $Decimal.of("0");
+const $c287 = new Definition($c429, $c430, "J", $c431);
+const $c432 = ["kJ"];
+const $c433 = $Decimal.of("1000");
+const $c434 = $Decimal.of("0");
+const $c288 = new Definition($c432, $c433, "J", $c434);
+const $c435 = ["MJ"];
+const $c436 = $Decimal.of("1E+6");
+const $c437 = $Decimal.of("0");
+const $c289 = new Definition($c435, $c436, "J", $c437);
+const $c438 = ["Nm"];
+const $c439 = $Decimal.of("1");
+const $c440 = $Decimal.of("0");
+const $c290 = new Definition($c438, $c439, "N m", $c440);
+const $c441 = ["kNm"];
+const $c442 = $Decimal.of("1000");
+const $c443 = $Decimal.of("0");
+const $c291 = new Definition($c441, $c442, "N m", $c443);
+const $c444 = ["MNm"];
+const $c445 = $Decimal.of("1E+6");
+const $c446 = $Decimal.of("0");
+const $c292 = new Definition($c444, $c445, "N m", $c446);
+const $c447 = ["W", "watt", "watts"];
+const $c448 = $Decimal.of("1");
+const $c449 = $Decimal.of("0");
+const $c293 = new Definition($c447, $c448, "J/s", $c449);
+const $c450 = ["kW"];
+const $c451 = $Decimal.of("1000");
+const $c452 = $Decimal.of("0");
+const $c294 = new Definition($c450, $c451, "W", $c452);
+const $c453 = ["MW"];
+const $c454 = $Decimal.of("1E+6");
+const $c455 = $Decimal.of("0");
+const $c295 = new Definition($c453, $c454, "W", $c455);
+const $c456 = ["hp", "HP", "bhp", "BHP"];
+const $c457 = $Decimal.of("550");
+const $c458 = $Decimal.of("0");
+const $c296 = new Definition($c456, $c457, "ft lbf/s", $c458);
+const $c459 = ["PS", "cv", "CV", "hp(metric)"];
+const $c460 = $Decimal.of("75");
+const $c461 = $Decimal.of("0");
+const $c297 = new Definition($c459, $c460, "kgf m/s", $c461);
+const $c462 = ["fpm", "FPM"];
+const $c463 = $Decimal.of("1");
+const $c464 = $Decimal.of("0");
+const $c298 = new Definition($c462, $c463, "ft/min", $c464);
+const $c465 = ["fps"];
+const $c466 = $Decimal.of("1");
+const $c467 = $Decimal.of("0");
+const $c299 = new Definition($c465, $c466, "ft/s", $c467);
+const $c468 = ["kph", "kmh"];
+const $c469 = $Decimal.of("1");
+const $c470 = $Decimal.of("0");
+const $c300 = new Definition($c468, $c469, "km/h", $c470);
+const $c471 = ["mph"];
+const $c472 = $Decimal.of("1");
+const $c473 = $Decimal.of("0");
+const $c301 = new Definition($c471, $c472, "mi/h", $c473);
+const $c474 = ["mrad"];
+const $c475 = $Decimal.of("0.001");
+const $c476 = $Decimal.of("0");
+const $c302 = new Definition($c474, $c475, "rad", $c476);
+const $c477 = ["deg", "degree", "degrees", "°"];
+const $c478 = $Decimal.of("0.01745329251994329576923690768");
+const $c479 = $Decimal.of("0");
+const $c303 = new Definition($c477, $c478, "rad", $c479);
+const $c480 = ["rev", "turn", "turns"];
+const $c481 = $Decimal.of("360");
+const $c482 = $Decimal.of("0");
+const $c304 = new Definition($c480, $c481, "deg", $c482);
+const $c483 = ["rpm", "RPM"];
+const $c484 = $Decimal.of("1");
+const $c485 = $Decimal.of("0");
+const $c305 = new Definition($c483, $c484, "rev/min", $c485);
+const $c486 = ["degC", "°C"];
+const $c487 = $Decimal.of("1");
+const $c488 = $Decimal.of("-273.15");
+const $c306 = new Definition($c486, $c487, "K", $c488);
+const $c489 = ["degF", "°F"];
+const $c490 = $Decimal.of("0.5555555555555555555555555556");
+const $c491 = $Decimal.of("-459.67");
+const $c307 = new Definition($c489, $c490, "K", $c491);
+const $c492 = ["%", "percent"];
+const $c493 = $Decimal.of("0.01");
+const $c494 = $Decimal.of("0");
+const $c308 = new Definition($c492, $c493, "", $c494);
+const $c22 = [$c247, $c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c27 = ["wear_coefficient"];
-const $c28 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
-const $c33 = [$c496, $c497, $c498, $c499];
-const $c34 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c35 = ["effective_tension", "torque", "power"];
-const $c36 = ["entry_tension", "exit_tension"];
-const $c37 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c504 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c505 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c506 = ["length_coefficient", "secondary_resistance", ""];
-const $c507 = ["start_factor", "start_time", ""];
-const $c39 = [$c504, $c505, $c506, $c507];
-const $c40 = ["capacity", "start_time", "stop_time"];
-const $c1116 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c1109 = $made(Entry, {key: "entry_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c1110 = $made(Entry, {key: "exit_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c1117 = $made(Quantity, {dimension: "force", limit: null});
-const $c1111 = $made(Entry, {key: "effective_tension", kind: $c1117, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c1118 = $made(Quantity, {dimension: "power", limit: null});
-const $c1112 = $made(Entry, {key: "power", kind: $c1118, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c1120 = $made(Quantity, {dimension: "force", limit: null});
-const $c1119 = $made(ByName, {kind: $c1120, most: 200});
-const $c1113 = $made(Entry, {key: "run", kind: $c1119, required: false, alias: "", example: "", attribute: "run", unless: ""});
-const $c1350 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
-const $c1348 = $made(Quantity, {dimension: "number", limit: $c1350});
-const $c1349 = $made(Quantity, {dimension: "power", limit: null});
-const $c1122 = $made(Either, {first: $c1348, second: $c1349, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
-const $c1121 = $made(Rows, {kind: $c1122, least: 1, most: 10});
-const $c1114 = $made(Entry, {key: "share", kind: $c1121, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1123 = $made(SpeedList, {});
-const $c1115 = $made(Entry, {key: "speeds", kind: $c1123, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
-const $c1107 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115];
-const $c1108 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115]]);
-const $c1106 = $made(Table, {of: null, entries: $c1107, _known: $c1108});
-const $c1105 = $made(Entry, {key: "train", kind: $c1106, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1103 = [$c985, $c986, $c987, $c988, $c989, $c1105];
-const $c1104 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c1105]]);
-const $c1102 = $made(Table, {of: null, entries: $c1103, _known: $c1104});
-const $c1101 = $made(Rows, {kind: $c1102, least: 1, most: 1000});
-const $c1099 = $made(Entry, {key: "load_case", kind: $c1101, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1130 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c1129 = $made(Rows, {kind: $c1130, least: 1, most: 10});
-const $c1127 = $made(Entry, {key: "diameters", kind: $c1129, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
-const $c1146 = ["converter"];
-const $c1145 = $made(Choice, {options: $c1146});
-const $c1134 = $made(Entry, {key: "kind", kind: $c1145, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1148 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c1147 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1135 = $made(Entry, {key: "rated_power", kind: $c1147, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1150 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1149 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1136 = $made(Entry, {key: "rated_speed", kind: $c1149, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1152 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1137 = $made(Entry, {key: "gear_ratio", kind: $c1151, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1154 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1153 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1138 = $made(Entry, {key: "gear_efficiency", kind: $c1153, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1156 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1155 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1139 = $made(Entry, {key: "motor_efficiency", kind: $c1155, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1157 = $made(Count, {least: 1, most: 8});
-const $c1140 = $made(Entry, {key: "count", kind: $c1157, required: false, alias: "", example: "", attribute: "count", unless: ""});
-const $c1158 = $made(Flag, {});
-const $c1141 = $made(Entry, {key: "brakes", kind: $c1158, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1160 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
-const $c1159 = $made(Quantity, {dimension: "number", limit: $c1160});
-const $c1142 = $made(Entry, {key: "setting", kind: $c1159, required: false, alias: "", example: "", attribute: "setting", unless: ""});
-const $c1162 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c1161 = $made(Quantity, {dimension: "number", limit: $c1162});
-const $c1143 = $made(Entry, {key: "droop", kind: $c1161, required: false, alias: "", example: "", attribute: "droop", unless: ""});
-const $c1165 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
-const $c1164 = $made(Quantity, {dimension: "number", limit: $c1165});
-const $c1163 = $made(WordOr, {word: "rigid", kind: $c1164, meaning: Infinity});
-const $c1144 = $made(Entry, {key: "torque_limit", kind: $c1163, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
-const $c1132 = [$c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144];
-const $c1133 = new Map([["kind", $c1134], ["rated_power", $c1135], ["rated_speed", $c1136], ["gear_ratio", $c1137], ["gear_efficiency", $c1138], ["motor_efficiency", $c1139], ["count", $c1140], ["brakes", $c1141], ["setting", $c1142], ["droop", $c1143], ["torque_limit", $c1144]]);
-const $c572 = $made(Table, {of: VariableSpeed, entries: $c1132, _known: $c1133});
-const $c1178 = ["induction"];
-const $c1177 = $made(Choice, {options: $c1178});
-const $c1168 = $made(Entry, {key: "kind", kind: $c1177, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1179 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1169 = $made(Entry, {key: "rated_power", kind: $c1179, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1180 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1170 = $made(Entry, {key: "rated_speed", kind: $c1180, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1181 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1171 = $made(Entry, {key: "gear_ratio", kind: $c1181, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1182 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1172 = $made(Entry, {key: "gear_efficiency", kind: $c1182, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1183 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1173 = $made(Entry, {key: "motor_efficiency", kind: $c1183, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1184 = $made(Flag, {});
-const $c1174 = $made(Entry, {key: "brakes", kind: $c1184, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1186 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1185 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1175 = $made(Entry, {key: "synchronous_speed", kind: $c1185, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1188 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
-const $c1187 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1176 = $made(Entry, {key: "breakdown_ratio", kind: $c1187, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1166 = [$c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1140, $c1174, $c1175, $c1176];
-const $c1167 = new Map([["kind", $c1168], ["rated_power", $c1169], ["rated_speed", $c1170], ["gear_ratio", $c1171], ["gear_efficiency", $c1172], ["motor_efficiency", $c1173], ["count", $c1140], ["brakes", $c1174], ["synchronous_speed", $c1175], ["breakdown_ratio", $c1176]]);
-const $c573 = $made(Table, {of: Induction, entries: $c1166, _known: $c1167});
-const $c1203 = ["fluid-coupling"];
-const $c1202 = $made(Choice, {options: $c1203});
-const $c1191 = $made(Entry, {key: "kind", kind: $c1202, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1204 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1192 = $made(Entry, {key: "rated_power", kind: $c1204, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1205 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1193 = $made(Entry, {key: "rated_speed", kind: $c1205, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1206 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1194 = $made(Entry, {key: "gear_ratio", kind: $c1206, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1207 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1195 = $made(Entry, {key: "gear_efficiency", kind: $c1207, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1208 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1196 = $made(Entry, {key: "motor_efficiency", kind: $c1208, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1209 = $made(Flag, {});
-const $c1197 = $made(Entry, {key: "brakes", kind: $c1209, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1210 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1198 = $made(Entry, {key: "synchronous_speed", kind: $c1210, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1211 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1199 = $made(Entry, {key: "breakdown_ratio", kind: $c1211, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1214 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c1213 = $made(Quantity, {dimension: "number", limit: $c1214});
-const $c1212 = $made(Rows, {kind: $c1213, least: 2, most: 200});
-const $c1200 = $made(Entry, {key: "coupling_load", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
-const $c1201 = $made(Entry, {key: "coupling_slip", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
-const $c1189 = [$c1191, $c1192, $c1193, $c1194, $c1195, $c1196, $c1140, $c1197, $c1198, $c1199, $c1200, $c1201];
-const $c1190 = new Map([["kind", $c1191], ["rated_power", $c1192], ["rated_speed", $c1193], ["gear_ratio", $c1194], ["gear_efficiency", $c1195], ["motor_efficiency", $c1196], ["count", $c1140], ["brakes", $c1197], ["synchronous_speed", $c1198], ["breakdown_ratio", $c1199], ["coupling_load", $c1200], ["coupling_slip", $c1201]]);
-const $c574 = $made(Table, {of: FluidCoupling, entries: $c1189, _known: $c1190});
-const $c1221 = ["follower"];
-const $c1220 = $made(Choice, {options: $c1221});
-const $c1217 = $made(Entry, {key: "kind", kind: $c1220, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1222 = $made(Name, {longest: 60});
-const $c1218 = $made(Entry, {key: "master", kind: $c1222, required: true, alias: "", example: "", attribute: "master", unless: ""});
-const $c593 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
-const $c1223 = $made(Quantity, {dimension: "number", limit: $c593});
-const $c1219 = $made(Entry, {key: "ratio", kind: $c1223, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
-const $c1215 = [$c1217, $c1218, $c1219];
-const $c1216 = new Map([["kind", $c1217], ["master", $c1218], ["ratio", $c1219]]);
-const $c575 = $made(Table, {of: TorqueFollower, entries: $c1215, _known: $c1216});
-const $c65 = new Map([["converter", $c572], ["induction", $c573], ["fluid-coupling", $c574], ["follower", $c575]]);
-const $c66 = $made(Variant, {tag: "kind", tables: $c65});
-const $c1131 = $made(ByName, {kind: $c66, most: 200});
-const $c1128 = $made(Entry, {key: "motor", kind: $c1131, required: false, alias: "", example: "", attribute: "motor", unless: ""});
-const $c1125 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1127, $c1128];
-const $c1126 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115], ["diameters", $c1127], ["motor", $c1128]]);
-const $c1124 = $made(Table, {of: null, entries: $c1125, _known: $c1126});
-const $c1100 = $made(Entry, {key: "train", kind: $c1124, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1097 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c1099, $c632, $c496, $c497, $c498, $c499, $c1100, $c634];
-const $c1098 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c1099], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c1100], ["motion", $c634]]);
-const $c41 = $made(Table, {of: Drive, entries: $c1097, _known: $c1098});
-const $c42 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c43 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c44 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c45 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c47 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c48 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c51 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c52 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c54 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1235 = $made(Name, {longest: 60});
-const $c1226 = $made(Entry, {key: "name", kind: $c1235, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
-const $c1236 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c1227 = $made(Entry, {key: "thickness", kind: $c1236, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c1237 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c1228 = $made(Entry, {key: "elastic_modulus", kind: $c1237, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c1239 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c1238 = $made(WordOr, {word: "rigid", kind: $c1239, meaning: Infinity});
-const $c1229 = $made(Entry, {key: "shear_modulus", kind: $c1238, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c1241 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c1240 = $made(WordOr, {word: "rigid", kind: $c1241, meaning: Infinity});
-const $c1230 = $made(Entry, {key: "compression_modulus", kind: $c1240, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c1242 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c1231 = $made(Entry, {key: "wear_coefficient", kind: $c1242, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c1243 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c1232 = $made(Entry, {key: "belt_energy_share", kind: $c1243, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c27 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
+const $c32 = [$c495, $c496, $c497, $c498];
+const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c34 = ["effective_tension", "torque", "power"];
+const $c35 = ["entry_tension", "exit_tension"];
+const $c36 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c503 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c504 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c505 = ["length_coefficient", "secondary_resistance", ""];
+const $c506 = ["start_factor", "start_time", ""];
+const $c38 = [$c503, $c504, $c505, $c506];
+const $c39 = ["capacity", "start_time", "stop_time"];
+const $c1115 = $made(Quantity, {dimension: "force", limit: $c580});
+const $c1108 = $made(Entry, {key: "entry_tension", kind: $c1115, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
+const $c1109 = $made(Entry, {key: "exit_tension", kind: $c1115, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
+const $c1116 = $made(Quantity, {dimension: "force", limit: null});
+const $c1110 = $made(Entry, {key: "effective_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
+const $c1117 = $made(Quantity, {dimension: "power", limit: null});
+const $c1111 = $made(Entry, {key: "power", kind: $c1117, required: false, alias: "", example: "", attribute: "power", unless: ""});
+const $c1119 = $made(Quantity, {dimension: "force", limit: null});
+const $c1118 = $made(ByName, {kind: $c1119, most: 200});
+const $c1112 = $made(Entry, {key: "run", kind: $c1118, required: false, alias: "", example: "", attribute: "run", unless: ""});
+const $c1349 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
+const $c1347 = $made(Quantity, {dimension: "number", limit: $c1349});
+const $c1348 = $made(Quantity, {dimension: "power", limit: null});
+const $c1121 = $made(Either, {first: $c1347, second: $c1348, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
+const $c1120 = $made(Rows, {kind: $c1121, least: 1, most: 10});
+const $c1113 = $made(Entry, {key: "share", kind: $c1120, required: false, alias: "", example: "", attribute: "share", unless: ""});
+const $c1122 = $made(SpeedList, {});
+const $c1114 = $made(Entry, {key: "speeds", kind: $c1122, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
+const $c1106 = [$c1108, $c1109, $c1110, $c1111, $c1112, $c1113, $c1114];
+const $c1107 = new Map([["entry_tension", $c1108], ["exit_tension", $c1109], ["effective_tension", $c1110], ["power", $c1111], ["run", $c1112], ["share", $c1113], ["speeds", $c1114]]);
+const $c1105 = $made(Table, {of: null, entries: $c1106, _known: $c1107});
+const $c1104 = $made(Entry, {key: "train", kind: $c1105, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1102 = [$c984, $c985, $c986, $c987, $c988, $c1104];
+const $c1103 = new Map([["name", $c984], ["description", $c985], ["kind", $c986], ["condition", $c987], ["pulley", $c988], ["train", $c1104]]);
+const $c1101 = $made(Table, {of: null, entries: $c1102, _known: $c1103});
+const $c1100 = $made(Rows, {kind: $c1101, least: 1, most: 1000});
+const $c1098 = $made(Entry, {key: "load_case", kind: $c1100, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
+const $c1129 = $made(Quantity, {dimension: "length", limit: $c666});
+const $c1128 = $made(Rows, {kind: $c1129, least: 1, most: 10});
+const $c1126 = $made(Entry, {key: "diameters", kind: $c1128, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
+const $c1145 = ["converter"];
+const $c1144 = $made(Choice, {options: $c1145});
+const $c1133 = $made(Entry, {key: "kind", kind: $c1144, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1147 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
+const $c1146 = $made(Quantity, {dimension: "power", limit: $c1147});
+const $c1134 = $made(Entry, {key: "rated_power", kind: $c1146, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1149 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1148 = $made(Quantity, {dimension: "rotation_speed", limit: $c1149});
+const $c1135 = $made(Entry, {key: "rated_speed", kind: $c1148, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1151 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
+const $c1150 = $made(Quantity, {dimension: "number", limit: $c1151});
+const $c1136 = $made(Entry, {key: "gear_ratio", kind: $c1150, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1153 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1152 = $made(Quantity, {dimension: "number", limit: $c1153});
+const $c1137 = $made(Entry, {key: "gear_efficiency", kind: $c1152, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1155 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
+const $c1154 = $made(Quantity, {dimension: "number", limit: $c1155});
+const $c1138 = $made(Entry, {key: "motor_efficiency", kind: $c1154, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1156 = $made(Count, {least: 1, most: 8});
+const $c1139 = $made(Entry, {key: "count", kind: $c1156, required: false, alias: "", example: "", attribute: "count", unless: ""});
+const $c1157 = $made(Flag, {});
+const $c1140 = $made(Entry, {key: "brakes", kind: $c1157, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1159 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
+const $c1158 = $made(Quantity, {dimension: "number", limit: $c1159});
+const $c1141 = $made(Entry, {key: "setting", kind: $c1158, required: false, alias: "", example: "", attribute: "setting", unless: ""});
+const $c1161 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
+const $c1160 = $made(Quantity, {dimension: "number", limit: $c1161});
+const $c1142 = $made(Entry, {key: "droop", kind: $c1160, required: false, alias: "", example: "", attribute: "droop", unless: ""});
+const $c1164 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
+const $c1163 = $made(Quantity, {dimension: "number", limit: $c1164});
+const $c1162 = $made(WordOr, {word: "rigid", kind: $c1163, meaning: Infinity});
+const $c1143 = $made(Entry, {key: "torque_limit", kind: $c1162, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
+const $c1131 = [$c1133, $c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143];
+const $c1132 = new Map([["kind", $c1133], ["rated_power", $c1134], ["rated_speed", $c1135], ["gear_ratio", $c1136], ["gear_efficiency", $c1137], ["motor_efficiency", $c1138], ["count", $c1139], ["brakes", $c1140], ["setting", $c1141], ["droop", $c1142], ["torque_limit", $c1143]]);
+const $c571 = $made(Table, {of: VariableSpeed, entries: $c1131, _known: $c1132});
+const $c1177 = ["induction"];
+const $c1176 = $made(Choice, {options: $c1177});
+const $c1167 = $made(Entry, {key: "kind", kind: $c1176, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1178 = $made(Quantity, {dimension: "power", limit: $c1147});
+const $c1168 = $made(Entry, {key: "rated_power", kind: $c1178, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1179 = $made(Quantity, {dimension: "rotation_speed", limit: $c1149});
+const $c1169 = $made(Entry, {key: "rated_speed", kind: $c1179, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1180 = $made(Quantity, {dimension: "number", limit: $c1151});
+const $c1170 = $made(Entry, {key: "gear_ratio", kind: $c1180, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1181 = $made(Quantity, {dimension: "number", limit: $c1153});
+const $c1171 = $made(Entry, {key: "gear_efficiency", kind: $c1181, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1182 = $made(Quantity, {dimension: "number", limit: $c1155});
+const $c1172 = $made(Entry, {key: "motor_efficiency", kind: $c1182, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1183 = $made(Flag, {});
+const $c1173 = $made(Entry, {key: "brakes", kind: $c1183, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1185 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
+const $c1184 = $made(Quantity, {dimension: "rotation_speed", limit: $c1185});
+const $c1174 = $made(Entry, {key: "synchronous_speed", kind: $c1184, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1187 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
+const $c1186 = $made(Quantity, {dimension: "number", limit: $c1187});
+const $c1175 = $made(Entry, {key: "breakdown_ratio", kind: $c1186, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1165 = [$c1167, $c1168, $c1169, $c1170, $c1171, $c1172, $c1139, $c1173, $c1174, $c1175];
+const $c1166 = new Map([["kind", $c1167], ["rated_power", $c1168], ["rated_speed", $c1169], ["gear_ratio", $c1170], ["gear_efficiency", $c1171], ["motor_efficiency", $c1172], ["count", $c1139], ["brakes", $c1173], ["synchronous_speed", $c1174], ["breakdown_ratio", $c1175]]);
+const $c572 = $made(Table, {of: Induction, entries: $c1165, _known: $c1166});
+const $c1202 = ["fluid-coupling"];
+const $c1201 = $made(Choice, {options: $c1202});
+const $c1190 = $made(Entry, {key: "kind", kind: $c1201, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1203 = $made(Quantity, {dimension: "power", limit: $c1147});
+const $c1191 = $made(Entry, {key: "rated_power", kind: $c1203, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
+const $c1204 = $made(Quantity, {dimension: "rotation_speed", limit: $c1149});
+const $c1192 = $made(Entry, {key: "rated_speed", kind: $c1204, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
+const $c1205 = $made(Quantity, {dimension: "number", limit: $c1151});
+const $c1193 = $made(Entry, {key: "gear_ratio", kind: $c1205, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
+const $c1206 = $made(Quantity, {dimension: "number", limit: $c1153});
+const $c1194 = $made(Entry, {key: "gear_efficiency", kind: $c1206, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
+const $c1207 = $made(Quantity, {dimension: "number", limit: $c1155});
+const $c1195 = $made(Entry, {key: "motor_efficiency", kind: $c1207, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
+const $c1208 = $made(Flag, {});
+const $c1196 = $made(Entry, {key: "brakes", kind: $c1208, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
+const $c1209 = $made(Quantity, {dimension: "rotation_speed", limit: $c1185});
+const $c1197 = $made(Entry, {key: "synchronous_speed", kind: $c1209, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
+const $c1210 = $made(Quantity, {dimension: "number", limit: $c1187});
+const $c1198 = $made(Entry, {key: "breakdown_ratio", kind: $c1210, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
+const $c1213 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
+const $c1212 = $made(Quantity, {dimension: "number", limit: $c1213});
+const $c1211 = $made(Rows, {kind: $c1212, least: 2, most: 200});
+const $c1199 = $made(Entry, {key: "coupling_load", kind: $c1211, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
+const $c1200 = $made(Entry, {key: "coupling_slip", kind: $c1211, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
+const $c1188 = [$c1190, $c1191, $c1192, $c1193, $c1194, $c1195, $c1139, $c1196, $c1197, $c1198, $c1199, $c1200];
+const $c1189 = new Map([["kind", $c1190], ["rated_power", $c1191], ["rated_speed", $c1192], ["gear_ratio", $c1193], ["gear_efficiency", $c1194], ["motor_efficiency", $c1195], ["count", $c1139], ["brakes", $c1196], ["synchronous_speed", $c1197], ["breakdown_ratio", $c1198], ["coupling_load", $c1199], ["coupling_slip", $c1200]]);
+const $c573 = $made(Table, {of: FluidCoupling, entries: $c1188, _known: $c1189});
+const $c1220 = ["follower"];
+const $c1219 = $made(Choice, {options: $c1220});
+const $c1216 = $made(Entry, {key: "kind", kind: $c1219, required: true, alias: "", example: "", attribute: "kind", unless: ""});
+const $c1221 = $made(Name, {longest: 60});
+const $c1217 = $made(Entry, {key: "master", kind: $c1221, required: true, alias: "", example: "", attribute: "master", unless: ""});
+const $c592 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
+const $c1222 = $made(Quantity, {dimension: "number", limit: $c592});
+const $c1218 = $made(Entry, {key: "ratio", kind: $c1222, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
+const $c1214 = [$c1216, $c1217, $c1218];
+const $c1215 = new Map([["kind", $c1216], ["master", $c1217], ["ratio", $c1218]]);
+const $c574 = $made(Table, {of: TorqueFollower, entries: $c1214, _known: $c1215});
+const $c64 = new Map([["converter", $c571], ["induction", $c572], ["fluid-coupling", $c573], ["follower", $c574]]);
+const $c65 = $made(Variant, {tag: "kind", tables: $c64});
+const $c1130 = $made(ByName, {kind: $c65, most: 200});
+const $c1127 = $made(Entry, {key: "motor", kind: $c1130, required: false, alias: "", example: "", attribute: "motor", unless: ""});
+const $c1124 = [$c1108, $c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1126, $c1127];
+const $c1125 = new Map([["entry_tension", $c1108], ["exit_tension", $c1109], ["effective_tension", $c1110], ["power", $c1111], ["run", $c1112], ["share", $c1113], ["speeds", $c1114], ["diameters", $c1126], ["motor", $c1127]]);
+const $c1123 = $made(Table, {of: null, entries: $c1124, _known: $c1125});
+const $c1099 = $made(Entry, {key: "train", kind: $c1123, required: false, alias: "", example: "", attribute: "train", unless: ""});
+const $c1096 = [$c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c1098, $c631, $c495, $c496, $c497, $c498, $c1099, $c633];
+const $c1097 = new Map([["format", $c622], ["title", $c623], ["description", $c624], ["creep_limit", $c625], ["condition", $c626], ["belt", $c627], ["pulley", $c628], ["lagging", $c629], ["load_case", $c1098], ["conveyor", $c631], ["take_up", $c495], ["design_standard", $c496], ["safety_factor", $c497], ["sag", $c498], ["train", $c1099], ["motion", $c633]]);
+const $c40 = $made(Table, {of: Drive, entries: $c1096, _known: $c1097});
+const $c41 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c42 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c43 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c44 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c46 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c47 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c50 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c51 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c53 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1234 = $made(Name, {longest: 60});
+const $c1225 = $made(Entry, {key: "name", kind: $c1234, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
+const $c1235 = $made(Quantity, {dimension: "length", limit: $c584});
+const $c1226 = $made(Entry, {key: "thickness", kind: $c1235, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
+const $c1236 = $made(Quantity, {dimension: "pressure", limit: $c587});
+const $c1227 = $made(Entry, {key: "elastic_modulus", kind: $c1236, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
+const $c1238 = $made(Quantity, {dimension: "pressure", limit: $c585});
+const $c1237 = $made(WordOr, {word: "rigid", kind: $c1238, meaning: Infinity});
+const $c1228 = $made(Entry, {key: "shear_modulus", kind: $c1237, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
+const $c1240 = $made(Quantity, {dimension: "pressure", limit: $c586});
+const $c1239 = $made(WordOr, {word: "rigid", kind: $c1240, meaning: Infinity});
+const $c1229 = $made(Entry, {key: "compression_modulus", kind: $c1239, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
+const $c1241 = $made(Quantity, {dimension: "wear_coefficient", limit: $c588});
+const $c1230 = $made(Entry, {key: "wear_coefficient", kind: $c1241, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
+const $c1242 = $made(Quantity, {dimension: "number", limit: $c589});
+const $c1231 = $made(Entry, {key: "belt_energy_share", kind: $c1242, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
+const $c1243 = $made(Quantity, {dimension: "pressure", limit: $c590});
+const $c1232 = $made(Entry, {key: "bond_strength", kind: $c1243, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
 const $c1244 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c1233 = $made(Entry, {key: "bond_strength", kind: $c1244, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c1245 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c1234 = $made(Entry, {key: "fatigue_limit", kind: $c1245, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c1224 = [$c623, $c1226, $c695, $c696, $c697, $c1227, $c1228, $c1229, $c1230, $c702, $c1231, $c1232, $c1233, $c1234, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c1225 = new Map([["format", $c623], ["name", $c1226], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c1227], ["elastic_modulus", $c1228], ["shear_modulus", $c1229], ["compression_modulus", $c1230], ["block", $c702], ["wear_coefficient", $c1231], ["belt_energy_share", $c1232], ["bond_strength", $c1233], ["fatigue_limit", $c1234], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c58 = $made(Table, {of: Lagging, entries: $c1224, _known: $c1225});
-const $c508 = ["compression_modulus", "block"];
-const $c59 = [$c508];
-const $c60 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c530 = [0.25, 0.25];
-const $c531 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c530, provenance: $c531});
-const $c532 = [0.35, 0.35];
-const $c533 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c510 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c532, provenance: $c533});
-const $c534 = [0.5, 0.5];
-const $c535 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
-const $c511 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c534, provenance: $c535});
-const $c536 = [0.35, 0.4];
-const $c537 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c512 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c536, provenance: $c537});
-const $c538 = [0.1, 0.1];
-const $c539 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c513 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c538, provenance: $c539});
-const $c540 = [0.05, 0.1];
-const $c541 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c514 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c540, provenance: $c541});
-const $c542 = [0.4, 0.45];
-const $c543 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c515 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c542, provenance: $c543});
-const $c544 = [0.35, 0.35];
-const $c545 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
-const $c516 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c544, provenance: $c545});
-const $c546 = [0.25, 0.3];
-const $c547 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c517 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c546, provenance: $c547});
-const $c548 = [0.35, 0.4];
-const $c549 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c518 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c548, provenance: $c549});
-const $c550 = [0.35, 0.35];
-const $c551 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c519 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c550, provenance: $c551});
-const $c552 = [0.2, 0.2];
-const $c553 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c520 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c552, provenance: $c553});
-const $c554 = [0.4, 0.45];
-const $c555 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c521 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c554, provenance: $c555});
-const $c556 = [0.35, 0.4];
-const $c557 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c522 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c556, provenance: $c557});
-const $c558 = [0.35, 0.35];
-const $c559 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c523 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c558, provenance: $c559});
-const $c560 = [0.35, 0.35];
-const $c561 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c524 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c560, provenance: $c561});
-const $c562 = [0.35, 0.35];
-const $c563 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c525 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c562, provenance: $c563});
-const $c564 = [0.3, 0.3];
-const $c565 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c526 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c564, provenance: $c565});
-const $c566 = [0.8, 0.8];
-const $c567 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c527 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c566, provenance: $c567});
-const $c568 = [0.45, 0.45];
-const $c569 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c568, provenance: $c569});
-const $c570 = [0.35, 0.35];
-const $c571 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c529 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c570, provenance: $c571});
-const $c61 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
-const $c62 = new RunsGain(0.0, 0.0);
-const $c64 = ["share", "speeds", "motor"];
-const $c67 = $Decimal.of("0");
-const $c576 = [0.0];
+const $c1233 = $made(Entry, {key: "fatigue_limit", kind: $c1244, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
+const $c1223 = [$c622, $c1225, $c694, $c695, $c696, $c1226, $c1227, $c1228, $c1229, $c701, $c1230, $c1231, $c1232, $c1233, $c706, $c707, $c708, $c709, $c710, $c98, $c99, $c711];
+const $c1224 = new Map([["format", $c622], ["name", $c1225], ["title", $c694], ["description", $c695], ["surface", $c696], ["thickness", $c1226], ["elastic_modulus", $c1227], ["shear_modulus", $c1228], ["compression_modulus", $c1229], ["block", $c701], ["wear_coefficient", $c1230], ["belt_energy_share", $c1231], ["bond_strength", $c1232], ["fatigue_limit", $c1233], ["cost", $c706], ["slip_speed", $c707], ["temperature", $c708], ["condition_factor", $c709], ["law", $c710], ["provenance", $c98], ["sources", $c99], ["notes", $c711]]);
+const $c57 = $made(Table, {of: Lagging, entries: $c1223, _known: $c1224});
+const $c507 = ["compression_modulus", "block"];
+const $c58 = [$c507];
+const $c59 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c529 = [0.25, 0.25];
+const $c530 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c508 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c529, provenance: $c530});
+const $c531 = [0.35, 0.35];
+const $c532 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
+const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c531, provenance: $c532});
+const $c533 = [0.5, 0.5];
+const $c534 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
+const $c510 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c533, provenance: $c534});
+const $c535 = [0.35, 0.4];
+const $c536 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c511 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c535, provenance: $c536});
+const $c537 = [0.1, 0.1];
+const $c538 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c512 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c537, provenance: $c538});
+const $c539 = [0.05, 0.1];
+const $c540 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c513 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c539, provenance: $c540});
+const $c541 = [0.4, 0.45];
+const $c542 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c514 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c541, provenance: $c542});
+const $c543 = [0.35, 0.35];
+const $c544 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
+const $c515 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c543, provenance: $c544});
+const $c545 = [0.25, 0.3];
+const $c546 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
+const $c516 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c545, provenance: $c546});
+const $c547 = [0.35, 0.4];
+const $c548 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c517 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c547, provenance: $c548});
+const $c549 = [0.35, 0.35];
+const $c550 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c518 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c549, provenance: $c550});
+const $c551 = [0.2, 0.2];
+const $c552 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c519 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c551, provenance: $c552});
+const $c553 = [0.4, 0.45];
+const $c554 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c520 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c553, provenance: $c554});
+const $c555 = [0.35, 0.4];
+const $c556 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
+const $c521 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c555, provenance: $c556});
+const $c557 = [0.35, 0.35];
+const $c558 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
+const $c522 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c557, provenance: $c558});
+const $c559 = [0.35, 0.35];
+const $c560 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c523 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c559, provenance: $c560});
+const $c561 = [0.35, 0.35];
+const $c562 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c524 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c561, provenance: $c562});
+const $c563 = [0.3, 0.3];
+const $c564 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
+const $c525 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c563, provenance: $c564});
+const $c565 = [0.8, 0.8];
+const $c566 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c526 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c565, provenance: $c566});
+const $c567 = [0.45, 0.45];
+const $c568 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c527 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c567, provenance: $c568});
+const $c569 = [0.35, 0.35];
+const $c570 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
+const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c569, provenance: $c570});
+const $c60 = [$c508, $c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528];
+const $c61 = new RunsGain(0.0, 0.0);
+const $c63 = ["share", "speeds", "motor"];
+const $c66 = $Decimal.of("0");
+const $c575 = [0.0];
+const $c67 = $made(Trend, {form: "polynomial", coefficients: $c575, sign: 1});
+const $c576 = [1000000000.0];
 const $c68 = $made(Trend, {form: "polynomial", coefficients: $c576, sign: 1});
-const $c577 = [1000000000.0];
-const $c69 = $made(Trend, {form: "polynomial", coefficients: $c577, sign: 1});
-const $c70 = new Map([["factor", $c578]]);
-const $c71 = new Map([["x", $c579], ["y", $c579], ["diameter", $c580]]);
-const $c582 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c72 = new Map([["entry", $c581], ["exit", $c582]]);
+const $c69 = new Map([["factor", $c577]]);
+const $c70 = new Map([["x", $c578], ["y", $c578], ["diameter", $c579]]);
+const $c581 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
+const $c71 = new Map([["entry", $c580], ["exit", $c581]]);
+const $c72 = new Map([["creep_limit", $c582]]);
+const $c583 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
 const $c73 = new Map([["creep_limit", $c583]]);
-const $c584 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c74 = new Map([["creep_limit", $c584]]);
-const $c75 = new Map([["thickness", $c585], ["shear_modulus", $c586], ["compression_modulus", $c587], ["elastic_modulus", $c588], ["wear_coefficient", $c589], ["belt_energy_share", $c590], ["bond_strength", $c591], ["fatigue_limit", $c592]]);
-const $c76 = new Map([["ratio", $c593]]);
-const $c77 = new Map([["entry_tension", $c581], ["exit_tension", $c582]]);
-const $c78 = new Map([["sheave_ratio", $c594]]);
-const $c79 = new Map([["friction", $c595], ["start_factor", $c596]]);
-const $c80 = new Map([["running", $c596], ["starting", $c596], ["braking", $c596]]);
-const $c1246 = [false, false];
-const $c1247 = [true, false];
-const $c1248 = [true, true];
-const $c1249 = [false, true];
-const $c597 = new Map([["polynomial", $c1246], ["logarithmic", $c1247], ["power", $c1248], ["exponential", $c1249]]);
-const $c602 = $made(_OfClass, {});
-const $c603 = new Map([[10, null], [9, null]]);
-const $c1250 = [80.0, 1.92];
-const $c1251 = [90.0, 1.86];
-const $c1252 = [100.0, 1.78];
-const $c1253 = [120.0, 1.7];
-const $c1254 = [140.0, 1.63];
-const $c1255 = [160.0, 1.56];
-const $c1256 = [180.0, 1.5];
-const $c1257 = [200.0, 1.45];
-const $c1258 = [250.0, 1.38];
-const $c1259 = [300.0, 1.31];
-const $c1260 = [350.0, 1.27];
-const $c1261 = [400.0, 1.25];
-const $c1262 = [450.0, 1.22];
-const $c1263 = [500.0, 1.2];
-const $c1264 = [550.0, 1.18];
-const $c1265 = [600.0, 1.17];
-const $c1266 = [700.0, 1.14];
-const $c1267 = [800.0, 1.12];
-const $c1268 = [900.0, 1.1];
-const $c1269 = [1000.0, 1.09];
-const $c1270 = [1500.0, 1.06];
-const $c1271 = [2000.0, 1.05];
-const $c606 = [$c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271];
-const $c1272 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1273 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c608 = new Map([["residual_noise", $c1272], ["coverage_factor", $c1273]]);
-const $c609 = $Decimal.of("0");
-const $c610 = new Map([["misalignment", $c938], ["deflection", $c940]]);
-const $c611 = new Map([["diameter", $c667], ["wrap_angle", $c668], ["overrun", $c920], ["creep_limit", $c921], ["mass", $c922]]);
-const $c612 = new Map([["spacing", $c1090], ["line_mass", $c1092], ["share", $c1094]]);
-const $c1274 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1275 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c613 = new Map([["length", $c1021], ["lift", $c1023], ["belt_mass", $c1025], ["carry_idler_mass", $c1027], ["return_idler_mass", $c1029], ["material_mass", $c1025], ["capacity", $c1032], ["friction_factor", $c1034], ["length_coefficient", $c1036], ["secondary_resistance", $c1038], ["special_resistance", $c1038], ["return_share", $c1041], ["start_factor", $c1043], ["start_time", $c1045], ["stop_time", $c1045], ["take_up_tension", $c1048], ["counterweight", $c1050], ["take_up_distance", $c1052], ["speed", $c1274], ["sheave_ratio", $c1275]]);
-const $c614 = new Map([["material", $c752], ["installation", $c754], ["area", $c757]]);
-const $c615 = new Map([["width", $c733], ["height", $c735], ["stiffening", $c737], ["contact_fraction", $c739]]);
-const $c1276 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c616 = new Map([["factor", $c1276]]);
-const $c1277 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
-const $c617 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277]]);
-const $c618 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["setting", $c1160], ["droop", $c1162], ["torque_limit", $c1165]]);
-const $c619 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["synchronous_speed", $c1186], ["breakdown_ratio", $c1188]]);
-const $c620 = new Map([["length", $c964], ["trough_angle", $c966], ["centre_roll", $c968]]);
-const $c1278 = [0.016, 0.03];
-const $c1279 = new Map([["distance", $c953]]);
-const $c1354 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c1352 = $made(Quantity, {dimension: "number", limit: $c1354});
-const $c1355 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1353 = $made(Quantity, {dimension: "rotation_speed", limit: $c1355});
-const $c1351 = $made(Either, {first: $c1352, second: $c1353, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
-const $c1280 = $made(Rows, {kind: $c1351, least: 1, most: 10});
+const $c74 = new Map([["thickness", $c584], ["shear_modulus", $c585], ["compression_modulus", $c586], ["elastic_modulus", $c587], ["wear_coefficient", $c588], ["belt_energy_share", $c589], ["bond_strength", $c590], ["fatigue_limit", $c591]]);
+const $c75 = new Map([["ratio", $c592]]);
+const $c76 = new Map([["entry_tension", $c580], ["exit_tension", $c581]]);
+const $c77 = new Map([["sheave_ratio", $c593]]);
+const $c78 = new Map([["friction", $c594], ["start_factor", $c595]]);
+const $c79 = new Map([["running", $c595], ["starting", $c595], ["braking", $c595]]);
+const $c1245 = [false, false];
+const $c1246 = [true, false];
+const $c1247 = [true, true];
+const $c1248 = [false, true];
+const $c596 = new Map([["polynomial", $c1245], ["logarithmic", $c1246], ["power", $c1247], ["exponential", $c1248]]);
+const $c601 = $made(_OfClass, {});
+const $c602 = new Map([[10, null], [9, null]]);
+const $c1249 = [80.0, 1.92];
+const $c1250 = [90.0, 1.86];
+const $c1251 = [100.0, 1.78];
+const $c1252 = [120.0, 1.7];
+const $c1253 = [140.0, 1.63];
+const $c1254 = [160.0, 1.56];
+const $c1255 = [180.0, 1.5];
+const $c1256 = [200.0, 1.45];
+const $c1257 = [250.0, 1.38];
+const $c1258 = [300.0, 1.31];
+const $c1259 = [350.0, 1.27];
+const $c1260 = [400.0, 1.25];
+const $c1261 = [450.0, 1.22];
+const $c1262 = [500.0, 1.2];
+const $c1263 = [550.0, 1.18];
+const $c1264 = [600.0, 1.17];
+const $c1265 = [700.0, 1.14];
+const $c1266 = [800.0, 1.12];
+const $c1267 = [900.0, 1.1];
+const $c1268 = [1000.0, 1.09];
+const $c1269 = [1500.0, 1.06];
+const $c1270 = [2000.0, 1.05];
+const $c605 = [$c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270];
+const $c1271 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
+const $c1272 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
+const $c607 = new Map([["residual_noise", $c1271], ["coverage_factor", $c1272]]);
+const $c608 = $Decimal.of("0");
+const $c609 = new Map([["misalignment", $c937], ["deflection", $c939]]);
+const $c610 = new Map([["diameter", $c666], ["wrap_angle", $c667], ["overrun", $c919], ["creep_limit", $c920], ["mass", $c921]]);
+const $c611 = new Map([["spacing", $c1089], ["line_mass", $c1091], ["share", $c1093]]);
+const $c1273 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1274 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
+const $c612 = new Map([["length", $c1020], ["lift", $c1022], ["belt_mass", $c1024], ["carry_idler_mass", $c1026], ["return_idler_mass", $c1028], ["material_mass", $c1024], ["capacity", $c1031], ["friction_factor", $c1033], ["length_coefficient", $c1035], ["secondary_resistance", $c1037], ["special_resistance", $c1037], ["return_share", $c1040], ["start_factor", $c1042], ["start_time", $c1044], ["stop_time", $c1044], ["take_up_tension", $c1047], ["counterweight", $c1049], ["take_up_distance", $c1051], ["speed", $c1273], ["sheave_ratio", $c1274]]);
+const $c613 = new Map([["material", $c751], ["installation", $c753], ["area", $c756]]);
+const $c614 = new Map([["width", $c732], ["height", $c734], ["stiffening", $c736], ["contact_fraction", $c738]]);
+const $c1275 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c615 = new Map([["factor", $c1275]]);
+const $c1276 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
+const $c616 = new Map([["rated_power", $c1147], ["rated_speed", $c1149], ["gear_ratio", $c1151], ["gear_efficiency", $c1153], ["motor_efficiency", $c1155], ["count", $c1276]]);
+const $c617 = new Map([["rated_power", $c1147], ["rated_speed", $c1149], ["gear_ratio", $c1151], ["gear_efficiency", $c1153], ["motor_efficiency", $c1155], ["count", $c1276], ["setting", $c1159], ["droop", $c1161], ["torque_limit", $c1164]]);
+const $c618 = new Map([["rated_power", $c1147], ["rated_speed", $c1149], ["gear_ratio", $c1151], ["gear_efficiency", $c1153], ["motor_efficiency", $c1155], ["count", $c1276], ["synchronous_speed", $c1185], ["breakdown_ratio", $c1187]]);
+const $c619 = new Map([["length", $c963], ["trough_angle", $c965], ["centre_roll", $c967]]);
+const $c1277 = [0.016, 0.03];
+const $c1278 = new Map([["distance", $c952]]);
+const $c1353 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
+const $c1351 = $made(Quantity, {dimension: "number", limit: $c1353});
+const $c1354 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
+const $c1352 = $made(Quantity, {dimension: "rotation_speed", limit: $c1354});
+const $c1350 = $made(Either, {first: $c1351, second: $c1352, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
+const $c1279 = $made(Rows, {kind: $c1350, least: 1, most: 10});
 $sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
 Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
 $sig(InputError, ["problems"], false);
@@ -5698,15 +5732,17 @@ Provenance.$compared = ["kind", "source", "date", "note"];
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 $sig(Condition, ["name", "factor", "factors", "standard", "source"]);
 Condition.$compared = ["name", "factor", "factors", "standard", "source"];
-Condition.LIMITS = Condition.prototype.LIMITS = $c70;
+Condition.LIMITS = Condition.prototype.LIMITS = $c69;
 $sig(Conditions, ["main", "cases"]);
 Conditions.$compared = ["main", "cases"];
 $sig(Point, ["x", "y", "diameter", "turn"]);
 Point.$compared = ["x", "y", "diameter", "turn"];
-Point.LIMITS = Point.prototype.LIMITS = $c71;
+Point.LIMITS = Point.prototype.LIMITS = $c70;
 $sig(_UnitTextError, ["message", "remedy"], false);
 $sig(Unit, ["factor", "powers", "zero"]);
 Unit.$compared = ["factor", "powers", "zero"];
+$sig(UnitRow, ["unit", "factor", "larger"]);
+UnitRow.$compared = ["unit", "factor", "larger"];
 $sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
 WidthProfile.$compared = ["position", "value", "crown", "uncertainty"];
 $sig(Criteria, ["take_up", "standard", "safety", "sag"]);
@@ -5722,15 +5758,15 @@ $sig(LoadFault, ["message", "remedy", "lacks"]);
 LoadFault.$compared = ["message", "remedy", "lacks"];
 $sig(Tensions, ["entry", "exit", "computed"]);
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c72;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c71;
 $sig(LoadCase, ["name", "tensions", "kind", "condition"]);
 LoadCase.$compared = ["name", "tensions", "kind", "condition"];
 $sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c73;
+Drive.LIMITS = Drive.prototype.LIMITS = $c72;
 $sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
 Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
-Train.LIMITS = Train.prototype.LIMITS = $c74;
+Train.LIMITS = Train.prototype.LIMITS = $c73;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 $sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
 CatalogueBelt.$compared = ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"];
@@ -5758,7 +5794,7 @@ $sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperat
 Factors.$compared = ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"];
 $sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c75;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c74;
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
 LoadGiven.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 $sig(DrumAt, ["diameter", "speed"]);
@@ -5773,10 +5809,10 @@ $sig(Speeds, ["rotation_speeds", "absolute"]);
 Speeds.$compared = ["rotation_speeds", "absolute"];
 $sig(TorqueFollower, ["master", "ratio"]);
 TorqueFollower.$compared = ["master", "ratio"];
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c76;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c75;
 $sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
 TrainCase.$compared = ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"];
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c77;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c76;
 $sig(RunsGain, ["base", "case"]);
 RunsGain.$compared = ["base", "case"];
 $sig(BehindTakeUp, ["share", "behind", "runs"]);
@@ -5785,13 +5821,13 @@ $sig(Motors, ["motors"]);
 Motors.$compared = ["motors"];
 $sig(TakeUp, ["kind", "sheave_ratio", "after"]);
 TakeUp.$compared = ["kind", "sheave_ratio", "after"];
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c78;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c77;
 $sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
 DesignStandard.$compared = ["name", "condition", "friction", "start_factor", "binding"];
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c79;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c78;
 $sig(SafetyFactors, ["running", "starting", "braking", "source"]);
 SafetyFactors.$compared = ["running", "starting", "braking", "source"];
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c80;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c79;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(Table, ["title", "of", "on_one_line"], false);
 $sig(Table.prototype.built, ["value", "report"], true);
@@ -5811,7 +5847,7 @@ $sig(Flag, []);
 $sig(Choice, ["options"]);
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
 Across.$compared = ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"];
-Across.LIMITS = Across.prototype.LIMITS = $c610;
+Across.LIMITS = Across.prototype.LIMITS = $c609;
 $sig(DimensionText, ["si_unit", "name", "example"]);
 DimensionText.$compared = ["si_unit", "name", "example"];
 $sig(Definition, ["names", "factor", "unit", "zero"]);
@@ -5820,22 +5856,22 @@ $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 $sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
 Pulley.$compared = ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"];
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c611;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c610;
 $sig(Sag, ["spacing", "line_mass", "share"]);
 Sag.$compared = ["spacing", "line_mass", "share"];
-Sag.LIMITS = Sag.prototype.LIMITS = $c612;
+Sag.LIMITS = Sag.prototype.LIMITS = $c611;
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
 Conveyor.$compared = ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"];
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c613;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c612;
 $sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
 Cost.$compared = ["material", "installation", "currency", "area", "life_years"];
-Cost.LIMITS = Cost.prototype.LIMITS = $c614;
+Cost.LIMITS = Cost.prototype.LIMITS = $c613;
 $sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
 Block.$compared = ["shape", "width", "height", "stiffening", "contact_fraction"];
-Block.LIMITS = Block.prototype.LIMITS = $c615;
+Block.LIMITS = Block.prototype.LIMITS = $c614;
 $sig(ConditionFactor, ["factor", "source"]);
 ConditionFactor.$compared = ["factor", "source"];
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c616;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c615;
 $sig(FrictionFactor, ["at", "factor", "source"]);
 FrictionFactor.$compared = ["at", "factor", "source"];
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
@@ -5844,18 +5880,18 @@ $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenanc
 DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
 Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
-Motor.LIMITS = Motor.prototype.LIMITS = $c617;
+Motor.LIMITS = Motor.prototype.LIMITS = $c616;
 $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
 VariableSpeed.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"];
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c618;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c617;
 $sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
 Induction.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"];
-Induction.LIMITS = Induction.prototype.LIMITS = $c619;
+Induction.LIMITS = Induction.prototype.LIMITS = $c618;
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
 FluidCoupling.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"];
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
 Transition.$compared = ["length", "trough_angle", "centre_roll", "depth"];
-Transition.LIMITS = Transition.prototype.LIMITS = $c620;
+Transition.LIMITS = Transition.prototype.LIMITS = $c619;
 $sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
 State.$compared = ["name", "kind", "resistances", "head", "tail", "entry", "exit"];
 $sig(Resistance, ["name", "carrying", "returning", "source"]);
@@ -5875,14 +5911,14 @@ $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(GrippingPulley, ["distance"]);
 GrippingPulley.$compared = ["distance"];
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1279;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1278;
 $sig(Count, ["least", "most"]);
 $sig(Elsewhere, []);
 $sig(Either, ["first", "second", "words"]);
 Either.$compared = ["first", "second", "words"];
 $sig(SpeedList, []);
 SpeedList.$compared = [];
-SpeedList.rows = SpeedList.prototype.rows = $c1280;
+SpeedList.rows = SpeedList.prototype.rows = $c1279;
 $sig(_Pair, ["dimension"], false);
 $sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
 $sig(display__display, ["value", "dimension", "system", "digits"], false);

@@ -167,7 +167,7 @@ export function check(w, { values, limits }, load_case, levels) {
 /** In what a judgement of the page and the server's are not one.
  * @param {Judged} own @param {FullAnswer} found */
 export function misses(own, { verdict, checks, arcs }) {
-  const said = headline(own.checks, own.wet, own.over) === words(verdict.headline);
+  const said = words(headline(own.checks, own.wet, own.over)) === words(verdict.headline);
   const ours = listed(own.checks).filter((c) => c.rank > 0 && !["data", "sense"].includes(c.name));
   const rows = checks.rows.map((r) => r.level).join() === ours.map((c) => c.level).join();
   const far = own.arcs.flatMap((a) => differing(a, arcs));

@@ -1,5 +1,6 @@
 // The least slack-side tension while a slider moves: what the checks ask for, and its words.
-import { onSafeSide, quantity } from "./words.js";
+import { cellOf } from "../../base/digits.js";
+import { cell__quantity as quantity } from "../../cells.js";
 
 /** @import { Ask, Level, Table, TableRow } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
@@ -49,9 +50,9 @@ export function leastOf(judged) {
 /** @param {number} v */
 const force = (v) => quantity(v, "force");
 /** What is recommended, rounded to the safe side: it holds as it is shown. @param {number} v */
-const atLeast = (v) => quantity(onSafeSide(v, "force", true), "force");
+const atLeast = (v, of = "force") => cellOf(v, of, undefined, "up");
 /** @param {number} v */
-const atMost = (v) => quantity(onSafeSide(v, "force", false), "force");
+const atMost = (v) => cellOf(v, "force", undefined, "down");
 /** @param {Least} l @param {Judged} judged */
 function sentence(l, { of }) {
   const { governing: g, highest } = l;
@@ -81,8 +82,7 @@ function sentence(l, { of }) {
 /** @param {string} title @param {string} value @param {string} note @param {string} [symbol]
  * @returns {TableRow} */
 const row = (title, value, note, symbol = "") => {
-  const values = { si: [value], us: [value] };
-  return { name: "", title, symbol, values, note, level: null };
+  return { name: "", title, symbol, values: [value], note, level: null };
 };
 /** Tension of the belt where the take-up stands. @param {Least} l @param {Judged["of"]} of */
 const takeUpTension = ({ tension, governing }, { held_at }) =>
@@ -96,7 +96,7 @@ function tableOf(l, { of }, before) {
     const given = `given ${force(g.given)}`;
     head.push(row(`Least ${of.least_name}`, atLeast(l.tension), given, symbol));
     const mass = of.counterweight * takeUpTension(l, of);
-    const weight = quantity(onSafeSide(mass, "mass", true), "mass");
+    const weight = atLeast(mass, "mass");
     head.push(row("Counterweight for it", weight, "if the take-up is a weight"));
   }
   const rows = [...l.all].sort((a, b) => +b.at_least - +a.at_least || b.tension - a.tension);

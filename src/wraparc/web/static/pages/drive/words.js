@@ -1,64 +1,27 @@
 // What the checks of the page come to, in the words and digits of the server.
-import { app } from "../../base/design.js";
-import { factor, LARGER_SI, LARGER_US, unit } from "../../base/units.js";
+import { cellOf } from "../../base/digits.js";
+import { words as shown } from "../../base/units.js";
+import { cell__quantity as quantity } from "../../cells.js";
 import { numbers__times_of as timesOf } from "../../kernel.js";
 
-/** @import { Level, Table, TableRow, Units, Verdict } from "../../types.d.ts" */
+/** @import { Level, Table, TableRow, Verdict } from "../../types.d.ts" */
 /** @import { Check, Judged } from "./judge.js" */
 
 const [NOT_CHECKED, NONE] = ["NOT CHECKED", "-"];
-/** Units of speeds of slip. @type {Record<Units, [string, number]>} */
-const SLIPS = { si: ["mm/s", 1e-3], us: ["in/s", 0.0254] };
-const [DIGITS, MOST] = [3, 9];
-
-/** A number as the server prints it. @param {number} v @param {number} n */
-export function printed(v, n) {
-  if (Math.abs(v) < 1e-9) return "0"; // what is left of a difference of equal numbers
-  const given = v.toExponential(3);
-  const [, power] = given.split("e");
-  const plain = (/** @type {number} */ e) => e >= -4 && e < 12;
-  const whole = n <= 4 && Math.abs(+given - v) <= 1e-9 * Math.abs(v);
-  if (whole && plain(+power)) return String(+given);
-  const r = v.toExponential(n - 1);
-  const e = +r.split("e")[1];
-  if (!plain(e)) return r.replace(/e([+-])(\d)$/, "e$10$2");
-  return (+r).toFixed(Math.max(0, n - 1 - e));
-}
-/** The value that shows as a result does, rounded to the safe side: upwards, or down.
- * @param {number} v @param {string} dimension @param {boolean} up */
-export function onSafeSide(v, dimension, up) {
-  const size = unit(dimension)[1];
-  const number = v / size;
-  if (!Number.isFinite(number) || Math.abs(number) < 1e-9) return v;
-  const r = +printed(number, DIGITS);
-  if (Math.abs(r - number) <= 1e-9 * Math.max(Math.abs(r), Math.abs(number))) return v;
-  const step = 10 ** (+r.toExponential(3).split("e")[1] - DIGITS + 1);
-  return size * (r < number === up ? r + (up ? step : -step) : r);
-}
-/** @param {number} v @param {string} dimension */
-export function quantity(v, dimension, n = DIGITS) {
-  if (Number.isNaN(v)) return "";
-  if (!Number.isFinite(v)) return "without bound";
-  if (dimension === "speed" && Math.abs(v) < 0.1) {
-    const [name, size] = SLIPS[app.units];
-    return `${printed(v / size, n)} ${name}`;
-  }
-  let [name, size] = unit(dimension);
-  const big = (app.units === "us" ? LARGER_US : LARGER_SI)[dimension];
-  if (big && Math.abs(+printed(v / size, n)) * size >= big[0])
-    [name, size] = [big[1], factor(big[1], dimension) ?? 1];
-  return `${printed(v / size, n)} ${name}`.trim();
-}
-/** Value and limit in as many digits as tell them apart. @param {Check} c */
+/** As a check shows one, in as many digits as tell it from another. @param {number} v
+ * @param {string} dimension @param {number} [against] */
+const quantityText = (v, dimension, against = Number.NaN) =>
+  Number.isFinite(v)
+    ? cellOf(v, dimension, undefined, Number.isNaN(against) ? "slip" : "slip apart", against)
+    : Number.isNaN(v)
+      ? ""
+      : quantity(v, dimension);
+/** Value and limit. @param {Check} c */
 function texts(c) {
-  if (c.below) {
-    const limit = quantity(c.limit, c.dimension);
-    return [`below ${limit}`, limit];
-  }
-  for (let n = DIGITS; ; n++) {
-    const found = [quantity(c.value, c.dimension, n), quantity(c.limit, c.dimension, n)];
-    if (found[0] !== found[1] || !c.missed || n === MOST) return found;
-  }
+  const { value, limit, dimension } = c;
+  if (c.below) return [`below ${quantityText(limit, dimension)}`, quantityText(limit, dimension)];
+  const apart = c.missed ? [limit, value] : [];
+  return [quantityText(value, dimension, apart[0]), quantityText(limit, dimension, apart[1])];
 }
 /** @param {Check} c */
 const bound = (c) =>
@@ -75,7 +38,7 @@ function sentence(c) {
     const most = bound(c);
     return value ? `${c.title}: ${value}${most && `, ${most}`}.` : `${c.title}.`;
   }
-  const more = Object.entries(c.more).map(([name, [v, d]]) => [name, quantity(v, d)]);
+  const more = Object.entries(c.more).map(([name, [v, d]]) => [name, quantityText(v, d)]);
   const names = { ...Object.fromEntries(more), value, limit };
   return [c.says, c.remedy]
     .filter(Boolean)
@@ -116,7 +79,7 @@ export function listed(checks) {
 function keeping(count, wet, over) {
   if (!(wet >= 0)) return `All ${count} checks are kept${wet < 0 ? "" : ", dry only"}`;
   const finite = Number.isFinite(wet);
-  const creeps = `it creeps ${quantity(wet, "length", DIGITS + +over)}`;
+  const creeps = `it creeps ${quantity(wet, "length", 3 + +over)}`;
   const told = `et ${finite ? creeps : "it slips through"}`;
   if (!over) return `All ${count} checks are kept, dry only (w${told})`;
   return `W${told}${finite ? ", beyond its limit" : ""}: all ${count} checks are kept dry only`;
@@ -171,7 +134,8 @@ export function verdictOf({ checks: all, of, wet, over }, load_case, pulley) {
   const short = slips ? "breaks away" : worst?.missed ? worst.short : "carries";
   const words = {
     level,
-    told,
+    word: told,
+    action: "",
     headline: headline(checks, whole ? wet : -1, over),
     sentences,
     short,
@@ -197,7 +161,7 @@ function marginText({ margin: m, value, limit, below }) {
 function row(c) {
   const cells = [texts(c)[0] || NONE, bound(c) || NONE, marginText(c)];
   const { name, title, place, level } = c;
-  return { name, title, symbol: "", values: { si: cells, us: cells }, note: place, level };
+  return { name, title, symbol: "", values: cells, note: place, level };
 }
 /** The checks of one arc that have a value and a limit, as bars. @param {Judged} judged
  * @param {string} load_case @param {string} [pulley]
@@ -224,8 +188,7 @@ export function checkTable({ checks }, before) {
       const found = texts(c)[0];
       return `${small(c.title)} (${found ? `${c.short}; here it is ${found}` : c.short})`;
     });
-  const note = typeof before.note === "string" ? before.note : (before.note?.[app.units] ?? "");
-  const known = note.split(" Not checked: ")[0];
+  const known = shown(before.note).split(" Not checked: ")[0];
   const more = left.length ? ` Not checked: ${left.join("; ")}.` : "";
   return {
     ...before,
