@@ -132,7 +132,7 @@ def test_every_door_tells_the_verdict_of_a_train(number: int) -> None:
     assert {c["title"]: c["level"] for c in told["checks"]} == listed
     page = train_part(result)
     assert page.verdict is not None
-    assert (page.verdict.level, page.verdict.told) == (verdict.level, verdict.word)
+    assert (page.verdict.level, page.verdict.word) == (verdict.level, verdict.word)
     assert worded(page.verdict.headline) == verdict.headline()
     rows = sheets(workbook([result.drive_result()], train=result))["Summary"]
     assert {str(row[0]): row[6] for row in rows if len(row) > 6 and row[0] in listed} == listed

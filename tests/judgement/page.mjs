@@ -1,12 +1,12 @@
 // What the page itself says first: documents as JSON come in, words of the verdict go out.
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
+import { words } from "../../src/wraparc/web/static/base/units.js";
 import { assemble } from "../../src/wraparc/web/static/pages/drive/assemble.js";
 import { arcsOf, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
 import { verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
-
 
 const { form, book, documents } = JSON.parse(readFileSync(0, "utf-8"));
 app.form = form;
@@ -19,6 +19,6 @@ const told = documents.map((doc) => {
   const verdict = judged && verdictOf(judged);
   if (!verdict) return { first: "no answer", least: null };
   const least = leastTold(judged, { table: { rows: [] } })?.sentence;
-  return { first: `${verdict.told} ${verdict.headline}`, least: least ?? "" };
+  return { first: `${verdict.word} ${words(verdict.headline)}`, least: words(least) };
 });
 process.stdout.write(JSON.stringify(told));

@@ -174,7 +174,7 @@ def test_quantities_are_read_as_strictly_as_in_files(api: TestClient) -> None:
     assert worded(read[3]["exact"], "us") == "180 deg"
     assert read[4]["problem"]["value"] == '"colour"'
     assert [worded(read[5]["exact"], s) for s in SYSTEMS] == ["1016 mm", "40 in"]
-    texts = [{"text": read[0]["exact"][s], "dimension": "force"} for s in ("si", "us")]
+    texts = [{"text": worded(read[0]["exact"], s), "dimension": "force"} for s in SYSTEMS]
     again = post(api, "/quantities", items=texts)["items"]
     assert [item["value"] for item in again] == [150e3, 150e3]
 

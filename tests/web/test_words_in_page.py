@@ -6,6 +6,7 @@ Expected texts: `in_units`, by which every other door shows them.
 import json
 import math
 import random
+import re
 import subprocess
 from pathlib import Path
 from typing import Any, get_args
@@ -49,7 +50,7 @@ def assert_alike(slots: list[str]) -> None:
     assert [[worded(text, system) for system in SYSTEMS] for text in data] == expected
     assert shown(data) == expected
     plain = [i for i, text in enumerate(slots) if "\x04" not in text]  # the page makes no others
-    made = [slots[i].replace("|inf|", "|Infinity|").replace("|-inf|", "|-Infinity|") for i in plain]
+    made = [re.sub(r"(?<=[|-])inf(?=[|])", "Infinity", slots[i]) for i in plain]
     assert shown(made) == [expected[i] for i in plain]
 
 

@@ -48,7 +48,7 @@ export const show = (v, dimension, n = 3) => shownOr(v, () => display(v, dimensi
 export const shown = (name, v, n) => show(v, dimensionOf(name), n);
 /** @param {number | null | undefined} v */
 export const percent = (v, n = 3) => (v == null ? "–" : `${digits(100 * v, n)} %`);
-/** A text in the units looked at: of the server, or with slots for its numbers, as the page makes it.
+/** A text in the units looked at: of the server, or with slots for its numbers.
  * @param {Text} text @returns {string} */
 export function words(text) {
   if (!text || typeof text === "string")
