@@ -21,12 +21,13 @@ from wraparc import catalogue, errors
 from wraparc.arc import Status, answer, capacity, profile
 from wraparc.catalogue import loader
 from wraparc.checks import gross_slip, of_arc, usual
-from wraparc.checks.check import Level, quantity_text
+from wraparc.checks.check import Level
 from wraparc.checks.judge import _across, judge
 from wraparc.checks.least_tension import least_tension, least_with_slip
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
+from wraparc.friction import MeasuredTable
 from wraparc.present import arc_tables, checks_table, train_sheet, train_words, words
 from wraparc.present import least_tension as leasts
 from wraparc.present.sheet import term
@@ -45,7 +46,8 @@ from wraparc.train import (
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import Cell, display, percent, quantity
+from wraparc.units import Cell, digits, display, percent, quantity, unit_row
+from wraparc.units.cell import cell_text
 from wraparc.web import in_page, in_page_checks, in_page_train
 
 ROOT = Path(__file__).parents[1]
@@ -109,6 +111,25 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     Induction,
     FluidCoupling,
 )
+#: How numbers are shown.
+CELLS_FILE = FILE.with_name("cells.js")
+CELLS_ENTRIES: tuple[Callable[..., object], ...] = (
+    display,
+    digits.safe,
+    cell_text,
+    quantity,
+    percent,
+)
+#: Functions of Python that are others there: those of `static/base/digits.js` by name.
+OF_DIGITS: dict[Any, Any] = {
+    unit_row: "unitRow",
+    digits.read: "Number",
+    digits.scientific: "scientific",
+    digits.exponent_of: "exponentOf",
+    digits.fixed: "decimal",
+    digits.trimmed: "trimmed",
+    Cell: "cellOf",
+}
 #: What reads documents in the page.
 PYTHON = FILE.with_name("python.js")
 READER_FILE = FILE.with_name("reader.js")
@@ -159,12 +180,6 @@ READ = {
     "lead", "others", "word", "level", "listed", "data", "at", "governing", "place", "share",
     "reason", "bound", "texts", "tension", "raise_to", "drive_result",
 }  # fmt: skip
-#: What `pages/drive/told.js` has: numbers in the units looked at.
-TOLD: dict[Any, str] = {
-    Cell: "cell",
-    quantity_text: "quantityText",
-    **{of: of.__name__ for of in (percent, quantity, term)},
-}
 #: What `static/documents.js` has in the place of functions that look into files.
 OF_FILES: dict[Any, str] = {
     catalogue.belts: "belts",
@@ -176,9 +191,10 @@ OF_FILES: dict[Any, str] = {
     drive_file.overridden: "overridden",
     limits.is_number: "isNumber",
     errors.shown: "$shown",
+    term: "term",
 }
-#: Methods of what is read that nothing asks for there.
-UNREAD = ("written", "schema", "rows")
+#: Methods of what is read that nothing asks for there, or that ask for arrays.
+UNREAD = ("written", "schema", "rows", (MeasuredTable, "compact"))
 #: Words for forms and documents.
 UNASKED = ((tables.Entry, "meaning"), (tables.Entry, "title"), (tables.Table, "title"))
 HEAD = """\
@@ -204,23 +220,30 @@ def train_module() -> str:
     found = translated(TRAIN_ENTRIES, "wraparc", instead, kernel.exports)
     text = found.text()
     taken = f'import {{ {", ".join(sorted(found.taken))} }} from "../static/{FILE.name}";\n'
-    native = (
-        f'import {{ {", ".join(sorted(found.natives))} }} from "../static/pages/drive/told.js";\n'
-    )
+    native = f'import {{ {", ".join(sorted(found.natives))} }} from "./told.js";\n'
     return formatted(HEAD + taken + native + text)
+
+
+def cells_module() -> str:
+    """Return the module that shows numbers as it must stand in its file."""
+    found = translated(CELLS_ENTRIES, "wraparc", OF_DIGITS)
+    text = found.text()
+    native = sorted(found.natives - {"Number"})
+    return formatted(f'{HEAD}import {{ {", ".join(native)} }} from "./base/digits.js";\n{text}')
 
 
 def reader_module() -> str:
     """Return the module that reads and judges documents as it must stand in its file."""
     kernel = _kernel()
     kernel.text()
+    cells = {f"cell__{of.__name__}": of for of in (quantity, percent)}
     module = whole.Module(
         "wraparc",
-        {**OF_FILES, **OF_CHECKS, **TOLD},
+        {**OF_FILES, **OF_CHECKS, Cell: "cellOf"},
         frozen=[catalogue.design_friction],
         without=UNREAD,
         unasked=UNASKED,
-        elsewhere=kernel.exports,
+        elsewhere={**kernel.exports, **cells},
         enums=(Level, Status, TrainStatus),
     )
     module.reached |= READ
@@ -228,11 +251,11 @@ def reader_module() -> str:
         module.export(name, value)
     text = module.text()
     known = set(re.findall(r"^export (?:const|class|function) (\$\w+)", PYTHON.read_text(), re.M))
-    told = module.natives & {*TOLD.values()}
     parts = {
-        FILE.name: module.taken,
-        "documents.js": module.natives - known - told,
-        "pages/drive/told.js": told,
+        FILE.name: module.taken - cells.keys(),
+        CELLS_FILE.name: module.taken & cells.keys(),
+        "base/digits.js": module.natives & {"cellOf"},
+        "documents.js": module.natives - known - {"cellOf"},
         PYTHON.name: known & set(re.findall(r"\$\w+", text)),
     }
     head = "".join(
@@ -258,6 +281,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
     texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
+    texts[CELLS_FILE] = cells_module()
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)

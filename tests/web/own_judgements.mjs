@@ -1,6 +1,7 @@
 // Judgements of the page itself on moved numbers: cases as JSON come in, verdicts go out.
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
+import { words } from "../../src/wraparc/web/static/base/units.js";
 import { assemble } from "../../src/wraparc/web/static/pages/drive/assemble.js";
 import { arcsOf, asked, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
@@ -9,6 +10,13 @@ import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/
 
 const { form, book, cases } = JSON.parse(readFileSync(0, "utf-8"));
 app.form = form;
+/** What is made of texts, in the units looked at. */
+const shown = (of) => {
+  if (typeof of === "string" || of?.text) return words(of);
+  if (Array.isArray(of)) return of.map(shown);
+  if (typeof of !== "object" || of === null) return of;
+  return Object.fromEntries(Object.entries(of).map(([key, value]) => [key, shown(value)]));
+};
 const all = cases.map(({ doc, answer, changed }) => {
   const served = answer && asked(doc, answer, changed);
   if (answer && !served) return null;
@@ -18,12 +26,12 @@ const all = cases.map(({ doc, answer, changed }) => {
   if (!numbers) return { problems: ["no answer"] };
   app.units = "si";
   const found = judge(judging, changed, numbers);
-  const told = found.arcs.map((arc) => ({ ...arc, verdict: verdictOf(found, arc.load_case) }));
+  const told = found.arcs.map((arc) => ({ ...arc, verdict: shown(verdictOf(found, arc.load_case)) }));
   const texts = (units) => {
     app.units = units;
     const { rows, note } = checkTable(found);
-    const cells = rows.map((r) => [r.title, ...r.values[units], r.note, r.level]);
-    return { verdict: verdictOf(found), rows: cells, note, least: leastTold(found) };
+    const cells = rows.map((r) => [r.title, ...r.values, r.note, r.level]);
+    return shown({ verdict: verdictOf(found), rows: cells, note, least: leastTold(found) });
   };
   return { problems, arcs: told, si: texts("si"), us: texts("us") };
 });

@@ -110,7 +110,7 @@ def apart(here: Data, there: Data) -> dict[Any, Any]:
     wrong = {}
     for system in SYSTEMS:
         verdict = there[system]["verdict"]
-        words = [verdict[k] for k in ("level", "told", "headline")] + verdict["sentences"]
+        words = [verdict[k] for k in ("level", "word", "headline")] + verdict["sentences"]
         told = there[system] | {"verdict": words}
         for key, expected in here[system].items():
             if told[key] != expected:
@@ -244,6 +244,6 @@ def test_the_least_slack_side_tension_is_that_of_python() -> None:
             assert there["sentence"] == in_units(least_sentence(result), system)
             assert there["shown"] == in_units(shown_least(result), system)
             assert there["level"] == ("OK" if found.tension <= found.given else "ATTENTION")
-            rows = [[r["title"], r["values"][system][0], r["note"]] for r in there["table"]["rows"]]
+            rows = [[r["title"], r["values"][0], r["note"]] for r in there["table"]["rows"]]
             assert rows == [[r.title, r.values[0], r.note] for r in table.rows]
     assert len(governs) > 1

@@ -73,7 +73,7 @@ class Module:
     frozen
         Functions that always return the same, which is taken as it is.
     without
-        Methods that are left out, by name.
+        Methods that are left out, by name; of one class with it.
     unasked
         Fields of classes that nothing asks a constant for.
     elsewhere
@@ -87,7 +87,7 @@ class Module:
         package: str,
         instead: Mapping[Any, Any],
         frozen: Iterable[Any] = (),
-        without: Iterable[str] = (),
+        without: Iterable[str | tuple[type, str]] = (),
         unasked: Iterable[tuple[type, str]] = (),
         elsewhere: Mapping[str, object] | None = None,
         enums: Iterable[type[enum.Enum]] = (),
@@ -108,6 +108,7 @@ class Module:
         self._lines: dict[str, str] = {}
         self._named = dict[str, Any]()
         self._made = dict[int, tuple[Any, Any]]()
+        self._alike = dict[tuple[str, ...], tuple[str, ...]]()
 
     def value(self, value: Any, where: Where) -> str:
         """Return how a value of the running program is written."""
@@ -234,8 +235,8 @@ class Module:
         found = getattr(value, "__dict__", {})
         own = {k: v for k, v in found.items() if k in self.reached and not _lazy(type(value), k)}
         own = {k: v for k, v in own.items() if (type(value), k) not in self.unasked}
-        parts = ", ".join(f"{k}: {self.value(v, where)}" for k, v in own.items())
-        return f"$made({kind}, {{{parts}}})"
+        names = self._constant(self._alike.setdefault(tuple(own), (*own,)), where)
+        return f"$made({kind}, {names}, [{each(own.values())}])"
 
     def export(self, name: str, value: Any) -> None:
         """Give something under a name."""
@@ -292,7 +293,7 @@ class Module:
             elif isinstance(found, property | cached_property):
                 how, of = "get ", found.fget if isinstance(found, property) else found.func
             foreign = getattr(of, "__module__", "").partition(".")[0] != self.package
-            left = foreign or attribute in self.without or _abstract(of)
+            left = foreign or {attribute, (kind, attribute)} & self.without or _abstract(of)
             if left or not isinstance(of, FunctionType):
                 continue
             called = "$init" if attribute == "__init__" else attribute
@@ -823,8 +824,7 @@ class Function:
 
     def _in_order(self, node: ast.Call, args: list[str], called: Any) -> list[str] | None:
         """Return arguments by name in the order of a function or class; None if not known."""
-        known = isinstance(called, type | FunctionType)
-        known = known and called not in self.module.instead and called not in _BUILT_IN
+        known = isinstance(called, type | FunctionType) and called not in _BUILT_IN
         by = {keyword.arg: keyword.value for keyword in node.keywords}
         if not known or None in by or any(isinstance(a, ast.Starred) for a in node.args):
             return None

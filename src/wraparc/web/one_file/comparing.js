@@ -1,11 +1,11 @@
 // The same drive with every lagging of the catalogue, or with belts of neighbouring rating.
 import { app, set } from "../static/base/design.js";
-import { dimensionOf, percent } from "../static/base/units.js";
+import { dimensionOf } from "../static/base/units.js";
+import { cell__percent as percent, cell__quantity as quantity } from "../static/cells.js";
 import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
-import { inBoth } from "../static/pages/drive/whole.js";
-import { quantity, verdictOf } from "../static/pages/drive/words.js";
+import { verdictOf } from "../static/pages/drive/words.js";
 import { leastTension } from "../static/reader.js";
 
 /** @import { Design } from "../static/types.d.ts" */
@@ -129,13 +129,10 @@ const none = Number.NaN;
 const conditionOf = (doc) => (typeof doc.condition === "string" ? doc.condition : "");
 /** @param {string} name @param {number} v */
 function cell(name, v) {
-  if (v === Number.POSITIVE_INFINITY) return { value: null, si: "none", us: "none" };
-  const text = () => quantity(v, dimensionOf(name)) || "-";
-  const found = inBoth(() => ({ values: { si: text(), us: text() } })).values;
-  return { value: Number.isFinite(v) ? v : null, ...found };
+  const none = v === Number.POSITIVE_INFINITY;
+  return valued(v, none ? "none" : quantity(v, dimensionOf(name)));
 }
 /** @param {number} v */
-function share(v) {
-  const text = Number.isFinite(v) ? percent(v) : "-";
-  return { value: Number.isFinite(v) ? v : null, si: text, us: text };
-}
+const share = (v) => valued(v, percent(v));
+/** @param {number} v @param {string} text */
+const valued = (v, text) => ({ value: Number.isFinite(v) ? v : null, text });

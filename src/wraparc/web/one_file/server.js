@@ -7,7 +7,7 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
+import { firstAnswer } from "../static/pages/drive/whole.js";
 import { remarksOf, verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
@@ -62,11 +62,8 @@ const ANSWERS = {
     if (!numbers) throw refused(UNSOLVED);
     const judged = judge(judging, document, numbers);
     const [arc] = judging.cases;
-    const told = inBoth(() => ({
-      ...verdictOf(judged, arc.load_case),
-      remarks: remarksOf(judged),
-    }));
-    const { level, levels, remarks, ...verdict } = told;
+    const { level, levels, ...verdict } = verdictOf(judged, arc.load_case);
+    const remarks = remarksOf(judged);
     const first = { ...firstAnswer(arc), ...shownOf(found), sequence };
     return { ...first, level, levels, remarks, verdict: { ...verdict, level } };
   },
@@ -76,7 +73,7 @@ const ANSWERS = {
     const numbers = await beside(arcsOf(judging));
     if (!numbers) throw refused(UNSOLVED);
     const judged = judge(judging, document, numbers);
-    return inBoth(() => wholeAnswer(judged));
+    return wholeAnswer(judged);
   },
   train({ document, match }) {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");

@@ -3,7 +3,7 @@ import { Refused } from "../static/base/server.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judged as judgedAs } from "../static/pages/drive/judge.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
+import { firstAnswer } from "../static/pages/drive/whole.js";
 import { remarksOf, tableOf, verdictOf } from "../static/pages/drive/words.js";
 import {
   CaseResult,
@@ -128,24 +128,22 @@ function wholeTrain({ judged, results }) {
 /** Everything there is to say of every pulley. @param {Design} doc @param {any} data */
 export async function solveTrain(doc, data) {
   const found = await judgedTrain(doc, data);
-  return inBoth(() => wholeTrain(found));
+  return wholeTrain(found);
 }
 /** How the drives share the load. @param {Design} doc @param {any} data */
 export async function trainAnswer(doc, data) {
   const found = await judgedTrain(doc, data);
   const { results } = found;
-  const told = inBoth(() => {
-    const { verdict, remarks, checks, least_tension, summary } = wholeTrain(found);
-    const least = least_tension ? [least_tension.table] : [];
-    const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r));
-    const tables = [
-      checks,
-      ...least,
-      ...own.map((/** @type {any} */ t, /** @type {number} */ i) => tableOf(t, `table${i}`)),
-      ...(summary ? [summary] : []),
-    ];
-    return { verdict, remarks, tables };
-  });
+  const { verdict, remarks, checks, least_tension, summary } = wholeTrain(found);
+  const least = least_tension ? [least_tension.table] : [];
+  const own = results.map((/** @type {any} */ r) => K.train_sheet__case_table(r));
+  const tables = [
+    checks,
+    ...least,
+    ...own.map((/** @type {any} */ t, /** @type {number} */ i) => tableOf(t, `table${i}`)),
+    ...(summary ? [summary] : []),
+  ];
+  const told = { verdict, remarks, tables };
   const solved = results.every((/** @type {any} */ r) => r.status === SOLVED);
   return { ...told, solved, load_cases: results.map(caseData), sources: [], matching: null };
 }
@@ -181,11 +179,8 @@ export async function quickTrain({ document: doc, pulley, load_case, sequence },
   const one = cases.find((/** @type {any} */ x) => x.c.name === load_case) ?? cases[0];
   const names = one.own.arcs.map((/** @type {any} */ a) => a.pulley);
   const i = Math.max(names.indexOf(pulley), 0);
-  const told = inBoth(() => ({
-    ...verdictOf(judged, one.c.name, names[i]),
-    remarks: remarksOf(judged),
-  }));
-  const { level, levels, remarks, ...verdict } = told;
+  const { level, levels, ...verdict } = verdictOf(judged, one.c.name, names[i]);
+  const remarks = remarksOf(judged);
   const first = { ...firstAnswer(one.own.cases[i]), ...shownOf(one.quicks[i]), sequence };
   return { ...first, kind: "train", level, levels, remarks, verdict: { ...verdict, level } };
 }

@@ -33,13 +33,13 @@ import {
   summary__geometry_of,
   traction__held_stress,
 } from "../static/kernel.js";
-import { display, percent, quantity, term } from "../static/pages/drive/told.js";
+import { display, percent, quantity, term } from "./told.js";
 const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
 const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
-const NOTHING = new Float64Array(0);
-const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
+const EMPTY = /* @__PURE__ */ new Float64Array(0);
+const zeros = (size) => (size > 0 ? new Float64Array(size) : EMPTY);
 
 const $sum = (of) => of.reduce((a, b) => a + b, 0);
 const $maxOf = (of) => of.reduce((a, b) => max(a, b));

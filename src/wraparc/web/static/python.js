@@ -230,7 +230,11 @@ export const $kept = (of, name, value) => {
 export const $told = (of, member, name) =>
   typeof member === "string" ? of.get(member) : member[name];
 /** An object of a class as it was when the module was made. */
-export const $made = (kind, fields) => Object.assign(Object.create(kind.prototype), fields);
+export const $made = (kind, names, values) =>
+  Object.assign(
+    Object.create(kind.prototype),
+    Object.fromEntries(names.map((n, i) => [n, values[i]])),
+  );
 
 // Numbers as text.
 

@@ -1,13 +1,14 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
 import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
-import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText } from "./documents.js";
-import { cell, quantity, quantityText, term } from "./pages/drive/told.js";
+import { cell__quantity } from "./cells.js";
+import { cellOf } from "./base/digits.js";
+import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
 import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
 
-(document = $call(overridden, [document, overrides], [["file", file]]));
+(document = overridden(document, overrides, file));
 if (($in("train", document))) {
 source__check_format(document, file);
 (report = new Report(file));
@@ -263,7 +264,7 @@ if (($in("belt_path", record))) {
 if ((wrap == null)) {
 return null;
 }
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c28], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
 }
 if (($in("across", record))) {
 (found_before = $b.len($bound(report, "problems")));
@@ -272,7 +273,7 @@ if (($b.len($bound(report, "problems")) > found_before)) {
 return null;
 }
 }
-(built = $method($c32, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
 return built;
 }
 function conditions__at_its_place(condition, laws) {
@@ -327,32 +328,37 @@ return problems;
 }
 function display__display(value, dimension, system = "si", digits = 4) {
 
-return $once(display___shown, $kept_display___shown)(value, dimension, system, digits);
+return display__joined(display__parts(value, dimension, system, digits));
 }
-function display___shown(value, dimension, system, digits) {
-let bound, larger, larger_unit, number, size, unit;
-([unit, larger] = $at($at($c11, system), dimension));
-if (($eq(dimension, "temperature"))) {
-return ("" + $str(display___rounded(display___degrees(value, unit), digits)) + " " + $str(unit));
-}
-(number = (value / parse__unit_factor(unit, dimension)));
-if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c27)))) {
+function display__parts(value, dimension, system, digits) {
+let bound, factor, number, other, row, size, unit, zero;
+
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+([unit, number] = [row.unit, (value / row.factor)]);
+if ((($b.abs(number) < 1e-09) && (!$eq(dimension, "wear_coefficient")))) {
 (number = 0.0);
 }
-(size = $b.abs($b.float(display___rounded(number, digits))));
-for ([bound, larger_unit] of $iter(larger)) {
+(size = $b.abs(digits__read(digits__rounded(number, digits))));
+for ([bound, other, factor, zero] of $iter(row.larger)) {
 if ((bound <= size && size < Infinity)) {
-([unit, number] = [larger_unit, (value / parse__unit_factor(larger_unit, dimension))]);
+([unit, number] = [other, ($sub(value, zero) / factor)]);
 }
 }
-return $m.rstrip(("" + $str(display___rounded(number, digits)) + " " + $str(unit)));
+return [digits__rounded(number, digits), unit];
 }
-const $kept_display___shown = new Map();
-function display___degrees(kelvin, unit) {
-let zero;
-(zero = parse__parse_quantity(("" + "0 " + $str(unit)), "temperature"));
-return ($sub(kelvin, zero) / $sub(parse__parse_quantity(("" + "1 " + $str(unit)), "temperature"), zero));
+function display__unit_row(dimension, system) {
+let larger, more, one, unit, zero;
+
+([unit, more] = $at($at($c11, system), dimension));
+if (($eq(dimension, "temperature"))) {
+(zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
+(one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
+return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
 }
+(larger = $b.tuple((function* () { for (const [bound, name] of $iter(more)) { yield [bound, name, parse__unit_factor(name, dimension), 0.0]; } })()));
+return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
+}
+const $kept_display__unit_row = new Map();
 function parse__parse_quantity(value, dimension) {
 let kind, problem;
 
@@ -584,30 +590,6 @@ return "energy_per_area";
 }
 return $b.next((function* () { for (const name of $iter($c26)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
-function display___rounded(number, digits) {
-let exponent, given, rounded, whole;
-
-if (!$truth($math.isfinite(number))) {
-return $b.str(number);
-}
-if (($eq(number, 0))) {
-return "0";
-}
-(given = ("" + $format(number, ("" + "." + $str($sub(4, 1)) + "e"))));
-(whole = $and((digits <= 4), () => $math.isclose($b.float(given), number, ({rel_tol: 1e-09}))));
-if (($truth(whole) && ($neg(4) <= display___exponent(given) && display___exponent(given) < 12))) {
-return ("" + $format($b.Decimal(given).normalize(), ("" + "f")));
-}
-(rounded = ("" + $format(number, ("" + "." + $str($sub(digits, 1)) + "e"))));
-(exponent = display___exponent(rounded));
-if (!($neg(4) <= exponent && exponent < 12)) {
-return rounded;
-}
-return ("" + $format($b.float(rounded), ("" + "." + $str($b.max(0, $sub($sub(digits, 1), exponent))) + "f")));
-}
-function display___exponent(scientific) {
-return $b.int($at($m.rpartition(scientific, "e"), 2));
-}
 function parse__unit_factor(unit, dimension) {
 let resolved;
 
@@ -616,6 +598,56 @@ if ($truth(resolved.zero)) {
 throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
 }
 return $b.float($bound(resolved, "factor"));
+}
+function digits__rounded(number, digits) {
+let given, power, text;
+
+if ($truth($math.isnan(number))) {
+return "nan";
+}
+if ($truth($math.isinf(number))) {
+return ((number > 0.0) ? "inf" : "-inf");
+}
+if (($eq(number, 0.0))) {
+return "0";
+}
+(given = digits__scientific(number, $sub(4, 1)));
+(power = digits__exponent_of(given));
+if (((digits <= 4) && $truth(digits___equal(digits__read(given), number)) && ($neg(4) <= power && power < 12))) {
+return digits__trimmed(digits__fixed(digits__read(given), $b.max(0, $sub($sub(4, 1), power))));
+}
+(text = digits__scientific(number, $sub(digits, 1)));
+(power = digits__exponent_of(text));
+return (($neg(4) <= power && power < 12) ? digits__fixed(digits__read(text), $b.max(0, $sub($sub(digits, 1), power))) : text);
+}
+function digits__scientific(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "e")));
+}
+function digits__exponent_of(text) {
+
+return $b.int($at($m.rpartition(text, "e"), 2));
+}
+function digits__read(text) {
+
+return $b.float(text);
+}
+function digits___equal(a, b) {
+return ($b.abs($sub(a, b)) <= $mul(1e-09, $b.max($b.abs(a), $b.abs(b))));
+}
+function digits__fixed(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "f")));
+}
+function digits__trimmed(text) {
+
+return (($in(".", text)) ? $m.rstrip($m.rstrip(text, "0"), ".") : text);
+}
+function display__joined(of) {
+let number, unit;
+
+([number, unit] = of);
+return $add(number, ((!$eq(unit, "")) ? $add(" ", unit) : ""));
 }
 function limits__raise_all(problems) {
 
@@ -644,8 +676,8 @@ let built, ends;
 if (!$truth($b.isinstance(record, Record))) {
 return null;
 }
-(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c29], ["after", $c30]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
-(built = $method($c31, "built", [record, report], [...ends]));
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c30, "built", [record, report], [...ends]));
 return built;
 }
 function across_keys__check_width(pulleys, belt, report) {
@@ -671,7 +703,7 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 function drive_build__build_criteria(record, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($c33)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
@@ -686,7 +718,7 @@ report.take(new InputError(problem), []);
 if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
-(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c34)); } })())));
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
 (speed = $m.get(belt, "speed"));
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
@@ -829,7 +861,7 @@ let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c35))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c34))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
 return new Tensions(entry, exit_, made);
 } catch ($error) {
 if ($error instanceof InputError) {
@@ -904,7 +936,7 @@ function conveyor_build___refuse_tensions(record, pulleys, report) {
 let key, pulley;
 
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
 }
 }
@@ -920,7 +952,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c36, "built", [given, report], [...more]));
+(conveyor = $method($c35, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -934,7 +966,7 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c37)) {
+for ([first, second, example] of $iter($c36)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
 $m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
@@ -945,7 +977,7 @@ $m.append(problems, new Problem("missing", remedy, undefined, first));
 }
 }
 }
-for (key of $iter($c38)) {
+for (key of $iter($c37)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
 $m.append(problems, new Problem("needs the belt speed", remedy, undefined, key));
@@ -1020,12 +1052,12 @@ return $b.tuple(found);
 function file__train_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, criteria, drive, ends, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told, train;
 
-(document = $call(overridden, [document, overrides], [["file", file]]));
+(document = overridden(document, overrides, file));
 if ((!$in("train", document))) {
 (drive = drive_file__drive_from_document(document, file, folder, undefined, allow_paths));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c39, document, file));
+([record, report] = source__read_tables($c38, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1066,7 +1098,7 @@ let case_, key, message, pulley, remedy;
 
 (message = "the tensions of single pulleys follow from [train]");
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
 }
 }
@@ -1099,7 +1131,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c40, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($c39, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1203,7 +1235,7 @@ function in_page_checks__result_of(arc, found) {
 let of;
 
 (of = found.summary);
-return new FoundArc(($truth($told($c41, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
+return new FoundArc(($truth($told($c40, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
 }
 function in_page_checks__train_drive(train, case_, pairs) {
 
@@ -1244,13 +1276,13 @@ for (pulley of $iter(drive.pulleys)) {
 ([grounds, _] = of_data__law_words($bound(pulley, "lagging")));
 (found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const [kind, _] of $iter(of_data__weak_sources(drive, pulley))) { yield kind; } })())]));
 }
-return [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
+return [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
 }
 function of_data__law_words(lagging) {
 let friction, law, untested, words;
 
 ([law, friction] = [$b.str($bound(lagging.source_of("law"), "kind")), ("" + "The friction of " + $str(lagging.name) + " is")]);
-(words = (($in(law, $c42)) ? [("" + $str(friction) + " " + $str($at($c42, law)) + ".")] : []));
+(words = (($in(law, $c41)) ? [("" + $str(friction) + " " + $str($at($c41, law)) + ".")] : []));
 (untested = (lagging.law.tested == null));
 (words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
 return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
@@ -1304,10 +1336,10 @@ for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
 (values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c44, $k({strict: true})))) {
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c43, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
-(size = (($in(dimension, $c45)) ? drive.belt.width : 1.0));
+(size = (($in(dimension, $c44)) ? drive.belt.width : 1.0));
 (odd = true);
 yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
 }
@@ -1370,13 +1402,13 @@ if ((($eq(name, "mass of the belt")) && (value > most))) {
 if (($eq(name, "modulus over the rating of the belt"))) {
 (remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
 }
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c47, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c46, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
 
 (found = []);
-(units = $m.get($c46, dimension, []));
+(units = $m.get($c45, dimension, []));
 for (written of $iter(units)) {
 (number = (value / parse__unit_factor(written, dimension)));
 (short = $b.float(("" + $format(number, ("" + ".3g")))));
@@ -1400,16 +1432,16 @@ return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
 function judge__judge(result) {
 let most, one, over, verdict;
 
-if ((!$in(result, $c48))) {
+if ((!$in(result, $c47))) {
 (verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
 if ((verdict.level === "OK")) {
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
 ([most, over] = judge___wet(one));
 (verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
 }
-$put($c48, result, verdict);
+$put($c47, result, verdict);
 }
-return $at($c48, result);
+return $at($c47, result);
 }
 function judge__every_check(result) {
 
@@ -1441,7 +1473,7 @@ if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor wo
 yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
-if (!$truth($told($c41, case_.status, "solved"))) {
+if (!$truth($told($c40, case_.status, "solved"))) {
 yield* $iter(($truth(several) ? judge__not_working(place) : []));
 return null;
 }
@@ -1528,7 +1560,7 @@ return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTI
 }
 function judge__train_balance(error, place) {
 
-return of_drive__judged($at($c47, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+return of_drive__judged($at($c46, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
 let kept, level, miss;
@@ -1572,17 +1604,17 @@ let name, why;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
 (why = "a drive that follows another gives no rating of its motors");
-return of_drive__not_checked(name, $at($c49, momentary), why, place);
+return of_drive__not_checked(name, $at($c48, momentary), why, place);
 }
 function judge__motor_load(load, most, momentary, place) {
 let remedy, title;
 
-(title = $at($c49, momentary));
+(title = $at($c48, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
 if ($truth(momentary)) {
 (remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
 }
-return of_drive__judged($at($c47, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
+return of_drive__judged($at($c46, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
 }
 function* judge___meeting(case_) {
 let ends, one, other, place;
@@ -1667,7 +1699,7 @@ function of_arc__grip(drive, case_, arcs, index) {
 let name, place, result, rise, take_up, title;
 
 (result = $at(arcs, index));
-([take_up, name] = [drive.criteria.take_up, $at($c47, "gross_slip").name]);
+([take_up, name] = [drive.criteria.take_up, $at($c46, "gross_slip").name]);
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
@@ -1687,8 +1719,8 @@ function of_arc__of_sliding(drive, case_, result, found) {
 let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
 
 ([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
-([rule, factor, gone] = [$at($c47, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c41, result.status, "solved"))]);
-([by, first] = $at($c50, found.cause));
+([rule, factor, gone] = [$at($c46, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
+([by, first] = $at($c49, found.cause));
 (title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
@@ -1776,7 +1808,7 @@ return design_standard___silent("CEMA", ("" + "its factors for manual take-ups a
 return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
 }
 function design_standard___rows(lagging) {
-return $at($c51, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+return $at($c50, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
 function design_standard___silent(name, why) {
 return new Asked(name, NaN, "", why);
@@ -1793,7 +1825,7 @@ if (!$truth(lagging.surface)) {
 return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
 }
 (condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(found = [...(function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
 (value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
 if ((value == null)) {
 return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
@@ -1832,18 +1864,18 @@ return $mul($mul(factor, start), $b.abs(pull));
 function rules__standard_rule(criteria) {
 let rule;
 
-(rule = $at($c47, "design_standard"));
+(rule = $at($c46, "design_standard"));
 return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
 }
 function of_arc__creep(drive, result) {
 let limit, place, title;
 
 ([title, place] = ["Creep at exit", new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case"))]);
-if (!$truth($told($c41, result.status, "solved"))) {
+if (!$truth($told($c40, result.status, "solved"))) {
 return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
 }
 (limit = result.arc.creep_limit);
-return of_drive__judged($at($c47, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c53, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c47, "creep").tolerates, "length"]]]));
+return of_drive__judged($at($c46, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c52, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c46, "creep").tolerates, "length"]]]));
 }
 function of_arc__no_state(result) {
 
@@ -1859,7 +1891,7 @@ let belt, least, over, rating, steel, strong;
 if ((!$eq(limit, 0.00635))) {
 return "";
 }
-(least = $m.get($c53, $bound(belt, "kind")));
+(least = $m.get($c52, $bound(belt, "kind")));
 ([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
 if (((least == null) || ((rating == null) && !$truth(steel)))) {
 return "Whether this belt may creep more is not known: its carcass or rating is not given.";
@@ -1882,11 +1914,11 @@ let found, place, title, told;
 if (($eq(result.arc.cover_left_out, 0.0))) {
 return null;
 }
-if (!$truth($told($c41, result.status, "solved"))) {
+if (!$truth($told($c40, result.status, "solved"))) {
 return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
 }
 (told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-return of_drive__judged($at($c47, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
+return of_drive__judged($at($c46, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
 }
 function in_page_checks__creep_interval(_drive, result) {
 let fit, place;
@@ -1923,7 +1955,7 @@ return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating
 }
 function rules__tension_rule(kind) {
 
-return $at($c47, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
+return $at($c46, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
 }
 function rules__tension_factor(belt, kind) {
 
@@ -1943,7 +1975,7 @@ return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), lar
 function of_drive__safety_factor(belt, kind, tension, place) {
 let asked, factor, momentary, rule, source, strength, title, why;
 
-([rule, momentary] = [$at($c47, "belt_safety"), (!$eq(kind, "running"))]);
+([rule, momentary] = [$at($c46, "belt_safety"), (!$eq(kind, "running"))]);
 (title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
 ([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
 if ((strength == null)) {
@@ -1969,7 +2001,7 @@ let asked;
 if ((belt.breaking_strength == null)) {
 return NaN;
 }
-(asked = $m.get($c54, $bound(belt, "kind"), NaN));
+(asked = $m.get($c53, $bound(belt, "kind"), NaN));
 if ((belt.rating != null)) {
 (asked = (belt.breaking_strength / belt.rating));
 }
@@ -1993,7 +2025,7 @@ return of_drive__not_checked("face_pressure", title, why, place);
 (tensions = $at(case_.tensions, pulley.name));
 (tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
 (value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return of_drive__judged($at($c47, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
+return of_drive__judged($at($c46, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
 }
 function rules__wrap_pressure(tension, width, diameter, centrifugal) {
 
@@ -2031,11 +2063,11 @@ if ((limit == null)) {
 (why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
 return of_drive__not_checked(name, title, why, place);
 }
-return of_drive__judged($at($c47, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
+return of_drive__judged($at($c46, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
 }
 function of_arc___known(check, result) {
 
-if (($truth($told($c41, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
+if (($truth($told($c40, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
 return check;
 }
 return of_drive__not_checked($bound(check, "name"), $bound(check, "title"), of_arc__no_state(result), $bound(check, "place"));
@@ -2056,8 +2088,8 @@ return null;
 }
 (tensions = $at(case_.tensions, pulley.name));
 for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
-(more = ($truth($at($c47, name).at_most) ? "above" : "below"));
-yield of_drive__judged($at($c47, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
+(more = ($truth($at($c46, name).at_most) ? "above" : "below"));
+yield of_drive__judged($at($c46, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
 }
 }
 function of_drive__tests_of(pulley) {
@@ -2083,7 +2115,7 @@ yield of_data___untested(case_, pulley, "worn", "worn", says);
 function of_data___untested(case_, pulley, state, part, says) {
 let lagging;
 (lagging = pulley.lagging);
-return new Check($at($c47, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
+return new Check($at($c46, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
 }
 function* of_data__fit(case_, pulley) {
 let first, lagging, more, others;
@@ -2094,7 +2126,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check($at($c47, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
+yield new Check($at($c46, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -2104,7 +2136,7 @@ let check, place, slip, speed;
 
 (place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
 (slip = Infinity); (speed = slip);
-if ($truth($told($c41, result.status, "solved"))) {
+if ($truth($told($c40, result.status, "solved"))) {
 ([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
 } else {
 if ((result.arc.belt_speed == null)) {
@@ -2130,7 +2162,7 @@ let found, tested, title, unchecked, why;
 if ((tested == null)) {
 return null;
 }
-yield of_drive__judged($at($c47, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
+yield of_drive__judged($at($c46, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
 (title = "Slip speed, tested");
 if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
@@ -2141,7 +2173,7 @@ yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
 if ($truth($math.isnan(speed))) {
 yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
 } else {
-yield of_drive__judged($at($c47, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
+yield of_drive__judged($at($c46, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
 }
 }
 }
@@ -2157,13 +2189,13 @@ function of_arc__balance(result) {
 let arc, error, g, pull, value;
 
 (error = result.energy.identity_error);
-if ((!$truth($told($c41, result.status, "solved")) || $truth($math.isnan(error)))) {
+if ((!$truth($told($c40, result.status, "solved")) || $truth($math.isnan(error)))) {
 return null;
 }
 (arc = result.arc);
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-return of_drive__judged($at($c47, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+return of_drive__judged($at($c46, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -2188,7 +2220,7 @@ let limits, title;
 if ((limits == null)) {
 return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
 }
-return of_drive__judged($at($c47, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
+return of_drive__judged($at($c46, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2246,7 +2278,7 @@ if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers_
 if (($truth(why) || (least == null))) {
 return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
 }
-return of_drive__judged($at($c47, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
+return of_drive__judged($at($c46, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
 }
 function* in_page_checks__usual_sizes(_drive, ..._others) {
 
@@ -2267,8 +2299,8 @@ for ([kind, what] of $iter(of_data__weak_sources(drive, pulley))) {
 $m.append($m.setdefault(found, kind, []), what);
 }
 ([grounds, words] = of_data__law_words(lagging));
-(words = $add(words, [...(function* () { for (const kind of $iter($c43)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c55))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+(words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c54))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
@@ -2278,10 +2310,10 @@ if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
 return null;
 }
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-if ((!$in(one, $c56))) {
-$put($c56, one, least_tension___of(one));
+if ((!$in(one, $c55))) {
+$put($c55, one, least_tension___of(one));
 }
-return $at($c56, one);
+return $at($c55, one);
 }
 function least_tension___of(result) {
 let drive, either, ends, figure, found, given, held, take_up, weight, worst;
@@ -2439,9 +2471,9 @@ let both, missed, names;
 
 (missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
 (names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c57)), () => $b.bool($common(names, $c58))));
+(both = $and($b.bool($common(names, $c56)), () => $b.bool($common(names, $c57))));
 function advised(check) {
-if (($in([$m.get($c59, $bound(check, "name"), ""), check.place], missed))) {
+if (($in([$m.get($c58, $bound(check, "name"), ""), check.place], missed))) {
 return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
 }
 if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
@@ -2497,7 +2529,7 @@ return "";
 }
 ([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
 (governs = found.governing);
-(why = $at($c47, governs.name).what);
+(why = $at($c46, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
@@ -2517,11 +2549,11 @@ return ("" + $str(text) + ".");
 }
 function least_tension__at_least(tension) {
 
-return $call(cell, [tension, "force", 3, "up"], [["name", "tension"]]);
+return cellOf(tension, "force", 3, "up", undefined, "tension");
 }
 function sheet__named(name, value) {
 
-return quantity(value, $bound(term(name), "dimension"), 3, name);
+return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
 }
 function least_tension___none(found, result) {
 let asked, governs, most, top;
@@ -2530,10 +2562,10 @@ if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "desi
 return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
 }
 if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c47, governs.name).what) + " (" + $str(governs.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c46, governs.name).what) + " (" + $str(governs.place) + ").");
 }
 ([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c47, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c47, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c46, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c46, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
 }
 function least_tension__least_name(result) {
 let after;
@@ -2548,7 +2580,7 @@ return of.criteria.take_up.after;
 }
 function least_tension__at_most(tension) {
 
-return $call(cell, [tension, "force", 3, "down"], [["name", "tension"]]);
+return cellOf(tension, "force", 3, "down", undefined, "tension");
 }
 function least_tension__divides_anew(result) {
 
@@ -2563,7 +2595,7 @@ return null;
 }
 ([rows, after] = [[], least_tension___after(result)]);
 if (!$truth($math.isinf($bound(found, "tension")))) {
-(weight = cell($bound(found, "counterweight"), "mass", 3, "up"));
+(weight = cellOf($bound(found, "counterweight"), "mass", 3, "up"));
 (given = ("" + "given " + $str(sheet__named("tension", $bound(found, "given")))));
 (least = least_tension__at_least($bound(found, "tension")));
 (symbol = ($truth(after) ? "" : "T2_min"));
@@ -2612,7 +2644,7 @@ if ($truth(check.below)) {
 return "-";
 }
 if (!$truth($math.isnan($bound(check, "times")))) {
-return ("" + $str(quantity($bound(check, "times"), "number")) + " times the limit");
+return ("" + $str(cell__quantity($bound(check, "times"), "number")) + " times the limit");
 }
 if (!$truth($math.isfinite(margin))) {
 return "-";
@@ -2672,7 +2704,7 @@ return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c60, result, $map([])));
+(known = $m.setdefault($c59, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -2696,7 +2728,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c61, key))) {
+for ([name, position] of $iter($m.findall($c60, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -2726,10 +2758,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c62, report));
-(common = $map([...(function* () { for (const key of $iter($c63)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c61, report));
+(common = $map([...(function* () { for (const key of $iter($c62)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c64.built($m.get(record, "cost"), report));
+$put(common, "cost", $c63.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -2748,8 +2780,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c65)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c65)))) {
+(given = [...(function* () { for (const key of $iter($c64)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c64)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -2771,7 +2803,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c66)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c65)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -2793,7 +2825,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c67, "built", [shape, report], [...height]));
+(block = $method($c66, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -2819,7 +2851,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c68, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c67, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -2837,7 +2869,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c75.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c74.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -2846,7 +2878,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c69, $map([["pressure", $m.get($c70, kind, "tested_pressure")]])));
+(names = $merged($c68, $map([["pressure", $m.get($c69, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -2855,7 +2887,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c71, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c70, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3038,7 +3070,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c72;
+return $c71;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3139,7 +3171,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c73], ["temperature", $c74]])) {
+for ([key, table] of $iter([["slip_speed", $c72], ["temperature", $c73]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3198,7 +3230,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c76, document, file));
+([record, report] = source__read_tables($c75, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3234,7 +3266,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c78)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c77)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3261,11 +3293,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c52)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c51)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw new InputError(new Problem(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard)));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -3282,7 +3314,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c52)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function criteria__choice_problems(thing, choices) {
@@ -3514,6 +3546,18 @@ return NaN;
 }
 return (((value / limit) >= 10.0) ? (value / limit) : NaN);
 }
+function check__quantity_text(value, dimension, against = NaN) {
+let form;
+
+if ($truth($math.isnan(value))) {
+return "";
+}
+if ($truth($math.isinf(value))) {
+return cell__quantity(value, dimension);
+}
+(form = ($truth($math.isnan(against)) ? "slip" : "slip apart"));
+return cellOf(value, dimension, undefined, form, against);
+}
 function numbers__beyond(value, fails, at_most) {
 
 return ($truth(at_most) ? (value > fails) : (value < fails));
@@ -3523,7 +3567,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c86, "OK", "rank"), 0.5) : $told($c86, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c85, "OK", "rank"), 0.5) : $told($c85, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -3646,7 +3690,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c715, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c724, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -3656,14 +3700,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c720, 0), 0));
+(least = $at($at($c729, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c720, 0), 0)) ? NaN : $at($at($c720, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c720))) {
+(found = ((length < $at($at($c729, 0), 0)) ? NaN : $at($at($c729, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c729))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -3743,10 +3787,10 @@ return text;
 return ("" + $repr(value) + " " + $str($at($c12, dimension).si_unit));
 }
 function display__display_unit(dimension, system = "si") {
-let unit;
+let row;
 
-(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c11, system), dimension), 0)));
-return [unit, parse__unit_factor(unit, dimension)];
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+return [row.unit, row.factor];
 }
 class Problem extends $Object {
 $init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
@@ -3951,7 +3995,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c77)) {
+for (group of $iter($c76)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -4029,7 +4073,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c52)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c51)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -4076,8 +4120,12 @@ const self = this; super.$init(message);
 }
 }
 class Unit extends $Object {
-$init(factor, powers, zero = $c87) { this.factor = factor; this.powers = powers; this.zero = zero;  }
+$init(factor, powers, zero = $c86) { this.factor = factor; this.powers = powers; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
+}
+class UnitRow extends $Object {
+$init(unit, factor, larger) { this.unit = unit; this.factor = factor; this.larger = larger;  }
+*[Symbol.iterator]() { yield this.unit; yield this.factor; yield this.larger; }
 }
 class WidthProfile extends $Object {
 $init(position = [], value = [], crown = 0.0, uncertainty = null) { this.position = position; this.value = value; this.crown = crown; this.uncertainty = uncertainty; this.__post_init__?.(); }
@@ -4128,19 +4176,19 @@ $init(name, place, values, raw, diameter, inherited = []) { this.name = name; th
 static of(name, record, diameter) {
 const cls = this; let values;
 
-(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c34)) { yield $m.get(record, key); } })())));
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
 return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
 }
 at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c79) {
+overridden(record, fixed = false, speed = null, runs = $c78) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
 (values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
-(own = $b.zip($c34, values, $bound(self, "values"), $k({strict: true})));
+(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
 (kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
 return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
 }
@@ -4168,7 +4216,7 @@ class LoadCase extends $Object {
 $init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c80]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c79]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -4416,7 +4464,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c79, self._take_up.fixed]);
+([runs, fixed] = [$c78, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -4429,7 +4477,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c81), ...$iter($c82), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c80), ...$iter($c81), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -4473,10 +4521,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c82)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c81)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c82)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c81)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -4552,7 +4600,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c83))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c82))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -4564,7 +4612,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c84.built(record, $bound(self, "_report")));
+(motor = $c83.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -4721,7 +4769,7 @@ $find_covered_creep() {
 const self = this; let arc, found, geometry, load, series;
 
 (arc = self.arc);
-if ((!$truth($told($c41, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+if ((!$truth($told($c40, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
 return NaN;
 }
 ([load, geometry] = [arc.load(), arc.geometry()]);
@@ -4775,7 +4823,7 @@ return alike__largest((function* () { for (const result of $iter(self.arcs)) { i
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c41, r.status, "solved"); } })());
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c40, r.status, "solved"); } })());
 }
 }
 class TrainResult extends Viewable {
@@ -4789,7 +4837,7 @@ return $b.any((function* () { for (const c of $iter(self.cases)) { yield c.adrif
 }
 get solved() {
 const self = this; 
-return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c41, c.status, "solved"); } })());
+return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c40, c.status, "solved"); } })());
 }
 get governing() {
 const self = this; let solved;
@@ -4800,8 +4848,8 @@ let creeps;
 return $b.max((function* () { for (const c of $iter(creeps)) { yield ($truth($math.isfinite(c)) ? c : 0.0); } })());
 }
 $sig(severity, ["case"], false);
-(solved = $told($c41, self, "solved"));
-return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c41, c.status, "solved"))))) continue; yield c; } })(), severity);
+(solved = $told($c40, self, "solved"));
+return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c40, c.status, "solved"))))) continue; yield c; } })(), severity);
 }
 drive_result() {
 const self = this; let arcs, cases;
@@ -4844,14 +4892,14 @@ $init(width, modulus, speed, diameter, idle_wrap, wrap_angle, creep_limit, overr
 *[Symbol.iterator]() { yield this.width; yield this.modulus; yield this.speed; yield this.diameter; yield this.idle_wrap; yield this.wrap_angle; yield this.creep_limit; yield this.overrun; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.rating; yield this.strength; yield this.bond_strength; yield this.fatigue_limit; yield this.face_pressure; yield this.least_diameter; yield this.sag; yield this.entry; yield this.leaving; yield this.pull; yield this.mass; }
 }
 class Check extends $Object {
-$init(name, title, level, place = $c88, value = NaN, limit = NaN, dimension = "number", at_most = true, source = "", short = "", says = "", remedy = "", otherwise = "", more = new Map(), binding = true, miss = null) { this.name = name; this.title = title; this.level = level; this.place = place; this.value = value; this.limit = limit; this.dimension = dimension; this.at_most = at_most; this.source = source; this.short = short; this.says = says; this.remedy = remedy; this.otherwise = otherwise; this.more = more; this.binding = binding; this.miss = miss;  }
+$init(name, title, level, place = $c87, value = NaN, limit = NaN, dimension = "number", at_most = true, source = "", short = "", says = "", remedy = "", otherwise = "", more = new Map(), binding = true, miss = null) { this.name = name; this.title = title; this.level = level; this.place = place; this.value = value; this.limit = limit; this.dimension = dimension; this.at_most = at_most; this.source = source; this.short = short; this.says = says; this.remedy = remedy; this.otherwise = otherwise; this.more = more; this.binding = binding; this.miss = miss;  }
 get margin() {
 const self = this; 
 return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c85)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c84)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -4874,19 +4922,19 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c86, self.level, "rank") >= $told($c86, "ATTENTION", "rank"));
+return ($told($c85, self.level, "rank") >= $told($c85, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
 
 if ($truth(self.below)) {
-(limit = quantityText($bound(self, "limit"), $bound(self, "dimension")));
+(limit = check__quantity_text($bound(self, "limit"), $bound(self, "dimension")));
 return [("" + "below " + $str(limit)), limit];
 }
 if (!$truth(self.missed)) {
-return [quantityText($bound(self, "value"), $bound(self, "dimension")), quantityText($bound(self, "limit"), $bound(self, "dimension"))];
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"))];
 }
-return [quantityText($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), quantityText($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
 }
 bound() {
 const self = this; 
@@ -4903,21 +4951,21 @@ if (!$truth(self.says)) {
 (bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
 return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
 }
-(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, quantityText(v, d)]; } })()]));
+(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d)]; } })()]));
 (words = $merged(words, $map([["value", value], ["limit", limit]])));
 return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c706));
+return ($in(self.name, $c715));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c707)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c716)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c708)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c717)));
 }
 }
 class Miss extends $Object {
@@ -4977,7 +5025,7 @@ class Speeds extends $Object {
 $init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
 }
 class Owner extends $Object {
-$init(of, words, place = $c88) { this.of = of; this.words = words; this.place = place;  }
+$init(of, words, place = $c87) { this.of = of; this.words = words; this.place = place;  }
 *[Symbol.iterator]() { yield this.of; yield this.words; yield this.place; }
 }
 class Sliding extends $Object {
@@ -5162,7 +5210,7 @@ if ($truth($math.isinf($bound(self, "wet")))) {
 return "wet it slips through";
 }
 (digits = $add(3, self.over_wet));
-return ("" + "wet it creeps " + $str(quantity($bound(self, "wet"), "length", digits)));
+return ("" + "wet it creeps " + $str(cell__quantity($bound(self, "wet"), "length", digits)));
 }
 beyond_wet() {
 const self = this; let limit;
@@ -5179,7 +5227,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c86, self.level, "rank") > $told($c86, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c85, self.level, "rank") > $told($c85, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -5197,14 +5245,14 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c709)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c718)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 class Row extends $Object {
 $init(title, values, symbol = "", note = "", name = "", level = null) { this.title = title; this.values = values; this.symbol = symbol; this.note = note; this.name = name; this.level = level;  }
 }
 class Table extends $Object {
-$init(title, rows, heads = $c89, note = "", name = "", short = null, brief = "") { this.title = title; this.rows = rows; this.heads = heads; this.note = note; this.name = name; this.short = short; this.brief = brief;  }
+$init(title, rows, heads = $c88, note = "", name = "", short = null, brief = "") { this.title = title; this.rows = rows; this.heads = heads; this.note = note; this.name = name; this.short = short; this.brief = brief;  }
 }
 class TestedRange extends $Object {
 $init(pressure_min, pressure_max, slip_max, slip_speed = null) { this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.slip_speed = slip_speed; this.__post_init__?.(); }
@@ -5232,22 +5280,12 @@ const self = this;
 return new TestedRange($at(self.pressure, 0), $at(self.pressure, $neg(1)), $at(self.slip, $neg(1)));
 }
 
-compact() {
-const self = this; let c, cubics, row;
-
-(c = []);
-for ([row, cubics] of $iter($b.zip($bound(self, "values"), self._cubics(), $k({strict: true})))) {
-(c = $add(c, [...$iter(cubics.ravel().tolist()), $at(row, $neg(1)), 0.0, 0.0, 0.0]));
-}
-return new CompactLaw(3, $bound(self, "pressure"), $b.tuple(c), self.slip);
-}
 
 _scaled(friction, slip) {
 const self = this; let rows;
 (rows = $b.tuple((function* () { for (const row of $iter(self.values)) { yield $b.tuple((function* () { for (const mu of $iter(row)) { yield $mul(mu, friction); } })()); } })()));
 return $replaced(self, new Map([["slip", $b.tuple((function* () { for (const x of $iter(self.slip)) { yield $mul(x, slip); } })())], ["values", rows]]));
 }
-
 }
 class _Term extends $Object {
 $init(coefficient, function_, power, exponent) { this.coefficient = coefficient; this.function = function_; this.power = power; this.exponent = exponent;  }
@@ -5258,12 +5296,12 @@ $init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coef
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c710)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c710)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c719)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c719)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c710, self.form));
+([logarithmic, exponential] = $at($c719, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -5282,13 +5320,13 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c710, self.form));
+([logarithmic, exponential] = $at($c719, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
 }
 class Piece extends $Object {
-$init(a, b, post_peak_slope = $c90, residual_friction = $c91) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
+$init(a, b, post_peak_slope = $c89, residual_friction = $c90) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
 }
 class CoefficientPieces extends $Object {
 $init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
@@ -5448,8 +5486,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c711)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c711))));
+if (($truth(self.surface) && (!$in(self.surface, $c720)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c720))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -5524,7 +5562,7 @@ $init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c712)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c721)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -5557,7 +5595,7 @@ class DesignStandard extends $Object {
 $init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c713)]], ["condition", ["", ...$iter($c714)]]]));
+(words = $map([["name", ["", ...$iter($c722)]], ["condition", ["", ...$iter($c723)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -5595,7 +5633,7 @@ class tables$Table extends Kind {
 get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c715) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c724) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -5664,7 +5702,7 @@ return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fi
 }
 }
 class Entry extends $Object {
-$init(key, meaning = "", kind = $c715, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
+$init(key, meaning = "", kind = $c724, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
 __post_init__() {
 const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(self.key, "_", " "))));
 (self.attribute = $or(self.attribute, () => self.key));
@@ -5693,7 +5731,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c716) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c725) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -5823,7 +5861,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let found;
 
-(found = $m.search($c717, $m.upper(self.name)));
+(found = $m.search($c726, $m.upper(self.name)));
 return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
 }
 get axial_stiffness() {
@@ -5904,7 +5942,7 @@ $init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.e
 *[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
 }
 class Definition extends $Object {
-$init(names, factor, unit, zero = $c724) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
+$init(names, factor, unit, zero = $c733) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
 *[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
 }
 class Variant extends Kind {
@@ -5941,7 +5979,7 @@ $init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, cree
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c718]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c727]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -5986,8 +6024,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c719))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c719))));
+if ((!$in(self.drive_at, $c728))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c728))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -6121,7 +6159,7 @@ return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($boun
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1381);
+([least, most] = $c1402);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -6152,8 +6190,8 @@ $init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c721))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c721))));
+if ((!$in(self.shape, $c730))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c730))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -6213,7 +6251,7 @@ get knots() { return $kept(this, "knots", this.$find_knots()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c722));
+(problems = limits__limit_problems(self, $c731));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -6252,7 +6290,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c723, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c732, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -6367,17 +6405,13 @@ class Load extends $Object {
 $init(entry_tension, exit_tension, creep_limit, pressure_min, pressure_max, slip_max, steepest_fall) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.creep_limit = creep_limit; this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.steepest_fall = steepest_fall;  }
 *[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.creep_limit; yield this.pressure_min; yield this.pressure_max; yield this.slip_max; yield this.steepest_fall; }
 }
-class CompactLaw extends $Object {
-$init(kind, edges, coefficients, slips = [], onset_compliance = 0.0) { this.kind = kind; this.edges = edges; this.coefficients = coefficients; this.slips = slips; this.onset_compliance = onset_compliance;  }
-*[Symbol.iterator]() { yield this.kind; yield this.edges; yield this.coefficients; yield this.slips; yield this.onset_compliance; }
-}
 class Transition extends $Object {
 $init(length, trough_angle, centre_roll, depth = "full") { this.length = length; this.trough_angle = trough_angle; this.centre_roll = centre_roll; this.depth = depth; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1079))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1079))));
+if ((!$in(self.depth, $c1099))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1099))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
@@ -6607,6 +6641,10 @@ const self = this;
 throw $TypeError;
 }
 }
+class CompactLaw extends $Object {
+$init(kind, edges, coefficients, slips = [], onset_compliance = 0.0) { this.kind = kind; this.edges = edges; this.coefficients = coefficients; this.slips = slips; this.onset_compliance = onset_compliance;  }
+*[Symbol.iterator]() { yield this.kind; yield this.edges; yield this.coefficients; yield this.slips; yield this.onset_compliance; }
+}
 class _Pair extends Kind {
 $init(dimension) {
 const self = this; (self.kinds = [new Quantity("length"), new Quantity(dimension)]);
@@ -6621,785 +6659,800 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c749 = $made(Quantity, {dimension: "number", limit: null});
-const $c737 = $made(Entry, {key: "format", kind: $c749, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
-const $c750 = $made(Text, {longest: 200, lines: false});
-const $c738 = $made(Entry, {key: "title", kind: $c750, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c751 = $made(Text, {longest: 5000, lines: true});
-const $c739 = $made(Entry, {key: "description", kind: $c751, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c686 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c752 = $made(Quantity, {dimension: "length", limit: $c686});
-const $c740 = $made(Entry, {key: "creep_limit", kind: $c752, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c754 = $made(Name, {longest: 60});
-const $c762 = $made(Name, {longest: 60});
-const $c757 = $made(Entry, {key: "name", kind: $c762, required: true, alias: "", example: "", attribute: "name", unless: ""});
-const $c682 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
-const $c763 = $made(Quantity, {dimension: "number", limit: $c682});
-const $c758 = $made(Entry, {key: "friction_factor", kind: $c763, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c764 = $made(ByName, {kind: $c763, most: 200});
-const $c759 = $made(Entry, {key: "friction_factors", kind: $c764, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
-const $c766 = ["DIN 22101", "practice"];
-const $c765 = $made(Choice, {options: $c766});
-const $c760 = $made(Entry, {key: "standard", kind: $c765, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c774 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c773 = $made(Choice, {options: $c774});
-const $c769 = $made(Entry, {key: "kind", kind: $c773, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c775 = $made(Text, {longest: 500, lines: false});
-const $c770 = $made(Entry, {key: "source", kind: $c775, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c776 = $made(Text, {longest: 60, lines: false});
-const $c771 = $made(Entry, {key: "date", kind: $c776, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c777 = $made(Text, {longest: 1000, lines: false});
-const $c772 = $made(Entry, {key: "note", kind: $c777, required: false, alias: "", example: "", attribute: "note", unless: ""});
-const $c767 = [$c769, $c770, $c771, $c772];
-const $c768 = new Map([["kind", $c769], ["source", $c770], ["date", $c771], ["note", $c772]]);
-const $c2 = $made(tables$Table, {of: Provenance, entries: $c767, _known: $c768});
-const $c761 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c755 = [$c757, $c758, $c759, $c760, $c761];
-const $c756 = new Map([["name", $c757], ["friction_factor", $c758], ["friction_factors", $c759], ["standard", $c760], ["provenance", $c761]]);
-const $c8 = $made(tables$Table, {of: Condition, entries: $c755, _known: $c756});
-const $c185 = $made(TextOr, {text: $c754, table: $c8});
-const $c753 = $made(OneOrMore, {kind: $c185, most: 8});
-const $c741 = $made(Entry, {key: "condition", kind: $c753, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c124 = $made(Name, {longest: 60});
-const $c104 = $made(Entry, {key: "preset", kind: $c124, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c125 = $made(Name, {longest: 60});
-const $c105 = $made(Entry, {key: "name", kind: $c125, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c126 = $made(Text, {longest: 60, lines: false});
-const $c106 = $made(Entry, {key: "kind", kind: $c126, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c128 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c127 = $made(Quantity, {dimension: "length", limit: $c128});
-const $c107 = $made(Entry, {key: "width", kind: $c127, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c131 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c130 = $made(Quantity, {dimension: "force_per_width", limit: $c131});
-const $c129 = $made(WordOr, {word: "rigid", kind: $c130, meaning: Infinity});
-const $c108 = $made(Entry, {key: "modulus", kind: $c129, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
-const $c133 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c132 = $made(Quantity, {dimension: "force_per_width", limit: $c133});
-const $c109 = $made(Entry, {key: "rating", kind: $c132, required: false, alias: "", example: "", attribute: "rating", unless: ""});
-const $c135 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c134 = $made(Quantity, {dimension: "force_per_width", limit: $c135});
-const $c110 = $made(Entry, {key: "strength", kind: $c134, required: false, alias: "", example: "", attribute: "strength", unless: ""});
-const $c137 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c136 = $made(Quantity, {dimension: "speed", limit: $c137});
-const $c111 = $made(Entry, {key: "speed", kind: $c136, required: false, alias: "", example: "", attribute: "speed", unless: ""});
-const $c139 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c138 = $made(Quantity, {dimension: "number", limit: $c139});
-const $c112 = $made(Entry, {key: "momentary_factor", kind: $c138, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
-const $c141 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c140 = $made(Quantity, {dimension: "length", limit: $c141});
-const $c113 = $made(Entry, {key: "least_pulley_diameter", kind: $c140, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
-const $c143 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c142 = $made(Quantity, {dimension: "pressure", limit: $c143});
-const $c114 = $made(Entry, {key: "largest_wrap_pressure", kind: $c142, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
-const $c145 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
-const $c144 = $made(Quantity, {dimension: "force_per_width", limit: $c145});
-const $c115 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c144, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
-const $c147 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c146 = $made(Quantity, {dimension: "length", limit: $c147});
-const $c116 = $made(Entry, {key: "pulley_cover", kind: $c146, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
-const $c149 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c148 = $made(Quantity, {dimension: "length", limit: $c149});
-const $c117 = $made(Entry, {key: "carry_cover", kind: $c148, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
-const $c151 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c150 = $made(Quantity, {dimension: "length", limit: $c151});
-const $c118 = $made(Entry, {key: "carcass", kind: $c150, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
-const $c153 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c152 = $made(Quantity, {dimension: "length", limit: $c153});
-const $c119 = $made(Entry, {key: "thickness", kind: $c152, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c156 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
-const $c155 = $made(Quantity, {dimension: "pressure", limit: $c156});
-const $c154 = $made(WordOr, {word: "rigid", kind: $c155, meaning: Infinity});
-const $c120 = $made(Entry, {key: "cover_shear_modulus", kind: $c154, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
-const $c158 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c157 = $made(Quantity, {dimension: "mass_per_length", limit: $c158});
-const $c121 = $made(Entry, {key: "mass", kind: $c157, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c122 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c159 = $made(ByName, {kind: $c2, most: 200});
-const $c123 = $made(Entry, {key: "sources", kind: $c159, required: false, alias: "", example: "", attribute: "sources", unless: ""});
+const $c744 = ["of", "entries", "_known"];
+const $c759 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c129 = ["dimension", "limit"];
+const $c760 = $made(Quantity, $c129, ["number", null]);
+const $c747 = $made(Entry, $c759, ["format", $c760, true, "", "format = 1", "format", ""]);
+const $c762 = ["longest", "lines"];
+const $c761 = $made(Text, $c762, [200, false]);
+const $c748 = $made(Entry, $c759, ["title", $c761, false, "", "", "title", ""]);
+const $c763 = $made(Text, $c762, [5000, true]);
+const $c749 = $made(Entry, $c759, ["description", $c763, false, "", "", "description", ""]);
+const $c765 = ["dimension", "least", "most", "open", "rigid"];
+const $c695 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
+const $c764 = $made(Quantity, $c129, ["length", $c695]);
+const $c750 = $made(Entry, $c759, ["creep_limit", $c764, false, "", "", "creep_limit", ""]);
+const $c767 = ["kind", "most"];
+const $c768 = ["text", "table"];
+const $c770 = ["longest"];
+const $c769 = $made(Name, $c770, [60]);
+const $c778 = $made(Name, $c770, [60]);
+const $c773 = $made(Entry, $c759, ["name", $c778, true, "", "", "name", ""]);
+const $c691 = $made(Limit, $c765, ["number", 0.0, 2.0, true, false]);
+const $c779 = $made(Quantity, $c129, ["number", $c691]);
+const $c774 = $made(Entry, $c759, ["friction_factor", $c779, false, "", "", "factor", ""]);
+const $c780 = $made(ByName, $c767, [$c779, 200]);
+const $c775 = $made(Entry, $c759, ["friction_factors", $c780, false, "", "", "friction_factors", ""]);
+const $c782 = ["options"];
+const $c783 = ["DIN 22101", "practice"];
+const $c781 = $made(Choice, $c782, [$c783]);
+const $c776 = $made(Entry, $c759, ["standard", $c781, false, "", "", "standard", ""]);
+const $c791 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c790 = $made(Choice, $c782, [$c791]);
+const $c786 = $made(Entry, $c759, ["kind", $c790, true, "", "", "kind", ""]);
+const $c792 = $made(Text, $c762, [500, false]);
+const $c787 = $made(Entry, $c759, ["source", $c792, false, "", "", "source", ""]);
+const $c793 = $made(Text, $c762, [60, false]);
+const $c788 = $made(Entry, $c759, ["date", $c793, false, "", "", "date", ""]);
+const $c794 = $made(Text, $c762, [1000, false]);
+const $c789 = $made(Entry, $c759, ["note", $c794, false, "", "", "note", ""]);
+const $c784 = [$c786, $c787, $c788, $c789];
+const $c785 = new Map([["kind", $c786], ["source", $c787], ["date", $c788], ["note", $c789]]);
+const $c2 = $made(tables$Table, $c744, [Provenance, $c784, $c785]);
+const $c777 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c771 = [$c773, $c774, $c775, $c776, $c777];
+const $c772 = new Map([["name", $c773], ["friction_factor", $c774], ["friction_factors", $c775], ["standard", $c776], ["provenance", $c777]]);
+const $c8 = $made(tables$Table, $c744, [Condition, $c771, $c772]);
+const $c190 = $made(TextOr, $c768, [$c769, $c8]);
+const $c766 = $made(OneOrMore, $c767, [$c190, 8]);
+const $c751 = $made(Entry, $c759, ["condition", $c766, false, "", "", "condition", ""]);
+const $c125 = $made(Name, $c770, [60]);
+const $c104 = $made(Entry, $c759, ["preset", $c125, false, "", "", "preset", ""]);
+const $c126 = $made(Name, $c770, [60]);
+const $c105 = $made(Entry, $c759, ["name", $c126, false, "", "", "name", ""]);
+const $c127 = $made(Text, $c762, [60, false]);
+const $c106 = $made(Entry, $c759, ["kind", $c127, false, "", "", "kind", ""]);
+const $c130 = $made(Limit, $c765, ["length", 0.001, 1000.0, false, false]);
+const $c128 = $made(Quantity, $c129, ["length", $c130]);
+const $c107 = $made(Entry, $c759, ["width", $c128, true, "", "", "width", ""]);
+const $c796 = ["word", "kind", "meaning"];
+const $c135 = $made(Limit, $c765, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c134 = $made(Quantity, $c129, ["force_per_width", $c135]);
+const $c132 = $made(WordOr, $c796, ["rigid", $c134, Infinity]);
+const $c108 = $made(Entry, $c759, ["modulus", $c132, false, "", "", "modulus", ""]);
+const $c137 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, true, false]);
+const $c136 = $made(Quantity, $c129, ["force_per_width", $c137]);
+const $c109 = $made(Entry, $c759, ["rating", $c136, false, "", "", "rating", ""]);
+const $c139 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, true, false]);
+const $c138 = $made(Quantity, $c129, ["force_per_width", $c139]);
+const $c110 = $made(Entry, $c759, ["strength", $c138, false, "", "", "strength", ""]);
+const $c141 = $made(Limit, $c765, ["speed", 0.0, 1000.0, true, false]);
+const $c140 = $made(Quantity, $c129, ["speed", $c141]);
+const $c111 = $made(Entry, $c759, ["speed", $c140, false, "", "", "speed", ""]);
+const $c143 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
+const $c142 = $made(Quantity, $c129, ["number", $c143]);
+const $c112 = $made(Entry, $c759, ["momentary_factor", $c142, false, "", "", "momentary_factor", ""]);
+const $c145 = $made(Limit, $c765, ["length", 0.0, Infinity, true, false]);
+const $c144 = $made(Quantity, $c129, ["length", $c145]);
+const $c113 = $made(Entry, $c759, ["least_pulley_diameter", $c144, false, "", "", "least_pulley_diameter", ""]);
+const $c147 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
+const $c146 = $made(Quantity, $c129, ["pressure", $c147]);
+const $c114 = $made(Entry, $c759, ["largest_wrap_pressure", $c146, false, "", "", "largest_wrap_pressure", ""]);
+const $c149 = $made(Limit, $c765, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c148 = $made(Quantity, $c129, ["force_per_width", $c149]);
+const $c115 = $made(Entry, $c759, ["in_plane_shear_stiffness", $c148, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c151 = $made(Limit, $c765, ["length", 0.0, 0.06, false, false]);
+const $c150 = $made(Quantity, $c129, ["length", $c151]);
+const $c116 = $made(Entry, $c759, ["pulley_cover", $c150, false, "", "", "pulley_cover", ""]);
+const $c153 = $made(Limit, $c765, ["length", 0.0, 0.06, false, false]);
+const $c152 = $made(Quantity, $c129, ["length", $c153]);
+const $c117 = $made(Entry, $c759, ["carry_cover", $c152, false, "", "", "carry_cover", ""]);
+const $c155 = $made(Limit, $c765, ["length", 0.0, 0.06, true, false]);
+const $c154 = $made(Quantity, $c129, ["length", $c155]);
+const $c118 = $made(Entry, $c759, ["carcass", $c154, false, "", "", "carcass", ""]);
+const $c157 = $made(Limit, $c765, ["length", 0.0, 0.06, true, false]);
+const $c156 = $made(Quantity, $c129, ["length", $c157]);
+const $c119 = $made(Entry, $c759, ["thickness", $c156, false, "", "", "thickness", ""]);
+const $c160 = $made(Limit, $c765, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c159 = $made(Quantity, $c129, ["pressure", $c160]);
+const $c158 = $made(WordOr, $c796, ["rigid", $c159, Infinity]);
+const $c120 = $made(Entry, $c759, ["cover_shear_modulus", $c158, false, "", "", "cover_shear_modulus", ""]);
+const $c162 = $made(Limit, $c765, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c161 = $made(Quantity, $c129, ["mass_per_length", $c162]);
+const $c121 = $made(Entry, $c759, ["mass", $c161, false, "", "", "mass", ""]);
+const $c122 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c163 = $made(ByName, $c767, [$c2, 200]);
+const $c123 = $made(Entry, $c759, ["sources", $c163, false, "", "", "sources", ""]);
 const $c1 = [$c104, $c105, $c106, $c107, $c108, $c109, $c110, $c111, $c112, $c113, $c114, $c115, $c116, $c117, $c118, $c119, $c120, $c121, $c122, $c123];
-const $c778 = new Map([["preset", $c104], ["name", $c105], ["kind", $c106], ["width", $c107], ["modulus", $c108], ["rating", $c109], ["strength", $c110], ["speed", $c111], ["momentary_factor", $c112], ["least_pulley_diameter", $c113], ["largest_wrap_pressure", $c114], ["in_plane_shear_stiffness", $c115], ["pulley_cover", $c116], ["carry_cover", $c117], ["carcass", $c118], ["thickness", $c119], ["cover_shear_modulus", $c120], ["mass", $c121], ["provenance", $c122], ["sources", $c123]]);
-const $c5 = $made(tables$Table, {of: Belt, entries: $c1, _known: $c778});
-const $c742 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
-const $c178 = $made(Name, {longest: 60});
-const $c160 = $made(Entry, {key: "name", kind: $c178, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
-const $c180 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c179 = $made(Quantity, {dimension: "length", limit: $c180});
-const $c161 = $made(Entry, {key: "diameter", kind: $c179, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c182 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
-const $c181 = $made(Quantity, {dimension: "angle", limit: $c182});
-const $c162 = $made(Entry, {key: "wrap_angle", kind: $c181, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
-const $c683 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
-const $c788 = $made(Quantity, {dimension: "length", limit: $c683});
-const $c783 = $made(Entry, {key: "x", kind: $c788, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c789 = $made(Quantity, {dimension: "length", limit: $c683});
-const $c784 = $made(Entry, {key: "y", kind: $c789, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c791 = ["clockwise", "counterclockwise"];
-const $c790 = $made(Choice, {options: $c791});
-const $c785 = $made(Entry, {key: "turn", kind: $c790, required: false, alias: "", example: "", attribute: "turn", unless: ""});
-const $c798 = $made(Quantity, {dimension: "length", limit: $c683});
-const $c795 = $made(Entry, {key: "x", kind: $c798, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c799 = $made(Quantity, {dimension: "length", limit: $c683});
-const $c796 = $made(Entry, {key: "y", kind: $c799, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c684 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
-const $c800 = $made(Quantity, {dimension: "length", limit: $c684});
-const $c797 = $made(Entry, {key: "diameter", kind: $c800, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c793 = [$c795, $c796, $c797, $c785];
-const $c794 = new Map([["x", $c795], ["y", $c796], ["diameter", $c797], ["turn", $c785]]);
-const $c792 = $made(tables$Table, {of: Point, entries: $c793, _known: $c794});
-const $c786 = $made(Entry, {key: "before", kind: $c792, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
-const $c787 = $made(Entry, {key: "after", kind: $c792, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
-const $c781 = [$c783, $c784, $c785, $c786, $c787];
-const $c782 = new Map([["x", $c783], ["y", $c784], ["turn", $c785], ["before", $c786], ["after", $c787]]);
-const $c183 = $made(tables$Table, {of: Point, entries: $c781, _known: $c782});
-const $c163 = $made(Entry, {key: "belt_path", kind: $c183, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
-const $c801 = $made(Name, {longest: 500});
-const $c825 = $made(Name, {longest: 500});
-const $c805 = $made(Entry, {key: "preset", kind: $c825, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c826 = $made(Name, {longest: 60});
-const $c806 = $made(Entry, {key: "name", kind: $c826, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c827 = $made(Text, {longest: 200, lines: false});
-const $c807 = $made(Entry, {key: "title", kind: $c827, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c828 = $made(Text, {longest: 5000, lines: true});
-const $c808 = $made(Entry, {key: "description", kind: $c828, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c711 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c829 = $made(Choice, {options: $c711});
-const $c809 = $made(Entry, {key: "surface", kind: $c829, required: false, alias: "", example: "", attribute: "surface", unless: ""});
-const $c694 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c830 = $made(Quantity, {dimension: "length", limit: $c694});
-const $c810 = $made(Entry, {key: "thickness", kind: $c830, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c697 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
-const $c831 = $made(Quantity, {dimension: "pressure", limit: $c697});
-const $c811 = $made(Entry, {key: "elastic_modulus", kind: $c831, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c695 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c833 = $made(Quantity, {dimension: "pressure", limit: $c695});
-const $c832 = $made(WordOr, {word: "rigid", kind: $c833, meaning: Infinity});
-const $c812 = $made(Entry, {key: "shear_modulus", kind: $c832, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c696 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c835 = $made(Quantity, {dimension: "pressure", limit: $c696});
-const $c834 = $made(WordOr, {word: "rigid", kind: $c835, meaning: Infinity});
-const $c813 = $made(Entry, {key: "compression_modulus", kind: $c834, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c721 = ["square", "strip"];
-const $c843 = $made(Choice, {options: $c721});
-const $c838 = $made(Entry, {key: "shape", kind: $c843, required: false, alias: "", example: "", attribute: "shape", unless: ""});
-const $c845 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
-const $c844 = $made(Quantity, {dimension: "length", limit: $c845});
-const $c839 = $made(Entry, {key: "width", kind: $c844, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c847 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
-const $c846 = $made(Quantity, {dimension: "length", limit: $c847});
-const $c840 = $made(Entry, {key: "height", kind: $c846, required: false, alias: "", example: "", attribute: "height", unless: ""});
-const $c849 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c848 = $made(Quantity, {dimension: "number", limit: $c849});
-const $c841 = $made(Entry, {key: "stiffening", kind: $c848, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
-const $c851 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
-const $c850 = $made(Quantity, {dimension: "number", limit: $c851});
-const $c842 = $made(Entry, {key: "contact_fraction", kind: $c850, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
-const $c836 = [$c838, $c839, $c840, $c841, $c842];
-const $c837 = new Map([["shape", $c838], ["width", $c839], ["height", $c840], ["stiffening", $c841], ["contact_fraction", $c842]]);
-const $c67 = $made(tables$Table, {of: Block, entries: $c836, _known: $c837});
-const $c814 = $made(Entry, {key: "block", kind: $c67, required: false, alias: "", example: "", attribute: "block", unless: ""});
-const $c698 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c852 = $made(Quantity, {dimension: "wear_coefficient", limit: $c698});
-const $c815 = $made(Entry, {key: "wear_coefficient", kind: $c852, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c699 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c853 = $made(Quantity, {dimension: "number", limit: $c699});
-const $c816 = $made(Entry, {key: "belt_energy_share", kind: $c853, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c700 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c854 = $made(Quantity, {dimension: "pressure", limit: $c700});
-const $c817 = $made(Entry, {key: "bond_strength", kind: $c854, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c701 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c855 = $made(Quantity, {dimension: "pressure", limit: $c701});
-const $c818 = $made(Entry, {key: "fatigue_limit", kind: $c855, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c864 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c863 = $made(Quantity, {dimension: "number", limit: $c864});
-const $c858 = $made(Entry, {key: "material", kind: $c863, required: true, alias: "", example: "", attribute: "material", unless: ""});
-const $c866 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c865 = $made(Quantity, {dimension: "number", limit: $c866});
-const $c859 = $made(Entry, {key: "installation", kind: $c865, required: true, alias: "", example: "", attribute: "installation", unless: ""});
-const $c867 = $made(Name, {longest: 12});
-const $c860 = $made(Entry, {key: "currency", kind: $c867, required: true, alias: "", example: "", attribute: "currency", unless: ""});
-const $c869 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c868 = $made(Quantity, {dimension: "area", limit: $c869});
-const $c861 = $made(Entry, {key: "area", kind: $c868, required: true, alias: "", example: "", attribute: "area", unless: ""});
-const $c871 = $made(Quantity, {dimension: "number", limit: null});
-const $c870 = $made(Rows, {kind: $c871, least: 2, most: 2});
-const $c862 = $made(Entry, {key: "life_years", kind: $c870, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
-const $c856 = [$c858, $c859, $c860, $c861, $c862];
-const $c857 = new Map([["material", $c858], ["installation", $c859], ["currency", $c860], ["area", $c861], ["life_years", $c862]]);
-const $c64 = $made(tables$Table, {of: Cost, entries: $c856, _known: $c857});
-const $c819 = $made(Entry, {key: "cost", kind: $c64, required: false, alias: "", example: "", attribute: "cost", unless: ""});
-const $c873 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c872 = $made(Quantity, {dimension: "speed", limit: $c873});
-const $c820 = $made(Entry, {key: "slip_speed", kind: $c872, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
-const $c875 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c874 = $made(Quantity, {dimension: "temperature", limit: $c875});
-const $c821 = $made(Entry, {key: "temperature", kind: $c874, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
-const $c882 = $made(Name, {longest: 60});
-const $c879 = $made(Entry, {key: "condition", kind: $c882, required: true, alias: "", example: "", attribute: "condition", unless: ""});
-const $c884 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c883 = $made(Quantity, {dimension: "number", limit: $c884});
-const $c880 = $made(Entry, {key: "factor", kind: $c883, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c881 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c877 = [$c879, $c880, $c881];
-const $c878 = new Map([["condition", $c879], ["factor", $c880], ["provenance", $c881]]);
-const $c68 = $made(tables$Table, {of: ConditionFactor, entries: $c877, _known: $c878});
-const $c876 = $made(Rows, {kind: $c68, least: 0, most: 20});
-const $c822 = $made(Entry, {key: "condition_factor", kind: $c876, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
-const $c912 = ["integral-log"];
-const $c911 = $made(Choice, {options: $c912});
-const $c894 = $made(Entry, {key: "kind", kind: $c911, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c913 = $made(Name, {longest: 60});
-const $c895 = $made(Entry, {key: "condition", kind: $c913, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c896 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c897 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
-const $c926 = $made(Name, {longest: 120});
-const $c925 = $made(Rows, {kind: $c926, least: 1, most: 1000});
-const $c916 = $made(Entry, {key: "parameters", kind: $c925, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
-const $c927 = $made(Rows, {kind: $c871, least: 1, most: 1000});
-const $c917 = $made(Entry, {key: "values", kind: $c927, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c929 = $made(Rows, {kind: $c871, least: 1, most: 1000});
-const $c928 = $made(Rows, {kind: $c929, least: 1, most: 1000});
-const $c918 = $made(Entry, {key: "covariance", kind: $c928, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
-const $c931 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c930 = $made(Quantity, {dimension: "number", limit: $c931});
-const $c919 = $made(Entry, {key: "residual_noise", kind: $c930, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
-const $c933 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c932 = $made(Quantity, {dimension: "number", limit: $c933});
-const $c920 = $made(Entry, {key: "coverage_factor", kind: $c932, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
-const $c934 = $made(Text, {longest: 60, lines: false});
-const $c921 = $made(Entry, {key: "date", kind: $c934, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c935 = $made(Text, {longest: 500, lines: false});
-const $c922 = $made(Entry, {key: "method", kind: $c935, required: false, alias: "", example: "", attribute: "method", unless: ""});
-const $c937 = $made(Text, {longest: 2000, lines: true});
-const $c936 = $made(Rows, {kind: $c937, least: 0, most: 50});
-const $c923 = $made(Entry, {key: "misfit", kind: $c936, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
-const $c938 = $made(Text, {longest: 500, lines: false});
-const $c924 = $made(Entry, {key: "misfit_accepted", kind: $c938, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
-const $c914 = [$c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924];
-const $c915 = new Map([["parameters", $c916], ["values", $c917], ["covariance", $c918], ["residual_noise", $c919], ["coverage_factor", $c920], ["date", $c921], ["method", $c922], ["misfit", $c923], ["misfit_accepted", $c924]]);
-const $c75 = $made(tables$Table, {of: Fit, entries: $c914, _known: $c915});
-const $c898 = $made(Entry, {key: "fit", kind: $c75, required: false, alias: "", example: "", attribute: "fit", unless: ""});
-const $c941 = ["lagging shear", "cover shear"];
-const $c940 = $made(Choice, {options: $c941});
-const $c939 = $made(Rows, {kind: $c940, least: 0, most: 2});
-const $c899 = $made(Entry, {key: "slip_includes", kind: $c939, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
-const $c948 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c947 = $made(Quantity, {dimension: "speed", limit: $c948});
-const $c946 = $made(Rows, {kind: $c947, least: 2, most: 100});
-const $c944 = $made(Entry, {key: "slip_speed", kind: $c946, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c949 = $made(Rows, {kind: $c883, least: 2, most: 100});
-const $c945 = $made(Entry, {key: "factor", kind: $c949, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c942 = [$c944, $c945, $c881];
-const $c943 = new Map([["slip_speed", $c944], ["factor", $c945], ["provenance", $c881]]);
-const $c73 = $made(tables$Table, {of: FrictionFactor, entries: $c942, _known: $c943});
-const $c900 = $made(Entry, {key: "slip_speed_factor", kind: $c73, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
-const $c955 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c954 = $made(Quantity, {dimension: "temperature", limit: $c955});
-const $c953 = $made(Rows, {kind: $c954, least: 2, most: 100});
-const $c952 = $made(Entry, {key: "temperature", kind: $c953, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c950 = [$c952, $c945, $c881];
-const $c951 = new Map([["temperature", $c952], ["factor", $c945], ["provenance", $c881]]);
-const $c74 = $made(tables$Table, {of: FrictionFactor, entries: $c950, _known: $c951});
-const $c901 = $made(Entry, {key: "temperature_factor", kind: $c74, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
-const $c902 = $made(Entry, {key: "notes", kind: $c936, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c958 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c957 = $made(Quantity, {dimension: "pressure", limit: $c958});
-const $c956 = $made(Rows, {kind: $c957, least: 2, most: 2});
-const $c903 = $made(Entry, {key: "tested_pressure", kind: $c956, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
-const $c960 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c959 = $made(Quantity, {dimension: "length", limit: $c960});
-const $c904 = $made(Entry, {key: "tested_slip", kind: $c959, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
-const $c962 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c961 = $made(Quantity, {dimension: "speed", limit: $c962});
-const $c905 = $made(Entry, {key: "tested_slip_speed", kind: $c961, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
-const $c967 = $made(Entry, {key: "pressure", kind: $c957, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c973 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
-const $c972 = $made(Quantity, {dimension: "number", limit: $c973});
-const $c968 = $made(Entry, {key: "peak_friction", kind: $c972, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
-const $c969 = $made(Entry, {key: "peak_slip", kind: $c959, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
-const $c975 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
-const $c974 = $made(Quantity, {dimension: "per_length", limit: $c975});
-const $c970 = $made(Entry, {key: "post_peak_slope", kind: $c974, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c971 = $made(Entry, {key: "residual_friction", kind: $c972, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c965 = [$c967, $c968, $c969, $c970, $c971];
-const $c966 = new Map([["pressure", $c967], ["peak_friction", $c968], ["peak_slip", $c969], ["post_peak_slope", $c970], ["residual_friction", $c971]]);
-const $c964 = $made(tables$Table, {of: null, entries: $c965, _known: $c966});
-const $c963 = $made(Rows, {kind: $c964, least: 1, most: 200});
-const $c906 = $made(Entry, {key: "knots", kind: $c963, required: false, alias: "", example: "", attribute: "knots", unless: ""});
-const $c980 = $made(Entry, {key: "from", kind: $c957, required: true, alias: "", example: "", attribute: "from", unless: ""});
-const $c981 = $made(Entry, {key: "to", kind: $c957, required: true, alias: "", example: "", attribute: "to", unless: ""});
-const $c986 = $made(Text, {longest: 300, lines: false});
-const $c982 = $made(Entry, {key: "A", kind: $c986, required: true, alias: "", example: "", attribute: "A", unless: ""});
-const $c983 = $made(Entry, {key: "b", kind: $c986, required: true, alias: "", example: "", attribute: "b", unless: ""});
-const $c984 = $made(Entry, {key: "post_peak_slope", kind: $c986, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c985 = $made(Entry, {key: "residual_friction", kind: $c986, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c978 = [$c980, $c981, $c982, $c983, $c984, $c985];
-const $c979 = new Map([["from", $c980], ["to", $c981], ["A", $c982], ["b", $c983], ["post_peak_slope", $c984], ["residual_friction", $c985]]);
-const $c977 = $made(tables$Table, {of: null, entries: $c978, _known: $c979});
-const $c976 = $made(Rows, {kind: $c977, least: 1, most: 50});
-const $c907 = $made(Entry, {key: "pieces", kind: $c976, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
-const $c987 = $made(Text, {longest: 20, lines: false});
-const $c908 = $made(Entry, {key: "slip_unit", kind: $c987, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
-const $c988 = $made(Text, {longest: 20, lines: false});
-const $c909 = $made(Entry, {key: "pressure_unit", kind: $c988, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
-const $c990 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c989 = $made(Quantity, {dimension: "number", limit: $c990});
-const $c910 = $made(Entry, {key: "continuity", kind: $c989, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
-const $c892 = [$c894, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c906, $c907, $c908, $c909, $c910];
-const $c893 = new Map([["kind", $c894], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["knots", $c906], ["pieces", $c907], ["slip_unit", $c908], ["pressure_unit", $c909], ["continuity", $c910]]);
-const $c887 = $made(tables$Table, {of: IntegralLog, entries: $c892, _known: $c893});
-const $c996 = ["constant"];
-const $c995 = $made(Choice, {options: $c996});
-const $c993 = $made(Entry, {key: "kind", kind: $c995, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c994 = $made(Entry, {key: "friction", kind: $c972, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c991 = [$c993, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c994];
-const $c992 = new Map([["kind", $c993], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["friction", $c994]]);
-const $c888 = $made(tables$Table, {of: Constant, entries: $c991, _known: $c992});
-const $c1002 = ["elastic-plastic"];
-const $c1001 = $made(Choice, {options: $c1002});
-const $c999 = $made(Entry, {key: "kind", kind: $c1001, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1004 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
-const $c1003 = $made(Quantity, {dimension: "pressure_per_length", limit: $c1004});
-const $c1000 = $made(Entry, {key: "stiffness", kind: $c1003, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
-const $c997 = [$c999, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c1000, $c994];
-const $c998 = new Map([["kind", $c999], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["stiffness", $c1000], ["friction", $c994]]);
-const $c889 = $made(tables$Table, {of: ElasticPlastic, entries: $c997, _known: $c998});
-const $c1012 = ["power"];
-const $c1011 = $made(Choice, {options: $c1012});
-const $c1007 = $made(Entry, {key: "kind", kind: $c1011, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1008 = $made(Entry, {key: "friction", kind: $c972, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c1009 = $made(Entry, {key: "reference_pressure", kind: $c957, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
-const $c1010 = $made(Entry, {key: "exponent", kind: $c871, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
-const $c1005 = [$c1007, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c903, $c904, $c905, $c1008, $c1009, $c1010];
-const $c1006 = new Map([["kind", $c1007], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["tested_pressure", $c903], ["tested_slip", $c904], ["tested_slip_speed", $c905], ["friction", $c1008], ["reference_pressure", $c1009], ["exponent", $c1010]]);
-const $c890 = $made(tables$Table, {of: PressurePower, entries: $c1005, _known: $c1006});
-const $c1019 = ["table"];
-const $c1018 = $made(Choice, {options: $c1019});
-const $c1015 = $made(Entry, {key: "kind", kind: $c1018, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1022 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c1021 = $made(Quantity, {dimension: "length", limit: $c1022});
-const $c1020 = $made(Rows, {kind: $c1021, least: 2, most: 1000});
-const $c1016 = $made(Entry, {key: "slip", kind: $c1020, required: true, alias: "", example: "", attribute: "slip", unless: ""});
-const $c1027 = $made(Entry, {key: "pressure", kind: $c957, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c1031 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
-const $c1030 = $made(Quantity, {dimension: "number", limit: $c1031});
-const $c1029 = $made(Rows, {kind: $c1030, least: 2, most: 1000});
-const $c1028 = $made(Entry, {key: "friction", kind: $c1029, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c1025 = [$c1027, $c1028];
-const $c1026 = new Map([["pressure", $c1027], ["friction", $c1028]]);
-const $c1024 = $made(tables$Table, {of: null, entries: $c1025, _known: $c1026});
-const $c1023 = $made(Rows, {kind: $c1024, least: 1, most: 200});
-const $c1017 = $made(Entry, {key: "rows", kind: $c1023, required: true, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1013 = [$c1015, $c895, $c896, $c897, $c898, $c899, $c900, $c901, $c902, $c1016, $c1017];
-const $c1014 = new Map([["kind", $c1015], ["condition", $c895], ["provenance", $c896], ["condition_source", $c897], ["fit", $c898], ["slip_includes", $c899], ["slip_speed_factor", $c900], ["temperature_factor", $c901], ["notes", $c902], ["slip", $c1016], ["rows", $c1017]]);
-const $c891 = $made(tables$Table, {of: MeasuredTable, entries: $c1013, _known: $c1014});
-const $c886 = new Map([["integral-log", $c887], ["constant", $c888], ["elastic-plastic", $c889], ["power", $c890], ["table", $c891]]);
-const $c71 = $made(Variant, {tag: "kind", tables: $c886});
-const $c885 = $made(OneOrMore, {kind: $c71, most: 50});
-const $c823 = $made(Entry, {key: "law", kind: $c885, required: false, alias: "", example: "", attribute: "law", unless: ""});
-const $c824 = $made(Entry, {key: "notes", kind: $c936, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c803 = [$c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812, $c813, $c814, $c815, $c816, $c817, $c818, $c819, $c820, $c821, $c822, $c823, $c122, $c123, $c824];
-const $c804 = new Map([["preset", $c805], ["name", $c806], ["title", $c807], ["description", $c808], ["surface", $c809], ["thickness", $c810], ["elastic_modulus", $c811], ["shear_modulus", $c812], ["compression_modulus", $c813], ["block", $c814], ["wear_coefficient", $c815], ["belt_energy_share", $c816], ["bond_strength", $c817], ["fatigue_limit", $c818], ["cost", $c819], ["slip_speed", $c820], ["temperature", $c821], ["condition_factor", $c822], ["law", $c823], ["provenance", $c122], ["sources", $c123], ["notes", $c824]]);
-const $c802 = $made(tables$Table, {of: Lagging, entries: $c803, _known: $c804});
-const $c184 = $made(TextOr, {text: $c801, table: $c802});
-const $c164 = $made(Entry, {key: "lagging", kind: $c184, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
-const $c165 = $made(Entry, {key: "condition", kind: $c185, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c187 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c186 = $made(Quantity, {dimension: "force", limit: $c187});
-const $c166 = $made(Entry, {key: "entry_tension", kind: $c186, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c167 = $made(Entry, {key: "exit_tension", kind: $c186, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c188 = $made(Quantity, {dimension: "force", limit: null});
-const $c168 = $made(Entry, {key: "effective_tension", kind: $c188, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c189 = $made(Quantity, {dimension: "torque", limit: null});
-const $c169 = $made(Entry, {key: "torque", kind: $c189, required: false, alias: "", example: "", attribute: "torque", unless: ""});
-const $c190 = $made(Quantity, {dimension: "power", limit: null});
-const $c170 = $made(Entry, {key: "power", kind: $c190, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c193 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
-const $c192 = $made(Quantity, {dimension: "length", limit: $c193});
-const $c191 = $made(WordOr, {word: "formula", kind: $c192, meaning: null});
-const $c171 = $made(Entry, {key: "overrun", kind: $c191, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
-const $c194 = $made(Flag, {});
-const $c172 = $made(Entry, {key: "recovery", kind: $c194, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
-const $c196 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c195 = $made(Quantity, {dimension: "length", limit: $c196});
-const $c173 = $made(Entry, {key: "creep_limit", kind: $c195, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c718 = ["pulley", "carry"];
-const $c197 = $made(Choice, {options: $c718});
-const $c174 = $made(Entry, {key: "side", kind: $c197, required: false, alias: "", example: "", attribute: "side", unless: ""});
-const $c199 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c198 = $made(Quantity, {dimension: "mass", limit: $c199});
-const $c175 = $made(Entry, {key: "mass", kind: $c198, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c1460 = $made(Quantity, {dimension: "length", limit: null});
-const $c1461 = $made(Quantity, {dimension: "length", limit: null});
-const $c1459 = [$c1460, $c1461];
-const $c1386 = $made(_Pair, {kinds: $c1459});
-const $c1384 = $made(Rows, {kind: $c1386, least: 0, most: 500});
-const $c1390 = $made(Entry, {key: "rows", kind: $c1384, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1395 = $made(Quantity, {dimension: "length", limit: null});
-const $c1391 = $made(Entry, {key: "crown", kind: $c1395, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1397 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1396 = $made(Quantity, {dimension: "number", limit: $c1397});
-const $c1392 = $made(Entry, {key: "factor", kind: $c1396, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1399 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1398 = $made(Quantity, {dimension: "length", limit: $c1399});
-const $c1393 = $made(Entry, {key: "uncertainty", kind: $c1398, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1401 = ["radius", "diameter"];
-const $c1400 = $made(Choice, {options: $c1401});
-const $c1394 = $made(Entry, {key: "on", kind: $c1400, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1388 = [$c1390, $c1391, $c1392, $c1393, $c1394];
-const $c1389 = new Map([["rows", $c1390], ["crown", $c1391], ["factor", $c1392], ["uncertainty", $c1393], ["on", $c1394]]);
-const $c1387 = $made(tables$Table, {of: null, entries: $c1388, _known: $c1389});
-const $c1385 = $made(TextOr, {text: $c1384, table: $c1387});
-const $c1043 = $made(Profile, {dimension: "length", diameters: true, rows: $c1384, within: $c1385});
-const $c1034 = $made(Entry, {key: "shell_profile", kind: $c1043, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
-const $c1463 = $made(Quantity, {dimension: "length", limit: null});
-const $c1464 = $made(Quantity, {dimension: "length", limit: null});
-const $c1462 = [$c1463, $c1464];
-const $c1404 = $made(_Pair, {kinds: $c1462});
-const $c1402 = $made(Rows, {kind: $c1404, least: 0, most: 500});
-const $c1408 = $made(Entry, {key: "rows", kind: $c1402, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1413 = $made(Quantity, {dimension: "length", limit: null});
-const $c1409 = $made(Entry, {key: "crown", kind: $c1413, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1415 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1414 = $made(Quantity, {dimension: "number", limit: $c1415});
-const $c1410 = $made(Entry, {key: "factor", kind: $c1414, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1417 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1416 = $made(Quantity, {dimension: "length", limit: $c1417});
-const $c1411 = $made(Entry, {key: "uncertainty", kind: $c1416, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1418 = $made(Choice, {options: $c1401});
-const $c1412 = $made(Entry, {key: "on", kind: $c1418, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1406 = [$c1408, $c1409, $c1410, $c1411, $c1412];
-const $c1407 = new Map([["rows", $c1408], ["crown", $c1409], ["factor", $c1410], ["uncertainty", $c1411], ["on", $c1412]]);
-const $c1405 = $made(tables$Table, {of: null, entries: $c1406, _known: $c1407});
-const $c1403 = $made(TextOr, {text: $c1402, table: $c1405});
-const $c1044 = $made(Profile, {dimension: "length", diameters: true, rows: $c1402, within: $c1403});
-const $c1035 = $made(Entry, {key: "worn_depth", kind: $c1044, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
-const $c1466 = $made(Quantity, {dimension: "length", limit: null});
-const $c1467 = $made(Quantity, {dimension: "length", limit: null});
-const $c1465 = [$c1466, $c1467];
-const $c1421 = $made(_Pair, {kinds: $c1465});
-const $c1419 = $made(Rows, {kind: $c1421, least: 0, most: 500});
-const $c1425 = $made(Entry, {key: "rows", kind: $c1419, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1430 = $made(Quantity, {dimension: "length", limit: null});
-const $c1426 = $made(Entry, {key: "crown", kind: $c1430, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1432 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1431 = $made(Quantity, {dimension: "number", limit: $c1432});
-const $c1427 = $made(Entry, {key: "factor", kind: $c1431, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1434 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1433 = $made(Quantity, {dimension: "length", limit: $c1434});
-const $c1428 = $made(Entry, {key: "uncertainty", kind: $c1433, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1435 = $made(Choice, {options: $c1401});
-const $c1429 = $made(Entry, {key: "on", kind: $c1435, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1423 = [$c1425, $c1426, $c1427, $c1428, $c1429];
-const $c1424 = new Map([["rows", $c1425], ["crown", $c1426], ["factor", $c1427], ["uncertainty", $c1428], ["on", $c1429]]);
-const $c1422 = $made(tables$Table, {of: null, entries: $c1423, _known: $c1424});
-const $c1420 = $made(TextOr, {text: $c1419, table: $c1422});
-const $c1045 = $made(Profile, {dimension: "length", diameters: true, rows: $c1419, within: $c1420});
-const $c1036 = $made(Entry, {key: "build_up", kind: $c1045, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
-const $c1047 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c1046 = $made(Quantity, {dimension: "number", limit: $c1047});
-const $c1037 = $made(Entry, {key: "misalignment", kind: $c1046, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
-const $c1049 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c1048 = $made(Quantity, {dimension: "length", limit: $c1049});
-const $c1038 = $made(Entry, {key: "deflection", kind: $c1048, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
-const $c1469 = $made(Quantity, {dimension: "length", limit: null});
-const $c1470 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1468 = [$c1469, $c1470];
-const $c1438 = $made(_Pair, {kinds: $c1468});
-const $c1436 = $made(Rows, {kind: $c1438, least: 0, most: 500});
-const $c1442 = $made(Entry, {key: "rows", kind: $c1436, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1446 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1443 = $made(Entry, {key: "crown", kind: $c1446, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1448 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1447 = $made(Quantity, {dimension: "number", limit: $c1448});
-const $c1444 = $made(Entry, {key: "factor", kind: $c1447, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1450 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1449 = $made(Quantity, {dimension: "force_per_width", limit: $c1450});
-const $c1445 = $made(Entry, {key: "uncertainty", kind: $c1449, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1440 = [$c1442, $c1443, $c1444, $c1445];
-const $c1441 = new Map([["rows", $c1442], ["crown", $c1443], ["factor", $c1444], ["uncertainty", $c1445]]);
-const $c1439 = $made(tables$Table, {of: null, entries: $c1440, _known: $c1441});
-const $c1437 = $made(TextOr, {text: $c1436, table: $c1439});
-const $c1050 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1436, within: $c1437});
-const $c1039 = $made(Entry, {key: "entry_profile", kind: $c1050, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
-const $c1060 = ["pulley"];
-const $c1059 = $made(Choice, {options: $c1060});
-const $c1057 = $made(Entry, {key: "kind", kind: $c1059, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1062 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1061 = $made(Quantity, {dimension: "length", limit: $c1062});
-const $c1058 = $made(Entry, {key: "distance", kind: $c1061, required: true, alias: "", example: "", attribute: "distance", unless: ""});
-const $c1055 = [$c1057, $c1058];
-const $c1056 = new Map([["kind", $c1057], ["distance", $c1058]]);
-const $c1053 = $made(tables$Table, {of: GrippingPulley, entries: $c1055, _known: $c1056});
-const $c1071 = ["transition"];
-const $c1070 = $made(Choice, {options: $c1071});
-const $c1065 = $made(Entry, {key: "kind", kind: $c1070, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1073 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c1072 = $made(Quantity, {dimension: "length", limit: $c1073});
-const $c1066 = $made(Entry, {key: "length", kind: $c1072, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
-const $c1075 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
-const $c1074 = $made(Quantity, {dimension: "angle", limit: $c1075});
-const $c1067 = $made(Entry, {key: "trough_angle", kind: $c1074, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
-const $c1077 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1076 = $made(Quantity, {dimension: "length", limit: $c1077});
-const $c1068 = $made(Entry, {key: "centre_roll", kind: $c1076, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
-const $c1079 = ["full", "half"];
-const $c1078 = $made(Choice, {options: $c1079});
-const $c1069 = $made(Entry, {key: "depth", kind: $c1078, required: false, alias: "", example: "", attribute: "depth", unless: ""});
-const $c1063 = [$c1065, $c1066, $c1067, $c1068, $c1069];
-const $c1064 = new Map([["kind", $c1065], ["length", $c1066], ["trough_angle", $c1067], ["centre_roll", $c1068], ["depth", $c1069]]);
-const $c1054 = $made(tables$Table, {of: Transition, entries: $c1063, _known: $c1064});
-const $c1052 = new Map([["pulley", $c1053], ["transition", $c1054]]);
-const $c29 = $made(Variant, {tag: "kind", tables: $c1052});
-const $c1051 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
-const $c1040 = $made(Entry, {key: "before", kind: $c1051, required: false, alias: "", example: "", attribute: "before", unless: ""});
-const $c1087 = ["pulley"];
-const $c1086 = $made(Choice, {options: $c1087});
-const $c1085 = $made(Entry, {key: "kind", kind: $c1086, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1083 = [$c1085, $c1058];
-const $c1084 = new Map([["kind", $c1085], ["distance", $c1058]]);
-const $c1082 = $made(tables$Table, {of: GrippingPulley, entries: $c1083, _known: $c1084});
-const $c1081 = new Map([["pulley", $c1082]]);
-const $c30 = $made(Variant, {tag: "kind", tables: $c1081});
-const $c1080 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
-const $c1041 = $made(Entry, {key: "after", kind: $c1080, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c1088 = $made(Count, {least: 4, most: 128});
-const $c1042 = $made(Entry, {key: "strips", kind: $c1088, required: false, alias: "", example: "", attribute: "strips", unless: ""});
-const $c1032 = [$c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042];
-const $c1033 = new Map([["shell_profile", $c1034], ["worn_depth", $c1035], ["build_up", $c1036], ["misalignment", $c1037], ["deflection", $c1038], ["entry_profile", $c1039], ["before", $c1040], ["after", $c1041], ["strips", $c1042]]);
-const $c31 = $made(tables$Table, {of: Across, entries: $c1032, _known: $c1033});
-const $c176 = $made(Entry, {key: "across", kind: $c31, required: false, alias: "", example: "", attribute: "across", unless: ""});
-const $c200 = $made(ByName, {kind: $c2, most: 200});
-const $c177 = $made(Entry, {key: "sources", kind: $c200, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c9 = [$c160, $c161, $c162, $c163, $c164, $c165, $c166, $c167, $c168, $c169, $c170, $c171, $c172, $c173, $c174, $c175, $c176, $c177];
-const $c780 = new Map([["name", $c160], ["diameter", $c161], ["wrap_angle", $c162], ["belt_path", $c163], ["lagging", $c164], ["condition", $c165], ["entry_tension", $c166], ["exit_tension", $c167], ["effective_tension", $c168], ["torque", $c169], ["power", $c170], ["overrun", $c171], ["recovery", $c172], ["creep_limit", $c173], ["side", $c174], ["mass", $c175], ["across", $c176], ["sources", $c177]]);
-const $c32 = $made(tables$Table, {of: Pulley, entries: $c9, _known: $c780});
-const $c779 = $made(Rows, {kind: $c32, least: 1, most: 10});
-const $c743 = $made(Entry, {key: "pulley", kind: $c779, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
-const $c1089 = $made(ByName, {kind: $c802, most: 200});
-const $c744 = $made(Entry, {key: "lagging", kind: $c1089, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
-const $c1100 = $made(Name, {longest: 60});
-const $c1094 = $made(Entry, {key: "name", kind: $c1100, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
-const $c1101 = $made(Text, {longest: 1000, lines: true});
-const $c1095 = $made(Entry, {key: "description", kind: $c1101, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c80 = ["running", "starting", "braking"];
-const $c1102 = $made(Choice, {options: $c80});
-const $c1096 = $made(Entry, {key: "kind", kind: $c1102, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1097 = $made(Entry, {key: "condition", kind: $c185, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c1105 = [$c166, $c167, $c168, $c169, $c170];
-const $c1106 = new Map([["entry_tension", $c166], ["exit_tension", $c167], ["effective_tension", $c168], ["torque", $c169], ["power", $c170]]);
-const $c1104 = $made(tables$Table, {of: null, entries: $c1105, _known: $c1106});
-const $c1103 = $made(ByName, {kind: $c1104, most: 200});
-const $c1098 = $made(Entry, {key: "pulley", kind: $c1103, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
-const $c1107 = $made(Elsewhere, {});
-const $c1099 = $made(Entry, {key: "train", kind: $c1107, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1092 = [$c1094, $c1095, $c1096, $c1097, $c1098, $c1099];
-const $c1093 = new Map([["name", $c1094], ["description", $c1095], ["kind", $c1096], ["condition", $c1097], ["pulley", $c1098], ["train", $c1099]]);
-const $c1091 = $made(tables$Table, {of: null, entries: $c1092, _known: $c1093});
-const $c1090 = $made(Rows, {kind: $c1091, least: 1, most: 1000});
-const $c745 = $made(Entry, {key: "load_case", kind: $c1090, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1130 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1129 = $made(Quantity, {dimension: "length", limit: $c1130});
-const $c1110 = $made(Entry, {key: "length", kind: $c1129, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
-const $c1132 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
-const $c1131 = $made(Quantity, {dimension: "length", limit: $c1132});
-const $c1111 = $made(Entry, {key: "lift", kind: $c1131, required: false, alias: "", example: "", attribute: "lift", unless: ""});
-const $c1134 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1133 = $made(Quantity, {dimension: "mass_per_length", limit: $c1134});
-const $c1112 = $made(Entry, {key: "belt_mass", kind: $c1133, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
-const $c1136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1135 = $made(Quantity, {dimension: "mass_per_length", limit: $c1136});
-const $c1113 = $made(Entry, {key: "carry_idler_mass", kind: $c1135, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
-const $c1138 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1137 = $made(Quantity, {dimension: "mass_per_length", limit: $c1138});
-const $c1114 = $made(Entry, {key: "return_idler_mass", kind: $c1137, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
-const $c1139 = $made(Quantity, {dimension: "mass_per_length", limit: $c1134});
-const $c1115 = $made(Entry, {key: "material_mass", kind: $c1139, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
-const $c1141 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1140 = $made(Quantity, {dimension: "mass_flow", limit: $c1141});
-const $c1116 = $made(Entry, {key: "capacity", kind: $c1140, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
-const $c1143 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
-const $c1142 = $made(Quantity, {dimension: "number", limit: $c1143});
-const $c1117 = $made(Entry, {key: "friction_factor", kind: $c1142, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
-const $c1145 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1144 = $made(Quantity, {dimension: "number", limit: $c1145});
-const $c1118 = $made(Entry, {key: "length_coefficient", kind: $c1144, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
-const $c1147 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
-const $c1146 = $made(Quantity, {dimension: "force", limit: $c1147});
-const $c1119 = $made(Entry, {key: "secondary_resistance", kind: $c1146, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
-const $c1148 = $made(Quantity, {dimension: "force", limit: $c1147});
-const $c1120 = $made(Entry, {key: "special_resistance", kind: $c1148, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
-const $c1150 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c1149 = $made(Quantity, {dimension: "number", limit: $c1150});
-const $c1121 = $made(Entry, {key: "return_share", kind: $c1149, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
-const $c1152 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
-const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1122 = $made(Entry, {key: "start_factor", kind: $c1151, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1154 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
-const $c1153 = $made(Quantity, {dimension: "time", limit: $c1154});
-const $c1123 = $made(Entry, {key: "start_time", kind: $c1153, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
-const $c1155 = $made(Quantity, {dimension: "time", limit: $c1154});
-const $c1124 = $made(Entry, {key: "stop_time", kind: $c1155, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
-const $c1157 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
-const $c1156 = $made(Quantity, {dimension: "force", limit: $c1157});
-const $c1125 = $made(Entry, {key: "take_up_tension", kind: $c1156, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
-const $c1159 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
-const $c1158 = $made(Quantity, {dimension: "mass", limit: $c1159});
-const $c1126 = $made(Entry, {key: "counterweight", kind: $c1158, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
-const $c1161 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
-const $c1160 = $made(Quantity, {dimension: "length", limit: $c1161});
-const $c1127 = $made(Entry, {key: "take_up_distance", kind: $c1160, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
-const $c719 = ["head", "tail"];
-const $c1162 = $made(Choice, {options: $c719});
-const $c1128 = $made(Entry, {key: "drive_at", kind: $c1162, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
-const $c1108 = [$c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1116, $c1117, $c1118, $c1119, $c1120, $c1121, $c1122, $c1123, $c1124, $c1125, $c1126, $c1127, $c1128];
-const $c1109 = new Map([["length", $c1110], ["lift", $c1111], ["belt_mass", $c1112], ["carry_idler_mass", $c1113], ["return_idler_mass", $c1114], ["material_mass", $c1115], ["capacity", $c1116], ["friction_factor", $c1117], ["length_coefficient", $c1118], ["secondary_resistance", $c1119], ["special_resistance", $c1120], ["return_share", $c1121], ["start_factor", $c1122], ["start_time", $c1123], ["stop_time", $c1124], ["take_up_tension", $c1125], ["counterweight", $c1126], ["take_up_distance", $c1127], ["drive_at", $c1128]]);
-const $c36 = $made(tables$Table, {of: Conveyor, entries: $c1108, _known: $c1109});
-const $c746 = $made(Entry, {key: "conveyor", kind: $c36, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
-const $c712 = ["gravity", "winch", "fixed"];
-const $c1168 = $made(Choice, {options: $c712});
-const $c1165 = $made(Entry, {key: "kind", kind: $c1168, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c703 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c1169 = $made(Quantity, {dimension: "number", limit: $c703});
-const $c1166 = $made(Entry, {key: "sheave_ratio", kind: $c1169, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
-const $c1170 = $made(Name, {longest: 60});
-const $c1167 = $made(Entry, {key: "after", kind: $c1170, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c1163 = [$c1165, $c1166, $c1167];
-const $c1164 = new Map([["kind", $c1165], ["sheave_ratio", $c1166], ["after", $c1167]]);
-const $c529 = $made(tables$Table, {of: TakeUp, entries: $c1163, _known: $c1164});
-const $c525 = $made(Entry, {key: "take_up", kind: $c529, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
-const $c713 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1178 = $made(Choice, {options: $c713});
-const $c1173 = $made(Entry, {key: "name", kind: $c1178, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c714 = ["dry", "wet", "wet and dirty"];
-const $c1179 = $made(Choice, {options: $c714});
-const $c1174 = $made(Entry, {key: "condition", kind: $c1179, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c704 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
-const $c1180 = $made(Quantity, {dimension: "number", limit: $c704});
-const $c1175 = $made(Entry, {key: "friction", kind: $c1180, required: false, alias: "", example: "", attribute: "friction", unless: ""});
-const $c705 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1181 = $made(Quantity, {dimension: "number", limit: $c705});
-const $c1176 = $made(Entry, {key: "start_factor", kind: $c1181, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1182 = $made(Flag, {});
-const $c1177 = $made(Entry, {key: "binding", kind: $c1182, required: false, alias: "", example: "", attribute: "binding", unless: ""});
-const $c1171 = [$c1173, $c1174, $c1175, $c1176, $c1177];
-const $c1172 = new Map([["name", $c1173], ["condition", $c1174], ["friction", $c1175], ["start_factor", $c1176], ["binding", $c1177]]);
-const $c530 = $made(tables$Table, {of: DesignStandard, entries: $c1171, _known: $c1172});
-const $c526 = $made(Entry, {key: "design_standard", kind: $c530, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c1189 = $made(Quantity, {dimension: "number", limit: $c705});
-const $c1185 = $made(Entry, {key: "running", kind: $c1189, required: false, alias: "", example: "", attribute: "running", unless: ""});
-const $c1190 = $made(Quantity, {dimension: "number", limit: $c705});
-const $c1186 = $made(Entry, {key: "starting", kind: $c1190, required: false, alias: "", example: "", attribute: "starting", unless: ""});
-const $c1191 = $made(Quantity, {dimension: "number", limit: $c705});
-const $c1187 = $made(Entry, {key: "braking", kind: $c1191, required: false, alias: "", example: "", attribute: "braking", unless: ""});
-const $c1192 = $made(Text, {longest: 500, lines: false});
-const $c1188 = $made(Entry, {key: "source", kind: $c1192, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c1183 = [$c1185, $c1186, $c1187, $c1188];
-const $c1184 = new Map([["running", $c1185], ["starting", $c1186], ["braking", $c1187], ["source", $c1188]]);
-const $c531 = $made(tables$Table, {of: SafetyFactors, entries: $c1183, _known: $c1184});
-const $c527 = $made(Entry, {key: "safety_factor", kind: $c531, required: false, alias: "", example: "", attribute: "safety", unless: ""});
-const $c1199 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
-const $c1198 = $made(Quantity, {dimension: "length", limit: $c1199});
-const $c1195 = $made(Entry, {key: "idler_spacing", kind: $c1198, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
-const $c1201 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1200 = $made(Quantity, {dimension: "mass_per_length", limit: $c1201});
-const $c1196 = $made(Entry, {key: "line_mass", kind: $c1200, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
-const $c1203 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
-const $c1202 = $made(Quantity, {dimension: "number", limit: $c1203});
-const $c1197 = $made(Entry, {key: "share", kind: $c1202, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1193 = [$c1195, $c1196, $c1197];
-const $c1194 = new Map([["idler_spacing", $c1195], ["line_mass", $c1196], ["share", $c1197]]);
-const $c532 = $made(tables$Table, {of: Sag, entries: $c1193, _known: $c1194});
-const $c528 = $made(Entry, {key: "sag", kind: $c532, required: false, alias: "", example: "", attribute: "sag", unless: ""});
-const $c1204 = $made(Elsewhere, {});
-const $c747 = $made(Entry, {key: "train", kind: $c1204, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1205 = $made(Elsewhere, {});
-const $c748 = $made(Entry, {key: "motion", kind: $c1205, required: false, alias: "", example: "", attribute: "motion", unless: ""});
-const $c735 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c525, $c526, $c527, $c528, $c747, $c748];
-const $c736 = new Map([["format", $c737], ["title", $c738], ["description", $c739], ["creep_limit", $c740], ["condition", $c741], ["belt", $c742], ["pulley", $c743], ["lagging", $c744], ["load_case", $c745], ["conveyor", $c746], ["take_up", $c525], ["design_standard", $c526], ["safety_factor", $c527], ["sag", $c528], ["train", $c747], ["motion", $c748]]);
-const $c0 = $made(tables$Table, {of: Drive, entries: $c735, _known: $c736});
+const $c795 = new Map([["preset", $c104], ["name", $c105], ["kind", $c106], ["width", $c107], ["modulus", $c108], ["rating", $c109], ["strength", $c110], ["speed", $c111], ["momentary_factor", $c112], ["least_pulley_diameter", $c113], ["largest_wrap_pressure", $c114], ["in_plane_shear_stiffness", $c115], ["pulley_cover", $c116], ["carry_cover", $c117], ["carcass", $c118], ["thickness", $c119], ["cover_shear_modulus", $c120], ["mass", $c121], ["provenance", $c122], ["sources", $c123]]);
+const $c5 = $made(tables$Table, $c744, [Belt, $c1, $c795]);
+const $c752 = $made(Entry, $c759, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c798 = ["kind", "least", "most"];
+const $c183 = $made(Name, $c770, [60]);
+const $c165 = $made(Entry, $c759, ["name", $c183, true, "", "name = \"head\"", "name", ""]);
+const $c185 = $made(Limit, $c765, ["length", 0.001, 1000.0, false, false]);
+const $c184 = $made(Quantity, $c129, ["length", $c185]);
+const $c166 = $made(Entry, $c759, ["diameter", $c184, true, "", "", "diameter", ""]);
+const $c187 = $made(Limit, $c765, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c186 = $made(Quantity, $c129, ["angle", $c187]);
+const $c167 = $made(Entry, $c759, ["wrap_angle", $c186, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c692 = $made(Limit, $c765, ["length", -100000.0, 100000.0, false, false]);
+const $c807 = $made(Quantity, $c129, ["length", $c692]);
+const $c802 = $made(Entry, $c759, ["x", $c807, true, "", "", "x", ""]);
+const $c808 = $made(Quantity, $c129, ["length", $c692]);
+const $c803 = $made(Entry, $c759, ["y", $c808, true, "", "", "y", ""]);
+const $c810 = ["clockwise", "counterclockwise"];
+const $c809 = $made(Choice, $c782, [$c810]);
+const $c804 = $made(Entry, $c759, ["turn", $c809, false, "", "", "turn", ""]);
+const $c817 = $made(Quantity, $c129, ["length", $c692]);
+const $c814 = $made(Entry, $c759, ["x", $c817, true, "", "", "x", ""]);
+const $c818 = $made(Quantity, $c129, ["length", $c692]);
+const $c815 = $made(Entry, $c759, ["y", $c818, true, "", "", "y", ""]);
+const $c693 = $made(Limit, $c765, ["length", 0.0, 1000.0, false, false]);
+const $c819 = $made(Quantity, $c129, ["length", $c693]);
+const $c816 = $made(Entry, $c759, ["diameter", $c819, false, "", "", "diameter", ""]);
+const $c812 = [$c814, $c815, $c816, $c804];
+const $c813 = new Map([["x", $c814], ["y", $c815], ["diameter", $c816], ["turn", $c804]]);
+const $c811 = $made(tables$Table, $c744, [Point, $c812, $c813]);
+const $c805 = $made(Entry, $c759, ["before", $c811, true, "", "a table with x and y", "before", ""]);
+const $c806 = $made(Entry, $c759, ["after", $c811, true, "", "a table with x and y", "after", ""]);
+const $c800 = [$c802, $c803, $c804, $c805, $c806];
+const $c801 = new Map([["x", $c802], ["y", $c803], ["turn", $c804], ["before", $c805], ["after", $c806]]);
+const $c188 = $made(tables$Table, $c744, [Point, $c800, $c801]);
+const $c168 = $made(Entry, $c759, ["belt_path", $c188, false, "", "", "belt_path", ""]);
+const $c820 = $made(Name, $c770, [500]);
+const $c844 = $made(Name, $c770, [500]);
+const $c824 = $made(Entry, $c759, ["preset", $c844, false, "", "", "preset", ""]);
+const $c845 = $made(Name, $c770, [60]);
+const $c825 = $made(Entry, $c759, ["name", $c845, false, "", "", "name", ""]);
+const $c846 = $made(Text, $c762, [200, false]);
+const $c826 = $made(Entry, $c759, ["title", $c846, false, "", "", "title", ""]);
+const $c847 = $made(Text, $c762, [5000, true]);
+const $c827 = $made(Entry, $c759, ["description", $c847, false, "", "", "description", ""]);
+const $c720 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c848 = $made(Choice, $c782, [$c720]);
+const $c828 = $made(Entry, $c759, ["surface", $c848, false, "", "", "surface", ""]);
+const $c703 = $made(Limit, $c765, ["length", 0.0, 1.0, false, false]);
+const $c849 = $made(Quantity, $c129, ["length", $c703]);
+const $c829 = $made(Entry, $c759, ["thickness", $c849, false, "", "", "thickness", ""]);
+const $c706 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, false]);
+const $c850 = $made(Quantity, $c129, ["pressure", $c706]);
+const $c830 = $made(Entry, $c759, ["elastic_modulus", $c850, false, "", "", "elastic_modulus", ""]);
+const $c704 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, true]);
+const $c852 = $made(Quantity, $c129, ["pressure", $c704]);
+const $c851 = $made(WordOr, $c796, ["rigid", $c852, Infinity]);
+const $c831 = $made(Entry, $c759, ["shear_modulus", $c851, false, "", "", "shear_modulus", ""]);
+const $c705 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, true]);
+const $c854 = $made(Quantity, $c129, ["pressure", $c705]);
+const $c853 = $made(WordOr, $c796, ["rigid", $c854, Infinity]);
+const $c832 = $made(Entry, $c759, ["compression_modulus", $c853, false, "", "", "compression_modulus", ""]);
+const $c730 = ["square", "strip"];
+const $c862 = $made(Choice, $c782, [$c730]);
+const $c857 = $made(Entry, $c759, ["shape", $c862, false, "", "", "shape", ""]);
+const $c864 = $made(Limit, $c765, ["length", 0.0001, 10.0, false, false]);
+const $c863 = $made(Quantity, $c129, ["length", $c864]);
+const $c858 = $made(Entry, $c759, ["width", $c863, true, "", "", "width", ""]);
+const $c866 = $made(Limit, $c765, ["length", 0.0001, 1.0, false, false]);
+const $c865 = $made(Quantity, $c129, ["length", $c866]);
+const $c859 = $made(Entry, $c759, ["height", $c865, false, "", "", "height", ""]);
+const $c868 = $made(Limit, $c765, ["number", 0.0, 10.0, false, false]);
+const $c867 = $made(Quantity, $c129, ["number", $c868]);
+const $c860 = $made(Entry, $c759, ["stiffening", $c867, false, "", "", "stiffening", ""]);
+const $c870 = $made(Limit, $c765, ["number", 0.01, 1.0, false, false]);
+const $c869 = $made(Quantity, $c129, ["number", $c870]);
+const $c861 = $made(Entry, $c759, ["contact_fraction", $c869, false, "", "", "contact_fraction", ""]);
+const $c855 = [$c857, $c858, $c859, $c860, $c861];
+const $c856 = new Map([["shape", $c857], ["width", $c858], ["height", $c859], ["stiffening", $c860], ["contact_fraction", $c861]]);
+const $c66 = $made(tables$Table, $c744, [Block, $c855, $c856]);
+const $c833 = $made(Entry, $c759, ["block", $c66, false, "", "", "block", ""]);
+const $c707 = $made(Limit, $c765, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c871 = $made(Quantity, $c129, ["wear_coefficient", $c707]);
+const $c834 = $made(Entry, $c759, ["wear_coefficient", $c871, false, "", "", "wear_coefficient", ""]);
+const $c708 = $made(Limit, $c765, ["number", 0.0, 1.0, false, false]);
+const $c872 = $made(Quantity, $c129, ["number", $c708]);
+const $c835 = $made(Entry, $c759, ["belt_energy_share", $c872, false, "", "", "belt_energy_share", ""]);
+const $c709 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
+const $c873 = $made(Quantity, $c129, ["pressure", $c709]);
+const $c836 = $made(Entry, $c759, ["bond_strength", $c873, false, "", "", "bond_strength", ""]);
+const $c710 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
+const $c874 = $made(Quantity, $c129, ["pressure", $c710]);
+const $c837 = $made(Entry, $c759, ["fatigue_limit", $c874, false, "", "", "fatigue_limit", ""]);
+const $c883 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
+const $c882 = $made(Quantity, $c129, ["number", $c883]);
+const $c877 = $made(Entry, $c759, ["material", $c882, true, "", "", "material", ""]);
+const $c885 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
+const $c884 = $made(Quantity, $c129, ["number", $c885]);
+const $c878 = $made(Entry, $c759, ["installation", $c884, true, "", "", "installation", ""]);
+const $c886 = $made(Name, $c770, [12]);
+const $c879 = $made(Entry, $c759, ["currency", $c886, true, "", "", "currency", ""]);
+const $c888 = $made(Limit, $c765, ["area", 0.0, Infinity, true, false]);
+const $c887 = $made(Quantity, $c129, ["area", $c888]);
+const $c880 = $made(Entry, $c759, ["area", $c887, true, "", "", "area", ""]);
+const $c890 = $made(Quantity, $c129, ["number", null]);
+const $c889 = $made(Rows, $c798, [$c890, 2, 2]);
+const $c881 = $made(Entry, $c759, ["life_years", $c889, true, "", "", "life_years", ""]);
+const $c875 = [$c877, $c878, $c879, $c880, $c881];
+const $c876 = new Map([["material", $c877], ["installation", $c878], ["currency", $c879], ["area", $c880], ["life_years", $c881]]);
+const $c63 = $made(tables$Table, $c744, [Cost, $c875, $c876]);
+const $c838 = $made(Entry, $c759, ["cost", $c63, false, "", "", "cost", ""]);
+const $c892 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
+const $c891 = $made(Quantity, $c129, ["speed", $c892]);
+const $c839 = $made(Entry, $c759, ["slip_speed", $c891, false, "", "", "slip_speed", ""]);
+const $c894 = $made(Limit, $c765, ["temperature", 0.0, Infinity, false, false]);
+const $c893 = $made(Quantity, $c129, ["temperature", $c894]);
+const $c840 = $made(Entry, $c759, ["temperature", $c893, false, "", "", "temperature", ""]);
+const $c901 = $made(Name, $c770, [60]);
+const $c898 = $made(Entry, $c759, ["condition", $c901, true, "", "", "condition", ""]);
+const $c903 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
+const $c902 = $made(Quantity, $c129, ["number", $c903]);
+const $c899 = $made(Entry, $c759, ["factor", $c902, true, "", "", "factor", ""]);
+const $c900 = $made(Entry, $c759, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c896 = [$c898, $c899, $c900];
+const $c897 = new Map([["condition", $c898], ["factor", $c899], ["provenance", $c900]]);
+const $c67 = $made(tables$Table, $c744, [ConditionFactor, $c896, $c897]);
+const $c895 = $made(Rows, $c798, [$c67, 0, 20]);
+const $c841 = $made(Entry, $c759, ["condition_factor", $c895, false, "", "", "condition_factor", ""]);
+const $c905 = ["tag", "tables"];
+const $c932 = ["integral-log"];
+const $c931 = $made(Choice, $c782, [$c932]);
+const $c914 = $made(Entry, $c759, ["kind", $c931, true, "", "", "kind", ""]);
+const $c933 = $made(Name, $c770, [60]);
+const $c915 = $made(Entry, $c759, ["condition", $c933, false, "", "", "condition", ""]);
+const $c916 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c917 = $made(Entry, $c759, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c946 = $made(Name, $c770, [120]);
+const $c945 = $made(Rows, $c798, [$c946, 1, 1000]);
+const $c936 = $made(Entry, $c759, ["parameters", $c945, true, "", "", "parameters", ""]);
+const $c947 = $made(Rows, $c798, [$c890, 1, 1000]);
+const $c937 = $made(Entry, $c759, ["values", $c947, true, "", "", "values", ""]);
+const $c949 = $made(Rows, $c798, [$c890, 1, 1000]);
+const $c948 = $made(Rows, $c798, [$c949, 1, 1000]);
+const $c938 = $made(Entry, $c759, ["covariance", $c948, true, "", "", "covariance", ""]);
+const $c951 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
+const $c950 = $made(Quantity, $c129, ["number", $c951]);
+const $c939 = $made(Entry, $c759, ["residual_noise", $c950, false, "", "", "residual_noise", ""]);
+const $c953 = $made(Limit, $c765, ["number", 1.0, Infinity, false, false]);
+const $c952 = $made(Quantity, $c129, ["number", $c953]);
+const $c940 = $made(Entry, $c759, ["coverage_factor", $c952, false, "", "", "coverage_factor", ""]);
+const $c954 = $made(Text, $c762, [60, false]);
+const $c941 = $made(Entry, $c759, ["date", $c954, false, "", "", "date", ""]);
+const $c955 = $made(Text, $c762, [500, false]);
+const $c942 = $made(Entry, $c759, ["method", $c955, false, "", "", "method", ""]);
+const $c957 = $made(Text, $c762, [2000, true]);
+const $c956 = $made(Rows, $c798, [$c957, 0, 50]);
+const $c943 = $made(Entry, $c759, ["misfit", $c956, false, "", "", "misfit", ""]);
+const $c958 = $made(Text, $c762, [500, false]);
+const $c944 = $made(Entry, $c759, ["misfit_accepted", $c958, false, "", "", "misfit_accepted", ""]);
+const $c934 = [$c936, $c937, $c938, $c939, $c940, $c941, $c942, $c943, $c944];
+const $c935 = new Map([["parameters", $c936], ["values", $c937], ["covariance", $c938], ["residual_noise", $c939], ["coverage_factor", $c940], ["date", $c941], ["method", $c942], ["misfit", $c943], ["misfit_accepted", $c944]]);
+const $c74 = $made(tables$Table, $c744, [Fit, $c934, $c935]);
+const $c918 = $made(Entry, $c759, ["fit", $c74, false, "", "", "fit", ""]);
+const $c961 = ["lagging shear", "cover shear"];
+const $c960 = $made(Choice, $c782, [$c961]);
+const $c959 = $made(Rows, $c798, [$c960, 0, 2]);
+const $c919 = $made(Entry, $c759, ["slip_includes", $c959, false, "", "", "slip_includes", ""]);
+const $c968 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
+const $c967 = $made(Quantity, $c129, ["speed", $c968]);
+const $c966 = $made(Rows, $c798, [$c967, 2, 100]);
+const $c964 = $made(Entry, $c759, ["slip_speed", $c966, true, "", "", "at", ""]);
+const $c969 = $made(Rows, $c798, [$c902, 2, 100]);
+const $c965 = $made(Entry, $c759, ["factor", $c969, true, "", "", "factor", ""]);
+const $c962 = [$c964, $c965, $c900];
+const $c963 = new Map([["slip_speed", $c964], ["factor", $c965], ["provenance", $c900]]);
+const $c72 = $made(tables$Table, $c744, [FrictionFactor, $c962, $c963]);
+const $c920 = $made(Entry, $c759, ["slip_speed_factor", $c72, false, "", "", "slip_speed_factor", ""]);
+const $c975 = $made(Limit, $c765, ["temperature", 0.0, Infinity, false, false]);
+const $c974 = $made(Quantity, $c129, ["temperature", $c975]);
+const $c973 = $made(Rows, $c798, [$c974, 2, 100]);
+const $c972 = $made(Entry, $c759, ["temperature", $c973, true, "", "", "at", ""]);
+const $c970 = [$c972, $c965, $c900];
+const $c971 = new Map([["temperature", $c972], ["factor", $c965], ["provenance", $c900]]);
+const $c73 = $made(tables$Table, $c744, [FrictionFactor, $c970, $c971]);
+const $c921 = $made(Entry, $c759, ["temperature_factor", $c73, false, "", "", "temperature_factor", ""]);
+const $c922 = $made(Entry, $c759, ["notes", $c956, false, "", "", "notes", ""]);
+const $c978 = $made(Limit, $c765, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c977 = $made(Quantity, $c129, ["pressure", $c978]);
+const $c976 = $made(Rows, $c798, [$c977, 2, 2]);
+const $c923 = $made(Entry, $c759, ["tested_pressure", $c976, false, "", "", "tested_pressure", ""]);
+const $c980 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
+const $c979 = $made(Quantity, $c129, ["length", $c980]);
+const $c924 = $made(Entry, $c759, ["tested_slip", $c979, false, "", "", "tested_slip", ""]);
+const $c982 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
+const $c981 = $made(Quantity, $c129, ["speed", $c982]);
+const $c925 = $made(Entry, $c759, ["tested_slip_speed", $c981, false, "", "", "tested_slip_speed", ""]);
+const $c987 = $made(Entry, $c759, ["pressure", $c977, true, "", "", "pressure", ""]);
+const $c993 = $made(Limit, $c765, ["number", 0.0, 5.0, true, false]);
+const $c992 = $made(Quantity, $c129, ["number", $c993]);
+const $c988 = $made(Entry, $c759, ["peak_friction", $c992, true, "", "", "peak_friction", ""]);
+const $c989 = $made(Entry, $c759, ["peak_slip", $c979, true, "", "", "peak_slip", ""]);
+const $c995 = $made(Limit, $c765, ["per_length", -1000000.0, 0.0, false, false]);
+const $c994 = $made(Quantity, $c129, ["per_length", $c995]);
+const $c990 = $made(Entry, $c759, ["post_peak_slope", $c994, false, "", "", "post_peak_slope", ""]);
+const $c991 = $made(Entry, $c759, ["residual_friction", $c992, false, "", "", "residual_friction", ""]);
+const $c985 = [$c987, $c988, $c989, $c990, $c991];
+const $c986 = new Map([["pressure", $c987], ["peak_friction", $c988], ["peak_slip", $c989], ["post_peak_slope", $c990], ["residual_friction", $c991]]);
+const $c984 = $made(tables$Table, $c744, [null, $c985, $c986]);
+const $c983 = $made(Rows, $c798, [$c984, 1, 200]);
+const $c926 = $made(Entry, $c759, ["knots", $c983, false, "", "", "knots", ""]);
+const $c1000 = $made(Entry, $c759, ["from", $c977, true, "", "", "from", ""]);
+const $c1001 = $made(Entry, $c759, ["to", $c977, true, "", "", "to", ""]);
+const $c1006 = $made(Text, $c762, [300, false]);
+const $c1002 = $made(Entry, $c759, ["A", $c1006, true, "", "", "A", ""]);
+const $c1003 = $made(Entry, $c759, ["b", $c1006, true, "", "", "b", ""]);
+const $c1004 = $made(Entry, $c759, ["post_peak_slope", $c1006, false, "", "", "post_peak_slope", ""]);
+const $c1005 = $made(Entry, $c759, ["residual_friction", $c1006, false, "", "", "residual_friction", ""]);
+const $c998 = [$c1000, $c1001, $c1002, $c1003, $c1004, $c1005];
+const $c999 = new Map([["from", $c1000], ["to", $c1001], ["A", $c1002], ["b", $c1003], ["post_peak_slope", $c1004], ["residual_friction", $c1005]]);
+const $c997 = $made(tables$Table, $c744, [null, $c998, $c999]);
+const $c996 = $made(Rows, $c798, [$c997, 1, 50]);
+const $c927 = $made(Entry, $c759, ["pieces", $c996, false, "", "", "pieces", ""]);
+const $c1007 = $made(Text, $c762, [20, false]);
+const $c928 = $made(Entry, $c759, ["slip_unit", $c1007, false, "", "", "slip_unit", ""]);
+const $c1008 = $made(Text, $c762, [20, false]);
+const $c929 = $made(Entry, $c759, ["pressure_unit", $c1008, false, "", "", "pressure_unit", ""]);
+const $c1010 = $made(Limit, $c765, ["number", 0.0, 0.5, false, false]);
+const $c1009 = $made(Quantity, $c129, ["number", $c1010]);
+const $c930 = $made(Entry, $c759, ["continuity", $c1009, false, "", "", "continuity", ""]);
+const $c912 = [$c914, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c926, $c927, $c928, $c929, $c930];
+const $c913 = new Map([["kind", $c914], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["knots", $c926], ["pieces", $c927], ["slip_unit", $c928], ["pressure_unit", $c929], ["continuity", $c930]]);
+const $c907 = $made(tables$Table, $c744, [IntegralLog, $c912, $c913]);
+const $c1016 = ["constant"];
+const $c1015 = $made(Choice, $c782, [$c1016]);
+const $c1013 = $made(Entry, $c759, ["kind", $c1015, true, "", "", "kind", ""]);
+const $c1014 = $made(Entry, $c759, ["friction", $c992, true, "", "", "friction_coefficient", ""]);
+const $c1011 = [$c1013, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1014];
+const $c1012 = new Map([["kind", $c1013], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["friction", $c1014]]);
+const $c908 = $made(tables$Table, $c744, [Constant, $c1011, $c1012]);
+const $c1022 = ["elastic-plastic"];
+const $c1021 = $made(Choice, $c782, [$c1022]);
+const $c1019 = $made(Entry, $c759, ["kind", $c1021, true, "", "", "kind", ""]);
+const $c1024 = $made(Limit, $c765, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1023 = $made(Quantity, $c129, ["pressure_per_length", $c1024]);
+const $c1020 = $made(Entry, $c759, ["stiffness", $c1023, true, "", "", "stiffness", ""]);
+const $c1017 = [$c1019, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1020, $c1014];
+const $c1018 = new Map([["kind", $c1019], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["stiffness", $c1020], ["friction", $c1014]]);
+const $c909 = $made(tables$Table, $c744, [ElasticPlastic, $c1017, $c1018]);
+const $c1032 = ["power"];
+const $c1031 = $made(Choice, $c782, [$c1032]);
+const $c1027 = $made(Entry, $c759, ["kind", $c1031, true, "", "", "kind", ""]);
+const $c1028 = $made(Entry, $c759, ["friction", $c992, true, "", "", "friction_coefficient", ""]);
+const $c1029 = $made(Entry, $c759, ["reference_pressure", $c977, true, "", "", "reference_pressure", ""]);
+const $c1030 = $made(Entry, $c759, ["exponent", $c890, true, "", "", "exponent", ""]);
+const $c1025 = [$c1027, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1028, $c1029, $c1030];
+const $c1026 = new Map([["kind", $c1027], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["friction", $c1028], ["reference_pressure", $c1029], ["exponent", $c1030]]);
+const $c910 = $made(tables$Table, $c744, [PressurePower, $c1025, $c1026]);
+const $c1039 = ["table"];
+const $c1038 = $made(Choice, $c782, [$c1039]);
+const $c1035 = $made(Entry, $c759, ["kind", $c1038, true, "", "", "kind", ""]);
+const $c1042 = $made(Limit, $c765, ["length", 0.0, 1.0, false, false]);
+const $c1041 = $made(Quantity, $c129, ["length", $c1042]);
+const $c1040 = $made(Rows, $c798, [$c1041, 2, 1000]);
+const $c1036 = $made(Entry, $c759, ["slip", $c1040, true, "", "", "slip", ""]);
+const $c1047 = $made(Entry, $c759, ["pressure", $c977, true, "", "", "pressure", ""]);
+const $c1051 = $made(Limit, $c765, ["number", 0.0, 5.0, false, false]);
+const $c1050 = $made(Quantity, $c129, ["number", $c1051]);
+const $c1049 = $made(Rows, $c798, [$c1050, 2, 1000]);
+const $c1048 = $made(Entry, $c759, ["friction", $c1049, true, "", "", "values", ""]);
+const $c1045 = [$c1047, $c1048];
+const $c1046 = new Map([["pressure", $c1047], ["friction", $c1048]]);
+const $c1044 = $made(tables$Table, $c744, [null, $c1045, $c1046]);
+const $c1043 = $made(Rows, $c798, [$c1044, 1, 200]);
+const $c1037 = $made(Entry, $c759, ["rows", $c1043, true, "", "", "rows", ""]);
+const $c1033 = [$c1035, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c1036, $c1037];
+const $c1034 = new Map([["kind", $c1035], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["slip", $c1036], ["rows", $c1037]]);
+const $c911 = $made(tables$Table, $c744, [MeasuredTable, $c1033, $c1034]);
+const $c906 = new Map([["integral-log", $c907], ["constant", $c908], ["elastic-plastic", $c909], ["power", $c910], ["table", $c911]]);
+const $c70 = $made(Variant, $c905, ["kind", $c906]);
+const $c904 = $made(OneOrMore, $c767, [$c70, 50]);
+const $c842 = $made(Entry, $c759, ["law", $c904, false, "", "", "law", ""]);
+const $c843 = $made(Entry, $c759, ["notes", $c956, false, "", "", "notes", ""]);
+const $c822 = [$c824, $c825, $c826, $c827, $c828, $c829, $c830, $c831, $c832, $c833, $c834, $c835, $c836, $c837, $c838, $c839, $c840, $c841, $c842, $c122, $c123, $c843];
+const $c823 = new Map([["preset", $c824], ["name", $c825], ["title", $c826], ["description", $c827], ["surface", $c828], ["thickness", $c829], ["elastic_modulus", $c830], ["shear_modulus", $c831], ["compression_modulus", $c832], ["block", $c833], ["wear_coefficient", $c834], ["belt_energy_share", $c835], ["bond_strength", $c836], ["fatigue_limit", $c837], ["cost", $c838], ["slip_speed", $c839], ["temperature", $c840], ["condition_factor", $c841], ["law", $c842], ["provenance", $c122], ["sources", $c123], ["notes", $c843]]);
+const $c821 = $made(tables$Table, $c744, [Lagging, $c822, $c823]);
+const $c189 = $made(TextOr, $c768, [$c820, $c821]);
+const $c169 = $made(Entry, $c759, ["lagging", $c189, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c170 = $made(Entry, $c759, ["condition", $c190, false, "", "", "condition", ""]);
+const $c192 = $made(Limit, $c765, ["force", 0.1, 1000000000.0, false, false]);
+const $c191 = $made(Quantity, $c129, ["force", $c192]);
+const $c171 = $made(Entry, $c759, ["entry_tension", $c191, false, "", "", "entry_tension", ""]);
+const $c172 = $made(Entry, $c759, ["exit_tension", $c191, false, "", "", "exit_tension", ""]);
+const $c193 = $made(Quantity, $c129, ["force", null]);
+const $c173 = $made(Entry, $c759, ["effective_tension", $c193, false, "", "", "effective_tension", ""]);
+const $c194 = $made(Quantity, $c129, ["torque", null]);
+const $c174 = $made(Entry, $c759, ["torque", $c194, false, "", "", "torque", ""]);
+const $c195 = $made(Quantity, $c129, ["power", null]);
+const $c175 = $made(Entry, $c759, ["power", $c195, false, "", "", "power", ""]);
+const $c198 = $made(Limit, $c765, ["length", -1.0, 1.0, false, false]);
+const $c197 = $made(Quantity, $c129, ["length", $c198]);
+const $c196 = $made(WordOr, $c796, ["formula", $c197, null]);
+const $c176 = $made(Entry, $c759, ["overrun", $c196, false, "", "", "overrun", ""]);
+const $c199 = $made(Flag, [], []);
+const $c177 = $made(Entry, $c759, ["recovery", $c199, false, "", "", "recovery", ""]);
+const $c201 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
+const $c200 = $made(Quantity, $c129, ["length", $c201]);
+const $c178 = $made(Entry, $c759, ["creep_limit", $c200, false, "", "", "creep_limit", ""]);
+const $c727 = ["pulley", "carry"];
+const $c202 = $made(Choice, $c782, [$c727]);
+const $c179 = $made(Entry, $c759, ["side", $c202, false, "", "", "side", ""]);
+const $c204 = $made(Limit, $c765, ["mass", 0.0, 1000000.0, true, false]);
+const $c203 = $made(Quantity, $c129, ["mass", $c204]);
+const $c180 = $made(Entry, $c759, ["mass", $c203, false, "", "", "mass", ""]);
+const $c1405 = ["dimension", "diameters", "rows", "within"];
+const $c1482 = ["kinds"];
+const $c1484 = $made(Quantity, $c129, ["length", null]);
+const $c1485 = $made(Quantity, $c129, ["length", null]);
+const $c1483 = [$c1484, $c1485];
+const $c1408 = $made(_Pair, $c1482, [$c1483]);
+const $c1406 = $made(Rows, $c798, [$c1408, 0, 500]);
+const $c1412 = $made(Entry, $c759, ["rows", $c1406, false, "", "", "rows", ""]);
+const $c1417 = $made(Quantity, $c129, ["length", null]);
+const $c1413 = $made(Entry, $c759, ["crown", $c1417, false, "", "", "crown", ""]);
+const $c1419 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
+const $c1418 = $made(Quantity, $c129, ["number", $c1419]);
+const $c1414 = $made(Entry, $c759, ["factor", $c1418, false, "", "", "factor", ""]);
+const $c1421 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
+const $c1420 = $made(Quantity, $c129, ["length", $c1421]);
+const $c1415 = $made(Entry, $c759, ["uncertainty", $c1420, false, "", "", "uncertainty", ""]);
+const $c1423 = ["radius", "diameter"];
+const $c1422 = $made(Choice, $c782, [$c1423]);
+const $c1416 = $made(Entry, $c759, ["on", $c1422, false, "", "", "on", ""]);
+const $c1410 = [$c1412, $c1413, $c1414, $c1415, $c1416];
+const $c1411 = new Map([["rows", $c1412], ["crown", $c1413], ["factor", $c1414], ["uncertainty", $c1415], ["on", $c1416]]);
+const $c1409 = $made(tables$Table, $c744, [null, $c1410, $c1411]);
+const $c1407 = $made(TextOr, $c768, [$c1406, $c1409]);
+const $c1063 = $made(Profile, $c1405, ["length", true, $c1406, $c1407]);
+const $c1054 = $made(Entry, $c759, ["shell_profile", $c1063, false, "", "", "shell_profile", ""]);
+const $c1487 = $made(Quantity, $c129, ["length", null]);
+const $c1488 = $made(Quantity, $c129, ["length", null]);
+const $c1486 = [$c1487, $c1488];
+const $c1426 = $made(_Pair, $c1482, [$c1486]);
+const $c1424 = $made(Rows, $c798, [$c1426, 0, 500]);
+const $c1430 = $made(Entry, $c759, ["rows", $c1424, false, "", "", "rows", ""]);
+const $c1435 = $made(Quantity, $c129, ["length", null]);
+const $c1431 = $made(Entry, $c759, ["crown", $c1435, false, "", "", "crown", ""]);
+const $c1437 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
+const $c1436 = $made(Quantity, $c129, ["number", $c1437]);
+const $c1432 = $made(Entry, $c759, ["factor", $c1436, false, "", "", "factor", ""]);
+const $c1439 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
+const $c1438 = $made(Quantity, $c129, ["length", $c1439]);
+const $c1433 = $made(Entry, $c759, ["uncertainty", $c1438, false, "", "", "uncertainty", ""]);
+const $c1440 = $made(Choice, $c782, [$c1423]);
+const $c1434 = $made(Entry, $c759, ["on", $c1440, false, "", "", "on", ""]);
+const $c1428 = [$c1430, $c1431, $c1432, $c1433, $c1434];
+const $c1429 = new Map([["rows", $c1430], ["crown", $c1431], ["factor", $c1432], ["uncertainty", $c1433], ["on", $c1434]]);
+const $c1427 = $made(tables$Table, $c744, [null, $c1428, $c1429]);
+const $c1425 = $made(TextOr, $c768, [$c1424, $c1427]);
+const $c1064 = $made(Profile, $c1405, ["length", true, $c1424, $c1425]);
+const $c1055 = $made(Entry, $c759, ["worn_depth", $c1064, false, "", "", "worn_depth", ""]);
+const $c1490 = $made(Quantity, $c129, ["length", null]);
+const $c1491 = $made(Quantity, $c129, ["length", null]);
+const $c1489 = [$c1490, $c1491];
+const $c1443 = $made(_Pair, $c1482, [$c1489]);
+const $c1441 = $made(Rows, $c798, [$c1443, 0, 500]);
+const $c1447 = $made(Entry, $c759, ["rows", $c1441, false, "", "", "rows", ""]);
+const $c1452 = $made(Quantity, $c129, ["length", null]);
+const $c1448 = $made(Entry, $c759, ["crown", $c1452, false, "", "", "crown", ""]);
+const $c1454 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
+const $c1453 = $made(Quantity, $c129, ["number", $c1454]);
+const $c1449 = $made(Entry, $c759, ["factor", $c1453, false, "", "", "factor", ""]);
+const $c1456 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
+const $c1455 = $made(Quantity, $c129, ["length", $c1456]);
+const $c1450 = $made(Entry, $c759, ["uncertainty", $c1455, false, "", "", "uncertainty", ""]);
+const $c1457 = $made(Choice, $c782, [$c1423]);
+const $c1451 = $made(Entry, $c759, ["on", $c1457, false, "", "", "on", ""]);
+const $c1445 = [$c1447, $c1448, $c1449, $c1450, $c1451];
+const $c1446 = new Map([["rows", $c1447], ["crown", $c1448], ["factor", $c1449], ["uncertainty", $c1450], ["on", $c1451]]);
+const $c1444 = $made(tables$Table, $c744, [null, $c1445, $c1446]);
+const $c1442 = $made(TextOr, $c768, [$c1441, $c1444]);
+const $c1065 = $made(Profile, $c1405, ["length", true, $c1441, $c1442]);
+const $c1056 = $made(Entry, $c759, ["build_up", $c1065, false, "", "", "build_up", ""]);
+const $c1067 = $made(Limit, $c765, ["number", -0.1, 0.1, false, false]);
+const $c1066 = $made(Quantity, $c129, ["number", $c1067]);
+const $c1057 = $made(Entry, $c759, ["misalignment", $c1066, false, "", "", "misalignment", ""]);
+const $c1069 = $made(Limit, $c765, ["length", -0.1, 0.1, false, false]);
+const $c1068 = $made(Quantity, $c129, ["length", $c1069]);
+const $c1058 = $made(Entry, $c759, ["deflection", $c1068, false, "", "", "deflection", ""]);
+const $c1493 = $made(Quantity, $c129, ["length", null]);
+const $c1494 = $made(Quantity, $c129, ["force_per_width", null]);
+const $c1492 = [$c1493, $c1494];
+const $c1460 = $made(_Pair, $c1482, [$c1492]);
+const $c1458 = $made(Rows, $c798, [$c1460, 0, 500]);
+const $c1464 = $made(Entry, $c759, ["rows", $c1458, false, "", "", "rows", ""]);
+const $c1468 = $made(Quantity, $c129, ["force_per_width", null]);
+const $c1465 = $made(Entry, $c759, ["crown", $c1468, false, "", "", "crown", ""]);
+const $c1470 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
+const $c1469 = $made(Quantity, $c129, ["number", $c1470]);
+const $c1466 = $made(Entry, $c759, ["factor", $c1469, false, "", "", "factor", ""]);
+const $c1472 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1471 = $made(Quantity, $c129, ["force_per_width", $c1472]);
+const $c1467 = $made(Entry, $c759, ["uncertainty", $c1471, false, "", "", "uncertainty", ""]);
+const $c1462 = [$c1464, $c1465, $c1466, $c1467];
+const $c1463 = new Map([["rows", $c1464], ["crown", $c1465], ["factor", $c1466], ["uncertainty", $c1467]]);
+const $c1461 = $made(tables$Table, $c744, [null, $c1462, $c1463]);
+const $c1459 = $made(TextOr, $c768, [$c1458, $c1461]);
+const $c1070 = $made(Profile, $c1405, ["force_per_width", false, $c1458, $c1459]);
+const $c1059 = $made(Entry, $c759, ["entry_profile", $c1070, false, "", "", "entry_profile", ""]);
+const $c1080 = ["pulley"];
+const $c1079 = $made(Choice, $c782, [$c1080]);
+const $c1077 = $made(Entry, $c759, ["kind", $c1079, true, "", "", "kind", ""]);
+const $c1082 = $made(Limit, $c765, ["length", 0.0, 100000.0, true, false]);
+const $c1081 = $made(Quantity, $c129, ["length", $c1082]);
+const $c1078 = $made(Entry, $c759, ["distance", $c1081, true, "", "", "distance", ""]);
+const $c1075 = [$c1077, $c1078];
+const $c1076 = new Map([["kind", $c1077], ["distance", $c1078]]);
+const $c1073 = $made(tables$Table, $c744, [GrippingPulley, $c1075, $c1076]);
+const $c1091 = ["transition"];
+const $c1090 = $made(Choice, $c782, [$c1091]);
+const $c1085 = $made(Entry, $c759, ["kind", $c1090, true, "", "", "kind", ""]);
+const $c1093 = $made(Limit, $c765, ["length", 0.0, 1000.0, true, false]);
+const $c1092 = $made(Quantity, $c129, ["length", $c1093]);
+const $c1086 = $made(Entry, $c759, ["length", $c1092, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1095 = $made(Limit, $c765, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1094 = $made(Quantity, $c129, ["angle", $c1095]);
+const $c1087 = $made(Entry, $c759, ["trough_angle", $c1094, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1097 = $made(Limit, $c765, ["length", 0.0, 100.0, false, false]);
+const $c1096 = $made(Quantity, $c129, ["length", $c1097]);
+const $c1088 = $made(Entry, $c759, ["centre_roll", $c1096, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1099 = ["full", "half"];
+const $c1098 = $made(Choice, $c782, [$c1099]);
+const $c1089 = $made(Entry, $c759, ["depth", $c1098, false, "", "", "depth", ""]);
+const $c1083 = [$c1085, $c1086, $c1087, $c1088, $c1089];
+const $c1084 = new Map([["kind", $c1085], ["length", $c1086], ["trough_angle", $c1087], ["centre_roll", $c1088], ["depth", $c1089]]);
+const $c1074 = $made(tables$Table, $c744, [Transition, $c1083, $c1084]);
+const $c1072 = new Map([["pulley", $c1073], ["transition", $c1074]]);
+const $c28 = $made(Variant, $c905, ["kind", $c1072]);
+const $c1071 = $made(WordOr, $c796, ["far", $c28, null]);
+const $c1060 = $made(Entry, $c759, ["before", $c1071, false, "", "", "before", ""]);
+const $c1107 = ["pulley"];
+const $c1106 = $made(Choice, $c782, [$c1107]);
+const $c1105 = $made(Entry, $c759, ["kind", $c1106, true, "", "", "kind", ""]);
+const $c1103 = [$c1105, $c1078];
+const $c1104 = new Map([["kind", $c1105], ["distance", $c1078]]);
+const $c1102 = $made(tables$Table, $c744, [GrippingPulley, $c1103, $c1104]);
+const $c1101 = new Map([["pulley", $c1102]]);
+const $c29 = $made(Variant, $c905, ["kind", $c1101]);
+const $c1100 = $made(WordOr, $c796, ["far", $c29, null]);
+const $c1061 = $made(Entry, $c759, ["after", $c1100, false, "", "", "after", ""]);
+const $c1109 = ["least", "most"];
+const $c1108 = $made(Count, $c1109, [4, 128]);
+const $c1062 = $made(Entry, $c759, ["strips", $c1108, false, "", "", "strips", ""]);
+const $c1052 = [$c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061, $c1062];
+const $c1053 = new Map([["shell_profile", $c1054], ["worn_depth", $c1055], ["build_up", $c1056], ["misalignment", $c1057], ["deflection", $c1058], ["entry_profile", $c1059], ["before", $c1060], ["after", $c1061], ["strips", $c1062]]);
+const $c30 = $made(tables$Table, $c744, [Across, $c1052, $c1053]);
+const $c181 = $made(Entry, $c759, ["across", $c30, false, "", "", "across", ""]);
+const $c205 = $made(ByName, $c767, [$c2, 200]);
+const $c182 = $made(Entry, $c759, ["sources", $c205, false, "", "", "sources", ""]);
+const $c9 = [$c165, $c166, $c167, $c168, $c169, $c170, $c171, $c172, $c173, $c174, $c175, $c176, $c177, $c178, $c179, $c180, $c181, $c182];
+const $c799 = new Map([["name", $c165], ["diameter", $c166], ["wrap_angle", $c167], ["belt_path", $c168], ["lagging", $c169], ["condition", $c170], ["entry_tension", $c171], ["exit_tension", $c172], ["effective_tension", $c173], ["torque", $c174], ["power", $c175], ["overrun", $c176], ["recovery", $c177], ["creep_limit", $c178], ["side", $c179], ["mass", $c180], ["across", $c181], ["sources", $c182]]);
+const $c31 = $made(tables$Table, $c744, [Pulley, $c9, $c799]);
+const $c797 = $made(Rows, $c798, [$c31, 1, 10]);
+const $c753 = $made(Entry, $c759, ["pulley", $c797, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1110 = $made(ByName, $c767, [$c821, 200]);
+const $c754 = $made(Entry, $c759, ["lagging", $c1110, false, "", "", "lagging", ""]);
+const $c1121 = $made(Name, $c770, [60]);
+const $c1115 = $made(Entry, $c759, ["name", $c1121, true, "", "name = \"start\"", "name", ""]);
+const $c1122 = $made(Text, $c762, [1000, true]);
+const $c1116 = $made(Entry, $c759, ["description", $c1122, false, "", "", "description", ""]);
+const $c79 = ["running", "starting", "braking"];
+const $c1123 = $made(Choice, $c782, [$c79]);
+const $c1117 = $made(Entry, $c759, ["kind", $c1123, false, "", "", "kind", ""]);
+const $c1118 = $made(Entry, $c759, ["condition", $c190, false, "", "", "condition", ""]);
+const $c1126 = [$c171, $c172, $c173, $c174, $c175];
+const $c1127 = new Map([["entry_tension", $c171], ["exit_tension", $c172], ["effective_tension", $c173], ["torque", $c174], ["power", $c175]]);
+const $c1125 = $made(tables$Table, $c744, [null, $c1126, $c1127]);
+const $c1124 = $made(ByName, $c767, [$c1125, 200]);
+const $c1119 = $made(Entry, $c759, ["pulley", $c1124, false, "", "", "pulley", ""]);
+const $c1128 = $made(Elsewhere, [], []);
+const $c1120 = $made(Entry, $c759, ["train", $c1128, false, "", "", "train", ""]);
+const $c1113 = [$c1115, $c1116, $c1117, $c1118, $c1119, $c1120];
+const $c1114 = new Map([["name", $c1115], ["description", $c1116], ["kind", $c1117], ["condition", $c1118], ["pulley", $c1119], ["train", $c1120]]);
+const $c1112 = $made(tables$Table, $c744, [null, $c1113, $c1114]);
+const $c1111 = $made(Rows, $c798, [$c1112, 1, 1000]);
+const $c755 = $made(Entry, $c759, ["load_case", $c1111, false, "", "", "load_case", ""]);
+const $c1151 = $made(Limit, $c765, ["length", 0.0, 100000.0, true, false]);
+const $c1150 = $made(Quantity, $c129, ["length", $c1151]);
+const $c1131 = $made(Entry, $c759, ["length", $c1150, true, "", "length = \"600 m\"", "length", ""]);
+const $c1153 = $made(Limit, $c765, ["length", -5000.0, 5000.0, false, false]);
+const $c1152 = $made(Quantity, $c129, ["length", $c1153]);
+const $c1132 = $made(Entry, $c759, ["lift", $c1152, false, "", "", "lift", ""]);
+const $c1155 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1154 = $made(Quantity, $c129, ["mass_per_length", $c1155]);
+const $c1133 = $made(Entry, $c759, ["belt_mass", $c1154, true, "", "", "belt_mass", ""]);
+const $c1157 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1156 = $made(Quantity, $c129, ["mass_per_length", $c1157]);
+const $c1134 = $made(Entry, $c759, ["carry_idler_mass", $c1156, true, "", "", "carry_idler_mass", ""]);
+const $c1159 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1158 = $made(Quantity, $c129, ["mass_per_length", $c1159]);
+const $c1135 = $made(Entry, $c759, ["return_idler_mass", $c1158, true, "", "", "return_idler_mass", ""]);
+const $c1160 = $made(Quantity, $c129, ["mass_per_length", $c1155]);
+const $c1136 = $made(Entry, $c759, ["material_mass", $c1160, false, "", "", "material_mass", ""]);
+const $c1162 = $made(Limit, $c765, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1161 = $made(Quantity, $c129, ["mass_flow", $c1162]);
+const $c1137 = $made(Entry, $c759, ["capacity", $c1161, false, "", "", "capacity", ""]);
+const $c1164 = $made(Limit, $c765, ["number", 0.005, 0.1, false, false]);
+const $c1163 = $made(Quantity, $c129, ["number", $c1164]);
+const $c1138 = $made(Entry, $c759, ["friction_factor", $c1163, false, "", "", "friction_factor", ""]);
+const $c1166 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
+const $c1165 = $made(Quantity, $c129, ["number", $c1166]);
+const $c1139 = $made(Entry, $c759, ["length_coefficient", $c1165, false, "", "", "length_coefficient", ""]);
+const $c1168 = $made(Limit, $c765, ["force", 0.0, 100000000.0, false, false]);
+const $c1167 = $made(Quantity, $c129, ["force", $c1168]);
+const $c1140 = $made(Entry, $c759, ["secondary_resistance", $c1167, false, "", "", "secondary_resistance", ""]);
+const $c1169 = $made(Quantity, $c129, ["force", $c1168]);
+const $c1141 = $made(Entry, $c759, ["special_resistance", $c1169, false, "", "", "special_resistance", ""]);
+const $c1171 = $made(Limit, $c765, ["number", 0.0, 1.0, false, false]);
+const $c1170 = $made(Quantity, $c129, ["number", $c1171]);
+const $c1142 = $made(Entry, $c759, ["return_share", $c1170, false, "", "", "return_share", ""]);
+const $c1173 = $made(Limit, $c765, ["number", 1.0, 5.0, false, false]);
+const $c1172 = $made(Quantity, $c129, ["number", $c1173]);
+const $c1143 = $made(Entry, $c759, ["start_factor", $c1172, false, "", "", "start_factor", ""]);
+const $c1175 = $made(Limit, $c765, ["time", 0.0, 3600.0, true, false]);
+const $c1174 = $made(Quantity, $c129, ["time", $c1175]);
+const $c1144 = $made(Entry, $c759, ["start_time", $c1174, false, "", "", "start_time", ""]);
+const $c1176 = $made(Quantity, $c129, ["time", $c1175]);
+const $c1145 = $made(Entry, $c759, ["stop_time", $c1176, false, "", "", "stop_time", ""]);
+const $c1178 = $made(Limit, $c765, ["force", 0.0, 100000000.0, true, false]);
+const $c1177 = $made(Quantity, $c129, ["force", $c1178]);
+const $c1146 = $made(Entry, $c759, ["take_up_tension", $c1177, false, "", "", "take_up_tension", ""]);
+const $c1180 = $made(Limit, $c765, ["mass", 0.0, 10000000.0, true, false]);
+const $c1179 = $made(Quantity, $c129, ["mass", $c1180]);
+const $c1147 = $made(Entry, $c759, ["counterweight", $c1179, false, "", "", "counterweight", ""]);
+const $c1182 = $made(Limit, $c765, ["length", 0.0, 100000.0, false, false]);
+const $c1181 = $made(Quantity, $c129, ["length", $c1182]);
+const $c1148 = $made(Entry, $c759, ["take_up_distance", $c1181, false, "", "", "take_up_distance", ""]);
+const $c728 = ["head", "tail"];
+const $c1183 = $made(Choice, $c782, [$c728]);
+const $c1149 = $made(Entry, $c759, ["drive_at", $c1183, false, "", "", "drive_at", ""]);
+const $c1129 = [$c1131, $c1132, $c1133, $c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144, $c1145, $c1146, $c1147, $c1148, $c1149];
+const $c1130 = new Map([["length", $c1131], ["lift", $c1132], ["belt_mass", $c1133], ["carry_idler_mass", $c1134], ["return_idler_mass", $c1135], ["material_mass", $c1136], ["capacity", $c1137], ["friction_factor", $c1138], ["length_coefficient", $c1139], ["secondary_resistance", $c1140], ["special_resistance", $c1141], ["return_share", $c1142], ["start_factor", $c1143], ["start_time", $c1144], ["stop_time", $c1145], ["take_up_tension", $c1146], ["counterweight", $c1147], ["take_up_distance", $c1148], ["drive_at", $c1149]]);
+const $c35 = $made(tables$Table, $c744, [Conveyor, $c1129, $c1130]);
+const $c756 = $made(Entry, $c759, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c721 = ["gravity", "winch", "fixed"];
+const $c1189 = $made(Choice, $c782, [$c721]);
+const $c1186 = $made(Entry, $c759, ["kind", $c1189, false, "", "", "kind", ""]);
+const $c712 = $made(Limit, $c765, ["number", 0.01, 100.0, false, false]);
+const $c1190 = $made(Quantity, $c129, ["number", $c712]);
+const $c1187 = $made(Entry, $c759, ["sheave_ratio", $c1190, false, "", "", "sheave_ratio", ""]);
+const $c1191 = $made(Name, $c770, [60]);
+const $c1188 = $made(Entry, $c759, ["after", $c1191, false, "", "", "after", ""]);
+const $c1184 = [$c1186, $c1187, $c1188];
+const $c1185 = new Map([["kind", $c1186], ["sheave_ratio", $c1187], ["after", $c1188]]);
+const $c535 = $made(tables$Table, $c744, [TakeUp, $c1184, $c1185]);
+const $c531 = $made(Entry, $c759, ["take_up", $c535, false, "", "", "take_up", ""]);
+const $c722 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1199 = $made(Choice, $c782, [$c722]);
+const $c1194 = $made(Entry, $c759, ["name", $c1199, false, "", "", "name", ""]);
+const $c723 = ["dry", "wet", "wet and dirty"];
+const $c1200 = $made(Choice, $c782, [$c723]);
+const $c1195 = $made(Entry, $c759, ["condition", $c1200, false, "", "", "condition", ""]);
+const $c713 = $made(Limit, $c765, ["number", 0.01, 2.0, false, false]);
+const $c1201 = $made(Quantity, $c129, ["number", $c713]);
+const $c1196 = $made(Entry, $c759, ["friction", $c1201, false, "", "", "friction", ""]);
+const $c714 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
+const $c1202 = $made(Quantity, $c129, ["number", $c714]);
+const $c1197 = $made(Entry, $c759, ["start_factor", $c1202, false, "", "", "start_factor", ""]);
+const $c1203 = $made(Flag, [], []);
+const $c1198 = $made(Entry, $c759, ["binding", $c1203, false, "", "", "binding", ""]);
+const $c1192 = [$c1194, $c1195, $c1196, $c1197, $c1198];
+const $c1193 = new Map([["name", $c1194], ["condition", $c1195], ["friction", $c1196], ["start_factor", $c1197], ["binding", $c1198]]);
+const $c536 = $made(tables$Table, $c744, [DesignStandard, $c1192, $c1193]);
+const $c532 = $made(Entry, $c759, ["design_standard", $c536, false, "", "", "standard", ""]);
+const $c1210 = $made(Quantity, $c129, ["number", $c714]);
+const $c1206 = $made(Entry, $c759, ["running", $c1210, false, "", "", "running", ""]);
+const $c1211 = $made(Quantity, $c129, ["number", $c714]);
+const $c1207 = $made(Entry, $c759, ["starting", $c1211, false, "", "", "starting", ""]);
+const $c1212 = $made(Quantity, $c129, ["number", $c714]);
+const $c1208 = $made(Entry, $c759, ["braking", $c1212, false, "", "", "braking", ""]);
+const $c1213 = $made(Text, $c762, [500, false]);
+const $c1209 = $made(Entry, $c759, ["source", $c1213, false, "", "", "source", ""]);
+const $c1204 = [$c1206, $c1207, $c1208, $c1209];
+const $c1205 = new Map([["running", $c1206], ["starting", $c1207], ["braking", $c1208], ["source", $c1209]]);
+const $c537 = $made(tables$Table, $c744, [SafetyFactors, $c1204, $c1205]);
+const $c533 = $made(Entry, $c759, ["safety_factor", $c537, false, "", "", "safety", ""]);
+const $c1220 = $made(Limit, $c765, ["length", 0.0, 100.0, true, false]);
+const $c1219 = $made(Quantity, $c129, ["length", $c1220]);
+const $c1216 = $made(Entry, $c759, ["idler_spacing", $c1219, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1222 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1221 = $made(Quantity, $c129, ["mass_per_length", $c1222]);
+const $c1217 = $made(Entry, $c759, ["line_mass", $c1221, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1224 = $made(Limit, $c765, ["number", 0.0, 0.1, true, false]);
+const $c1223 = $made(Quantity, $c129, ["number", $c1224]);
+const $c1218 = $made(Entry, $c759, ["share", $c1223, false, "", "", "share", ""]);
+const $c1214 = [$c1216, $c1217, $c1218];
+const $c1215 = new Map([["idler_spacing", $c1216], ["line_mass", $c1217], ["share", $c1218]]);
+const $c538 = $made(tables$Table, $c744, [Sag, $c1214, $c1215]);
+const $c534 = $made(Entry, $c759, ["sag", $c538, false, "", "", "sag", ""]);
+const $c1225 = $made(Elsewhere, [], []);
+const $c757 = $made(Entry, $c759, ["train", $c1225, false, "", "", "train", ""]);
+const $c1226 = $made(Elsewhere, [], []);
+const $c758 = $made(Entry, $c759, ["motion", $c1226, false, "", "", "motion", ""]);
+const $c745 = [$c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c531, $c532, $c533, $c534, $c757, $c758];
+const $c746 = new Map([["format", $c747], ["title", $c748], ["description", $c749], ["creep_limit", $c750], ["condition", $c751], ["belt", $c752], ["pulley", $c753], ["lagging", $c754], ["load_case", $c755], ["conveyor", $c756], ["take_up", $c531], ["design_standard", $c532], ["safety_factor", $c533], ["sag", $c534], ["train", $c757], ["motion", $c758]]);
+const $c0 = $made(tables$Table, $c744, [Drive, $c745, $c746]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c128], ["modulus", $c131], ["rating", $c133], ["strength", $c135], ["speed", $c137], ["momentary_factor", $c139], ["least_pulley_diameter", $c141], ["largest_wrap_pressure", $c143], ["in_plane_shear_stiffness", $c145], ["pulley_cover", $c147], ["carry_cover", $c149], ["carcass", $c151], ["thickness", $c153], ["cover_shear_modulus", $c156], ["mass", $c158]]);
+const $c4 = new Map([["width", $c130], ["modulus", $c135], ["rating", $c137], ["strength", $c139], ["speed", $c141], ["momentary_factor", $c143], ["least_pulley_diameter", $c145], ["largest_wrap_pressure", $c147], ["in_plane_shear_stiffness", $c149], ["pulley_cover", $c151], ["carry_cover", $c153], ["carcass", $c155], ["thickness", $c157], ["cover_shear_modulus", $c160], ["mass", $c162]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
-const $c7 = $made(_Nothing, {});
+const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c226 = [10000, "m"];
-const $c225 = [$c226];
-const $c203 = ["mm", $c225];
-const $c204 = ["kN", []];
-const $c205 = ["kN/m", []];
-const $c228 = [10000, "MPa"];
-const $c227 = [$c228];
-const $c206 = ["kPa", $c227];
-const $c207 = ["kPa/mm", []];
-const $c208 = ["m/s", []];
-const $c209 = ["deg", []];
-const $c210 = ["kW", []];
-const $c211 = ["kN m", []];
-const $c212 = ["m2", []];
-const $c213 = ["s", []];
-const $c214 = ["degC", []];
-const $c215 = ["1/mm", []];
-const $c216 = ["mm3/J", []];
-const $c217 = ["J/m2", []];
-const $c230 = [10000, "kW/m2"];
-const $c229 = [$c230];
-const $c218 = ["W/m2", $c229];
-const $c219 = ["rpm", []];
-const $c220 = ["kg", []];
-const $c221 = ["kg/m", []];
-const $c222 = ["t/h", []];
-const $c223 = ["kg m2", []];
-const $c224 = ["", []];
-const $c201 = new Map([["length", $c203], ["force", $c204], ["force_per_width", $c205], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c209], ["power", $c210], ["torque", $c211], ["area", $c212], ["time", $c213], ["temperature", $c214], ["per_length", $c215], ["wear_coefficient", $c216], ["energy_per_area", $c217], ["power_per_area", $c218], ["rotation_speed", $c219], ["mass", $c220], ["mass_per_length", $c221], ["mass_flow", $c222], ["moment_of_inertia", $c223], ["number", $c224]]);
-const $c251 = [400, "ft"];
-const $c250 = [$c251];
-const $c231 = ["in", $c250];
-const $c232 = ["lbf", []];
-const $c233 = ["PIW", []];
-const $c234 = ["lbf/in", []];
-const $c253 = [10000, "ksi"];
-const $c252 = [$c253];
-const $c235 = ["psi", $c252];
-const $c236 = ["psi/in", []];
-const $c237 = ["fpm", []];
-const $c238 = ["hp", []];
-const $c239 = ["lbf ft", []];
-const $c240 = ["in2", []];
-const $c241 = ["degF", []];
-const $c242 = ["1/in", []];
-const $c243 = ["in3/(ft lbf)", []];
-const $c244 = ["ft lbf/ft2", []];
-const $c245 = ["hp/ft2", []];
-const $c246 = ["lbm", []];
-const $c247 = ["lbm/ft", []];
-const $c248 = ["lbm/h", []];
-const $c249 = ["lbm ft2", []];
-const $c202 = new Map([["length", $c231], ["force", $c232], ["force_per_width", $c233], ["spring_rate", $c234], ["pressure", $c235], ["pressure_per_length", $c236], ["speed", $c237], ["angle", $c209], ["power", $c238], ["torque", $c239], ["area", $c240], ["time", $c213], ["temperature", $c241], ["per_length", $c242], ["wear_coefficient", $c243], ["energy_per_area", $c244], ["power_per_area", $c245], ["rotation_speed", $c219], ["mass", $c246], ["mass_per_length", $c247], ["mass_flow", $c248], ["moment_of_inertia", $c249], ["number", $c224]]);
-const $c11 = new Map([["si", $c201], ["us", $c202]]);
-const $c254 = new DimensionText("m", "a length", "1200 mm");
-const $c255 = new DimensionText("N", "a force", "150 kN");
-const $c256 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c257 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c258 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c259 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c260 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c261 = new DimensionText("rad", "an angle", "180 deg");
-const $c262 = new DimensionText("W", "a power", "250 kW");
-const $c263 = new DimensionText("N m", "a torque", "40 kN m");
-const $c264 = new DimensionText("m2", "an area", "2500 mm2");
-const $c265 = new DimensionText("s", "a time", "10 s");
-const $c266 = new DimensionText("K", "a temperature", "20 degC");
-const $c267 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c268 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c269 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c270 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c271 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c272 = new DimensionText("kg", "a mass", "500 kg");
-const $c273 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c274 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c275 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c276 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c254], ["force", $c255], ["force_per_width", $c256], ["spring_rate", $c257], ["pressure", $c258], ["pressure_per_length", $c259], ["speed", $c260], ["angle", $c261], ["power", $c262], ["torque", $c263], ["area", $c264], ["time", $c265], ["temperature", $c266], ["per_length", $c267], ["wear_coefficient", $c268], ["energy_per_area", $c269], ["power_per_area", $c270], ["rotation_speed", $c271], ["mass", $c272], ["mass_per_length", $c273], ["mass_flow", $c274], ["moment_of_inertia", $c275], ["number", $c276]]);
+const $c231 = [10000, "m"];
+const $c230 = [$c231];
+const $c208 = ["mm", $c230];
+const $c209 = ["kN", []];
+const $c210 = ["kN/m", []];
+const $c233 = [10000, "MPa"];
+const $c232 = [$c233];
+const $c211 = ["kPa", $c232];
+const $c212 = ["kPa/mm", []];
+const $c213 = ["m/s", []];
+const $c214 = ["deg", []];
+const $c215 = ["kW", []];
+const $c216 = ["kN m", []];
+const $c217 = ["m2", []];
+const $c218 = ["s", []];
+const $c219 = ["degC", []];
+const $c220 = ["1/mm", []];
+const $c221 = ["mm3/J", []];
+const $c222 = ["J/m2", []];
+const $c235 = [10000, "kW/m2"];
+const $c234 = [$c235];
+const $c223 = ["W/m2", $c234];
+const $c224 = ["rpm", []];
+const $c225 = ["kg", []];
+const $c226 = ["kg/m", []];
+const $c227 = ["t/h", []];
+const $c228 = ["kg m2", []];
+const $c229 = ["", []];
+const $c206 = new Map([["length", $c208], ["force", $c209], ["force_per_width", $c210], ["spring_rate", $c210], ["pressure", $c211], ["pressure_per_length", $c212], ["speed", $c213], ["angle", $c214], ["power", $c215], ["torque", $c216], ["area", $c217], ["time", $c218], ["temperature", $c219], ["per_length", $c220], ["wear_coefficient", $c221], ["energy_per_area", $c222], ["power_per_area", $c223], ["rotation_speed", $c224], ["mass", $c225], ["mass_per_length", $c226], ["mass_flow", $c227], ["moment_of_inertia", $c228], ["number", $c229]]);
+const $c256 = [400, "ft"];
+const $c255 = [$c256];
+const $c236 = ["in", $c255];
+const $c237 = ["lbf", []];
+const $c238 = ["PIW", []];
+const $c239 = ["lbf/in", []];
+const $c258 = [10000, "ksi"];
+const $c257 = [$c258];
+const $c240 = ["psi", $c257];
+const $c241 = ["psi/in", []];
+const $c242 = ["fpm", []];
+const $c243 = ["hp", []];
+const $c244 = ["lbf ft", []];
+const $c245 = ["in2", []];
+const $c246 = ["degF", []];
+const $c247 = ["1/in", []];
+const $c248 = ["in3/(ft lbf)", []];
+const $c249 = ["ft lbf/ft2", []];
+const $c250 = ["hp/ft2", []];
+const $c251 = ["lbm", []];
+const $c252 = ["lbm/ft", []];
+const $c253 = ["lbm/h", []];
+const $c254 = ["lbm ft2", []];
+const $c207 = new Map([["length", $c236], ["force", $c237], ["force_per_width", $c238], ["spring_rate", $c239], ["pressure", $c240], ["pressure_per_length", $c241], ["speed", $c242], ["angle", $c214], ["power", $c243], ["torque", $c244], ["area", $c245], ["time", $c218], ["temperature", $c246], ["per_length", $c247], ["wear_coefficient", $c248], ["energy_per_area", $c249], ["power_per_area", $c250], ["rotation_speed", $c224], ["mass", $c251], ["mass_per_length", $c252], ["mass_flow", $c253], ["moment_of_inertia", $c254], ["number", $c229]]);
+const $c11 = new Map([["si", $c206], ["us", $c207]]);
+const $c259 = new DimensionText("m", "a length", "1200 mm");
+const $c260 = new DimensionText("N", "a force", "150 kN");
+const $c261 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c262 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c263 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c264 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c265 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c266 = new DimensionText("rad", "an angle", "180 deg");
+const $c267 = new DimensionText("W", "a power", "250 kW");
+const $c268 = new DimensionText("N m", "a torque", "40 kN m");
+const $c269 = new DimensionText("m2", "an area", "2500 mm2");
+const $c270 = new DimensionText("s", "a time", "10 s");
+const $c271 = new DimensionText("K", "a temperature", "20 degC");
+const $c272 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c273 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c274 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c275 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c276 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c277 = new DimensionText("kg", "a mass", "500 kg");
+const $c278 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c279 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c280 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c281 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c259], ["force", $c260], ["force_per_width", $c261], ["spring_rate", $c262], ["pressure", $c263], ["pressure_per_length", $c264], ["speed", $c265], ["angle", $c266], ["power", $c267], ["torque", $c268], ["area", $c269], ["time", $c270], ["temperature", $c271], ["per_length", $c272], ["wear_coefficient", $c273], ["energy_per_area", $c274], ["power_per_area", $c275], ["rotation_speed", $c276], ["mass", $c277], ["mass_per_length", $c278], ["mass_flow", $c279], ["moment_of_inertia", $c280], ["number", $c281]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -7409,689 +7462,698 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c339 = ["meter", "meters", "metre", "metres"];
-const $c340 = $Decimal.of("1");
-const $c341 = $Decimal.of("0");
-const $c277 = new Definition($c339, $c340, "m", $c341);
-const $c342 = ["km"];
-const $c343 = $Decimal.of("1000");
-const $c344 = $Decimal.of("0");
-const $c278 = new Definition($c342, $c343, "m", $c344);
-const $c345 = ["dm"];
-const $c346 = $Decimal.of("0.1");
-const $c347 = $Decimal.of("0");
-const $c279 = new Definition($c345, $c346, "m", $c347);
-const $c348 = ["cm"];
-const $c349 = $Decimal.of("0.01");
-const $c350 = $Decimal.of("0");
-const $c280 = new Definition($c348, $c349, "m", $c350);
-const $c351 = ["mm"];
-const $c352 = $Decimal.of("0.001");
-const $c353 = $Decimal.of("0");
-const $c281 = new Definition($c351, $c352, "m", $c353);
-const $c354 = ["um", "micron", "microns"];
-const $c355 = $Decimal.of("0.000001");
-const $c356 = $Decimal.of("0");
-const $c282 = new Definition($c354, $c355, "m", $c356);
-const $c357 = ["in", "inch", "inches", "\""];
-const $c358 = $Decimal.of("0.0254");
-const $c359 = $Decimal.of("0");
-const $c283 = new Definition($c357, $c358, "m", $c359);
-const $c360 = ["ft", "foot", "feet"];
-const $c361 = $Decimal.of("12");
-const $c362 = $Decimal.of("0");
-const $c284 = new Definition($c360, $c361, "in", $c362);
-const $c363 = ["yd"];
-const $c364 = $Decimal.of("3");
-const $c365 = $Decimal.of("0");
-const $c285 = new Definition($c363, $c364, "ft", $c365);
-const $c366 = ["mi", "mile", "miles"];
-const $c367 = $Decimal.of("5280");
-const $c368 = $Decimal.of("0");
-const $c286 = new Definition($c366, $c367, "ft", $c368);
-const $c369 = ["thou"];
-const $c370 = $Decimal.of("0.001");
-const $c371 = $Decimal.of("0");
-const $c287 = new Definition($c369, $c370, "in", $c371);
-const $c372 = ["g"];
-const $c373 = $Decimal.of("0.001");
-const $c374 = $Decimal.of("0");
-const $c288 = new Definition($c372, $c373, "kg", $c374);
-const $c375 = ["t", "tonne", "tonnes"];
-const $c376 = $Decimal.of("1000");
-const $c377 = $Decimal.of("0");
-const $c289 = new Definition($c375, $c376, "kg", $c377);
-const $c378 = ["lbm"];
-const $c379 = $Decimal.of("0.45359237");
-const $c380 = $Decimal.of("0");
-const $c290 = new Definition($c378, $c379, "kg", $c380);
-const $c381 = ["sec", "second", "seconds"];
-const $c382 = $Decimal.of("1");
-const $c383 = $Decimal.of("0");
-const $c291 = new Definition($c381, $c382, "s", $c383);
-const $c384 = ["ms"];
-const $c385 = $Decimal.of("0.001");
-const $c386 = $Decimal.of("0");
-const $c292 = new Definition($c384, $c385, "s", $c386);
-const $c387 = ["min", "minute", "minutes"];
-const $c388 = $Decimal.of("60");
-const $c389 = $Decimal.of("0");
-const $c293 = new Definition($c387, $c388, "s", $c389);
-const $c390 = ["h", "hr", "hour", "hours"];
-const $c391 = $Decimal.of("60");
-const $c392 = $Decimal.of("0");
-const $c294 = new Definition($c390, $c391, "min", $c392);
-const $c393 = ["d", "day", "days"];
-const $c394 = $Decimal.of("24");
-const $c395 = $Decimal.of("0");
-const $c295 = new Definition($c393, $c394, "h", $c395);
-const $c396 = ["N", "newton", "newtons"];
-const $c397 = $Decimal.of("1");
-const $c398 = $Decimal.of("0");
-const $c296 = new Definition($c396, $c397, "kg m/s2", $c398);
-const $c399 = ["mN"];
-const $c400 = $Decimal.of("0.001");
-const $c401 = $Decimal.of("0");
-const $c297 = new Definition($c399, $c400, "N", $c401);
-const $c402 = ["daN"];
-const $c403 = $Decimal.of("10");
-const $c404 = $Decimal.of("0");
-const $c298 = new Definition($c402, $c403, "N", $c404);
-const $c405 = ["kN"];
-const $c406 = $Decimal.of("1000");
-const $c407 = $Decimal.of("0");
-const $c299 = new Definition($c405, $c406, "N", $c407);
-const $c408 = ["MN"];
-const $c409 = $Decimal.of("1E+6");
-const $c410 = $Decimal.of("0");
-const $c300 = new Definition($c408, $c409, "N", $c410);
-const $c411 = ["kgf", "kp"];
-const $c412 = $Decimal.of("9.80665");
-const $c413 = $Decimal.of("0");
-const $c301 = new Definition($c411, $c412, "N", $c413);
-const $c414 = ["gf"];
-const $c415 = $Decimal.of("0.001");
-const $c416 = $Decimal.of("0");
-const $c302 = new Definition($c414, $c415, "kgf", $c416);
-const $c417 = ["tf"];
-const $c418 = $Decimal.of("1000");
-const $c419 = $Decimal.of("0");
-const $c303 = new Definition($c417, $c418, "kgf", $c419);
-const $c420 = ["lbf", "lb", "lbs"];
-const $c421 = $Decimal.of("4.4482216152605");
-const $c422 = $Decimal.of("0");
-const $c304 = new Definition($c420, $c421, "N", $c422);
-const $c423 = ["klbf", "kip", "kips"];
-const $c424 = $Decimal.of("1000");
-const $c425 = $Decimal.of("0");
-const $c305 = new Definition($c423, $c424, "lbf", $c425);
-const $c426 = ["PIW", "piw", "PLI", "pli"];
-const $c427 = $Decimal.of("1");
-const $c428 = $Decimal.of("0");
-const $c306 = new Definition($c426, $c427, "lbf/in", $c428);
-const $c429 = ["Pa"];
-const $c430 = $Decimal.of("1");
-const $c431 = $Decimal.of("0");
-const $c307 = new Definition($c429, $c430, "N/m2", $c431);
-const $c432 = ["hPa"];
-const $c433 = $Decimal.of("100");
-const $c434 = $Decimal.of("0");
-const $c308 = new Definition($c432, $c433, "Pa", $c434);
-const $c435 = ["kPa"];
-const $c436 = $Decimal.of("1000");
-const $c437 = $Decimal.of("0");
-const $c309 = new Definition($c435, $c436, "Pa", $c437);
-const $c438 = ["MPa"];
-const $c439 = $Decimal.of("1E+6");
-const $c440 = $Decimal.of("0");
-const $c310 = new Definition($c438, $c439, "Pa", $c440);
-const $c441 = ["GPa"];
-const $c442 = $Decimal.of("1E+9");
-const $c443 = $Decimal.of("0");
-const $c311 = new Definition($c441, $c442, "Pa", $c443);
-const $c444 = ["bar"];
-const $c445 = $Decimal.of("1E+5");
-const $c446 = $Decimal.of("0");
-const $c312 = new Definition($c444, $c445, "Pa", $c446);
-const $c447 = ["mbar"];
-const $c448 = $Decimal.of("100");
-const $c449 = $Decimal.of("0");
-const $c313 = new Definition($c447, $c448, "Pa", $c449);
-const $c450 = ["psi", "PSI"];
-const $c451 = $Decimal.of("1");
-const $c452 = $Decimal.of("0");
-const $c314 = new Definition($c450, $c451, "lbf/in2", $c452);
-const $c453 = ["ksi"];
-const $c454 = $Decimal.of("1000");
-const $c455 = $Decimal.of("0");
-const $c315 = new Definition($c453, $c454, "psi", $c455);
-const $c456 = ["J", "joule"];
-const $c457 = $Decimal.of("1");
-const $c458 = $Decimal.of("0");
-const $c316 = new Definition($c456, $c457, "N m", $c458);
-const $c459 = ["mJ"];
-const $c460 = $Decimal.of("0.001");
-const $c461 = $Decimal.of("0");
-const $c317 = new Definition($c459, $c460, "J", $c461);
-const $c462 = ["kJ"];
-const $c463 = $Decimal.of("1000");
-const $c464 = $Decimal.of("0");
-const $c318 = new Definition($c462, $c463, "J", $c464);
-const $c465 = ["MJ"];
-const $c466 = $Decimal.of("1E+6");
-const $c467 = $Decimal.of("0");
-const $c319 = new Definition($c465, $c466, "J", $c467);
-const $c468 = ["Nm"];
-const $c469 = $Decimal.of("1");
-const $c470 = $Decimal.of("0");
-const $c320 = new Definition($c468, $c469, "N m", $c470);
-const $c471 = ["kNm"];
-const $c472 = $Decimal.of("1000");
-const $c473 = $Decimal.of("0");
-const $c321 = new Definition($c471, $c472, "N m", $c473);
-const $c474 = ["MNm"];
-const $c475 = $Decimal.of("1E+6");
-const $c476 = $Decimal.of("0");
-const $c322 = new Definition($c474, $c475, "N m", $c476);
-const $c477 = ["W", "watt", "watts"];
-const $c478 = $Decimal.of("1");
-const $c479 = $Decimal.of("0");
-const $c323 = new Definition($c477, $c478, "J/s", $c479);
-const $c480 = ["kW"];
-const $c481 = $Decimal.of("1000");
-const $c482 = $Decimal.of("0");
-const $c324 = new Definition($c480, $c481, "W", $c482);
-const $c483 = ["MW"];
-const $c484 = $Decimal.of("1E+6");
-const $c485 = $Decimal.of("0");
-const $c325 = new Definition($c483, $c484, "W", $c485);
-const $c486 = ["hp", "HP", "bhp", "BHP"];
-const $c487 = $Decimal.of("550");
-const $c488 = $Decimal.of("0");
-const $c326 = new Definition($c486, $c487, "ft lbf/s", $c488);
-const $c489 = ["PS", "cv", "CV", "hp(metric)"];
-const $c490 = $Decimal.of("75");
-const $c491 = $Decimal.of("0");
-const $c327 = new Definition($c489, $c490, "kgf m/s", $c491);
-const $c492 = ["fpm", "FPM"];
-const $c493 = $Decimal.of("1");
-const $c494 = $Decimal.of("0");
-const $c328 = new Definition($c492, $c493, "ft/min", $c494);
-const $c495 = ["fps"];
-const $c496 = $Decimal.of("1");
-const $c497 = $Decimal.of("0");
-const $c329 = new Definition($c495, $c496, "ft/s", $c497);
-const $c498 = ["kph", "kmh"];
-const $c499 = $Decimal.of("1");
-const $c500 = $Decimal.of("0");
-const $c330 = new Definition($c498, $c499, "km/h", $c500);
-const $c501 = ["mph"];
-const $c502 = $Decimal.of("1");
-const $c503 = $Decimal.of("0");
-const $c331 = new Definition($c501, $c502, "mi/h", $c503);
-const $c504 = ["mrad"];
-const $c505 = $Decimal.of("0.001");
-const $c506 = $Decimal.of("0");
-const $c332 = new Definition($c504, $c505, "rad", $c506);
-const $c507 = ["deg", "degree", "degrees", "°"];
-const $c508 = $Decimal.of("0.01745329251994329576923690768");
-const $c509 = $Decimal.of("0");
-const $c333 = new Definition($c507, $c508, "rad", $c509);
-const $c510 = ["rev", "turn", "turns"];
-const $c511 = $Decimal.of("360");
-const $c512 = $Decimal.of("0");
-const $c334 = new Definition($c510, $c511, "deg", $c512);
-const $c513 = ["rpm", "RPM"];
-const $c514 = $Decimal.of("1");
-const $c515 = $Decimal.of("0");
-const $c335 = new Definition($c513, $c514, "rev/min", $c515);
-const $c516 = ["degC", "°C"];
-const $c517 = $Decimal.of("1");
-const $c518 = $Decimal.of("-273.15");
-const $c336 = new Definition($c516, $c517, "K", $c518);
-const $c519 = ["degF", "°F"];
-const $c520 = $Decimal.of("0.5555555555555555555555555556");
-const $c521 = $Decimal.of("-459.67");
-const $c337 = new Definition($c519, $c520, "K", $c521);
-const $c522 = ["%", "percent"];
-const $c523 = $Decimal.of("0.01");
-const $c524 = $Decimal.of("0");
-const $c338 = new Definition($c522, $c523, "", $c524);
-const $c22 = [$c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338];
+const $c344 = ["meter", "meters", "metre", "metres"];
+const $c345 = $Decimal.of("1");
+const $c346 = $Decimal.of("0");
+const $c282 = new Definition($c344, $c345, "m", $c346);
+const $c347 = ["km"];
+const $c348 = $Decimal.of("1000");
+const $c349 = $Decimal.of("0");
+const $c283 = new Definition($c347, $c348, "m", $c349);
+const $c350 = ["dm"];
+const $c351 = $Decimal.of("0.1");
+const $c352 = $Decimal.of("0");
+const $c284 = new Definition($c350, $c351, "m", $c352);
+const $c353 = ["cm"];
+const $c354 = $Decimal.of("0.01");
+const $c355 = $Decimal.of("0");
+const $c285 = new Definition($c353, $c354, "m", $c355);
+const $c356 = ["mm"];
+const $c357 = $Decimal.of("0.001");
+const $c358 = $Decimal.of("0");
+const $c286 = new Definition($c356, $c357, "m", $c358);
+const $c359 = ["um", "micron", "microns"];
+const $c360 = $Decimal.of("0.000001");
+const $c361 = $Decimal.of("0");
+const $c287 = new Definition($c359, $c360, "m", $c361);
+const $c362 = ["in", "inch", "inches", "\""];
+const $c363 = $Decimal.of("0.0254");
+const $c364 = $Decimal.of("0");
+const $c288 = new Definition($c362, $c363, "m", $c364);
+const $c365 = ["ft", "foot", "feet"];
+const $c366 = $Decimal.of("12");
+const $c367 = $Decimal.of("0");
+const $c289 = new Definition($c365, $c366, "in", $c367);
+const $c368 = ["yd"];
+const $c369 = $Decimal.of("3");
+const $c370 = $Decimal.of("0");
+const $c290 = new Definition($c368, $c369, "ft", $c370);
+const $c371 = ["mi", "mile", "miles"];
+const $c372 = $Decimal.of("5280");
+const $c373 = $Decimal.of("0");
+const $c291 = new Definition($c371, $c372, "ft", $c373);
+const $c374 = ["thou"];
+const $c375 = $Decimal.of("0.001");
+const $c376 = $Decimal.of("0");
+const $c292 = new Definition($c374, $c375, "in", $c376);
+const $c377 = ["g"];
+const $c378 = $Decimal.of("0.001");
+const $c379 = $Decimal.of("0");
+const $c293 = new Definition($c377, $c378, "kg", $c379);
+const $c380 = ["t", "tonne", "tonnes"];
+const $c381 = $Decimal.of("1000");
+const $c382 = $Decimal.of("0");
+const $c294 = new Definition($c380, $c381, "kg", $c382);
+const $c383 = ["lbm"];
+const $c384 = $Decimal.of("0.45359237");
+const $c385 = $Decimal.of("0");
+const $c295 = new Definition($c383, $c384, "kg", $c385);
+const $c386 = ["sec", "second", "seconds"];
+const $c387 = $Decimal.of("1");
+const $c388 = $Decimal.of("0");
+const $c296 = new Definition($c386, $c387, "s", $c388);
+const $c389 = ["ms"];
+const $c390 = $Decimal.of("0.001");
+const $c391 = $Decimal.of("0");
+const $c297 = new Definition($c389, $c390, "s", $c391);
+const $c392 = ["min", "minute", "minutes"];
+const $c393 = $Decimal.of("60");
+const $c394 = $Decimal.of("0");
+const $c298 = new Definition($c392, $c393, "s", $c394);
+const $c395 = ["h", "hr", "hour", "hours"];
+const $c396 = $Decimal.of("60");
+const $c397 = $Decimal.of("0");
+const $c299 = new Definition($c395, $c396, "min", $c397);
+const $c398 = ["d", "day", "days"];
+const $c399 = $Decimal.of("24");
+const $c400 = $Decimal.of("0");
+const $c300 = new Definition($c398, $c399, "h", $c400);
+const $c401 = ["N", "newton", "newtons"];
+const $c402 = $Decimal.of("1");
+const $c403 = $Decimal.of("0");
+const $c301 = new Definition($c401, $c402, "kg m/s2", $c403);
+const $c404 = ["mN"];
+const $c405 = $Decimal.of("0.001");
+const $c406 = $Decimal.of("0");
+const $c302 = new Definition($c404, $c405, "N", $c406);
+const $c407 = ["daN"];
+const $c408 = $Decimal.of("10");
+const $c409 = $Decimal.of("0");
+const $c303 = new Definition($c407, $c408, "N", $c409);
+const $c410 = ["kN"];
+const $c411 = $Decimal.of("1000");
+const $c412 = $Decimal.of("0");
+const $c304 = new Definition($c410, $c411, "N", $c412);
+const $c413 = ["MN"];
+const $c414 = $Decimal.of("1E+6");
+const $c415 = $Decimal.of("0");
+const $c305 = new Definition($c413, $c414, "N", $c415);
+const $c416 = ["kgf", "kp"];
+const $c417 = $Decimal.of("9.80665");
+const $c418 = $Decimal.of("0");
+const $c306 = new Definition($c416, $c417, "N", $c418);
+const $c419 = ["gf"];
+const $c420 = $Decimal.of("0.001");
+const $c421 = $Decimal.of("0");
+const $c307 = new Definition($c419, $c420, "kgf", $c421);
+const $c422 = ["tf"];
+const $c423 = $Decimal.of("1000");
+const $c424 = $Decimal.of("0");
+const $c308 = new Definition($c422, $c423, "kgf", $c424);
+const $c425 = ["lbf", "lb", "lbs"];
+const $c426 = $Decimal.of("4.4482216152605");
+const $c427 = $Decimal.of("0");
+const $c309 = new Definition($c425, $c426, "N", $c427);
+const $c428 = ["klbf", "kip", "kips"];
+const $c429 = $Decimal.of("1000");
+const $c430 = $Decimal.of("0");
+const $c310 = new Definition($c428, $c429, "lbf", $c430);
+const $c431 = ["PIW", "piw", "PLI", "pli"];
+const $c432 = $Decimal.of("1");
+const $c433 = $Decimal.of("0");
+const $c311 = new Definition($c431, $c432, "lbf/in", $c433);
+const $c434 = ["Pa"];
+const $c435 = $Decimal.of("1");
+const $c436 = $Decimal.of("0");
+const $c312 = new Definition($c434, $c435, "N/m2", $c436);
+const $c437 = ["hPa"];
+const $c438 = $Decimal.of("100");
+const $c439 = $Decimal.of("0");
+const $c313 = new Definition($c437, $c438, "Pa", $c439);
+const $c440 = ["kPa"];
+const $c441 = $Decimal.of("1000");
+const $c442 = $Decimal.of("0");
+const $c314 = new Definition($c440, $c441, "Pa", $c442);
+const $c443 = ["MPa"];
+const $c444 = $Decimal.of("1E+6");
+const $c445 = $Decimal.of("0");
+const $c315 = new Definition($c443, $c444, "Pa", $c445);
+const $c446 = ["GPa"];
+const $c447 = $Decimal.of("1E+9");
+const $c448 = $Decimal.of("0");
+const $c316 = new Definition($c446, $c447, "Pa", $c448);
+const $c449 = ["bar"];
+const $c450 = $Decimal.of("1E+5");
+const $c451 = $Decimal.of("0");
+const $c317 = new Definition($c449, $c450, "Pa", $c451);
+const $c452 = ["mbar"];
+const $c453 = $Decimal.of("100");
+const $c454 = $Decimal.of("0");
+const $c318 = new Definition($c452, $c453, "Pa", $c454);
+const $c455 = ["psi", "PSI"];
+const $c456 = $Decimal.of("1");
+const $c457 = $Decimal.of("0");
+const $c319 = new Definition($c455, $c456, "lbf/in2", $c457);
+const $c458 = ["ksi"];
+const $c459 = $Decimal.of("1000");
+const $c460 = $Decimal.of("0");
+const $c320 = new Definition($c458, $c459, "psi", $c460);
+const $c461 = ["J", "joule"];
+const $c462 = $Decimal.of("1");
+const $c463 = $Decimal.of("0");
+const $c321 = new Definition($c461, $c462, "N m", $c463);
+const $c464 = ["mJ"];
+const $c465 = $Decimal.of("0.001");
+const $c466 = $Decimal.of("0");
+const $c322 = new Definition($c464, $c465, "J", $c466);
+const $c467 = ["kJ"];
+const $c468 = $Decimal.of("1000");
+const $c469 = $Decimal.of("0");
+const $c323 = new Definition($c467, $c468, "J", $c469);
+const $c470 = ["MJ"];
+const $c471 = $Decimal.of("1E+6");
+const $c472 = $Decimal.of("0");
+const $c324 = new Definition($c470, $c471, "J", $c472);
+const $c473 = ["Nm"];
+const $c474 = $Decimal.of("1");
+const $c475 = $Decimal.of("0");
+const $c325 = new Definition($c473, $c474, "N m", $c475);
+const $c476 = ["kNm"];
+const $c477 = $Decimal.of("1000");
+const $c478 = $Decimal.of("0");
+const $c326 = new Definition($c476, $c477, "N m", $c478);
+const $c479 = ["MNm"];
+const $c480 = $Decimal.of("1E+6");
+const $c481 = $Decimal.of("0");
+const $c327 = new Definition($c479, $c480, "N m", $c481);
+const $c482 = ["W", "watt", "watts"];
+const $c483 = $Decimal.of("1");
+const $c484 = $Decimal.of("0");
+const $c328 = new Definition($c482, $c483, "J/s", $c484);
+const $c485 = ["kW"];
+const $c486 = $Decimal.of("1000");
+const $c487 = $Decimal.of("0");
+const $c329 = new Definition($c485, $c486, "W", $c487);
+const $c488 = ["MW"];
+const $c489 = $Decimal.of("1E+6");
+const $c490 = $Decimal.of("0");
+const $c330 = new Definition($c488, $c489, "W", $c490);
+const $c491 = ["hp", "HP", "bhp", "BHP"];
+const $c492 = $Decimal.of("550");
+const $c493 = $Decimal.of("0");
+const $c331 = new Definition($c491, $c492, "ft lbf/s", $c493);
+const $c494 = ["PS", "cv", "CV", "hp(metric)"];
+const $c495 = $Decimal.of("75");
+const $c496 = $Decimal.of("0");
+const $c332 = new Definition($c494, $c495, "kgf m/s", $c496);
+const $c497 = ["fpm", "FPM"];
+const $c498 = $Decimal.of("1");
+const $c499 = $Decimal.of("0");
+const $c333 = new Definition($c497, $c498, "ft/min", $c499);
+const $c500 = ["fps"];
+const $c501 = $Decimal.of("1");
+const $c502 = $Decimal.of("0");
+const $c334 = new Definition($c500, $c501, "ft/s", $c502);
+const $c503 = ["kph", "kmh"];
+const $c504 = $Decimal.of("1");
+const $c505 = $Decimal.of("0");
+const $c335 = new Definition($c503, $c504, "km/h", $c505);
+const $c506 = ["mph"];
+const $c507 = $Decimal.of("1");
+const $c508 = $Decimal.of("0");
+const $c336 = new Definition($c506, $c507, "mi/h", $c508);
+const $c509 = ["mrad"];
+const $c510 = $Decimal.of("0.001");
+const $c511 = $Decimal.of("0");
+const $c337 = new Definition($c509, $c510, "rad", $c511);
+const $c512 = ["deg", "degree", "degrees", "°"];
+const $c513 = $Decimal.of("0.01745329251994329576923690768");
+const $c514 = $Decimal.of("0");
+const $c338 = new Definition($c512, $c513, "rad", $c514);
+const $c515 = ["rev", "turn", "turns"];
+const $c516 = $Decimal.of("360");
+const $c517 = $Decimal.of("0");
+const $c339 = new Definition($c515, $c516, "deg", $c517);
+const $c518 = ["rpm", "RPM"];
+const $c519 = $Decimal.of("1");
+const $c520 = $Decimal.of("0");
+const $c340 = new Definition($c518, $c519, "rev/min", $c520);
+const $c521 = ["degC", "°C"];
+const $c522 = $Decimal.of("1");
+const $c523 = $Decimal.of("-273.15");
+const $c341 = new Definition($c521, $c522, "K", $c523);
+const $c524 = ["degF", "°F"];
+const $c525 = $Decimal.of("0.5555555555555555555555555556");
+const $c526 = $Decimal.of("-459.67");
+const $c342 = new Definition($c524, $c525, "K", $c526);
+const $c527 = ["%", "percent"];
+const $c528 = $Decimal.of("0.01");
+const $c529 = $Decimal.of("0");
+const $c343 = new Definition($c527, $c528, "", $c529);
+const $c22 = [$c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c27 = ["wear_coefficient"];
-const $c28 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
-const $c33 = [$c525, $c526, $c527, $c528];
-const $c34 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c35 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c533 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c534 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c535 = ["length_coefficient", "secondary_resistance", ""];
-const $c536 = ["start_factor", "start_time", ""];
-const $c37 = [$c533, $c534, $c535, $c536];
-const $c38 = ["capacity", "start_time", "stop_time"];
-const $c1225 = $made(Quantity, {dimension: "force", limit: $c187});
-const $c1218 = $made(Entry, {key: "entry_tension", kind: $c1225, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c1219 = $made(Entry, {key: "exit_tension", kind: $c1225, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c1226 = $made(Quantity, {dimension: "force", limit: null});
-const $c1220 = $made(Entry, {key: "effective_tension", kind: $c1226, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c1227 = $made(Quantity, {dimension: "power", limit: null});
-const $c1221 = $made(Entry, {key: "power", kind: $c1227, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c1229 = $made(Quantity, {dimension: "force", limit: null});
-const $c1228 = $made(ByName, {kind: $c1229, most: 200});
-const $c1222 = $made(Entry, {key: "run", kind: $c1228, required: false, alias: "", example: "", attribute: "run", unless: ""});
-const $c1453 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
-const $c1451 = $made(Quantity, {dimension: "number", limit: $c1453});
-const $c1452 = $made(Quantity, {dimension: "power", limit: null});
-const $c1231 = $made(Either, {first: $c1451, second: $c1452, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
-const $c1230 = $made(Rows, {kind: $c1231, least: 1, most: 10});
-const $c1223 = $made(Entry, {key: "share", kind: $c1230, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1232 = $made(SpeedList, {});
-const $c1224 = $made(Entry, {key: "speeds", kind: $c1232, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
-const $c1216 = [$c1218, $c1219, $c1220, $c1221, $c1222, $c1223, $c1224];
-const $c1217 = new Map([["entry_tension", $c1218], ["exit_tension", $c1219], ["effective_tension", $c1220], ["power", $c1221], ["run", $c1222], ["share", $c1223], ["speeds", $c1224]]);
-const $c1215 = $made(tables$Table, {of: null, entries: $c1216, _known: $c1217});
-const $c1214 = $made(Entry, {key: "train", kind: $c1215, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1212 = [$c1094, $c1095, $c1096, $c1097, $c1098, $c1214];
-const $c1213 = new Map([["name", $c1094], ["description", $c1095], ["kind", $c1096], ["condition", $c1097], ["pulley", $c1098], ["train", $c1214]]);
-const $c1211 = $made(tables$Table, {of: null, entries: $c1212, _known: $c1213});
-const $c1210 = $made(Rows, {kind: $c1211, least: 1, most: 1000});
-const $c1208 = $made(Entry, {key: "load_case", kind: $c1210, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1239 = $made(Quantity, {dimension: "length", limit: $c180});
-const $c1238 = $made(Rows, {kind: $c1239, least: 1, most: 10});
-const $c1236 = $made(Entry, {key: "diameters", kind: $c1238, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
-const $c1255 = ["converter"];
-const $c1254 = $made(Choice, {options: $c1255});
-const $c1243 = $made(Entry, {key: "kind", kind: $c1254, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c688 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c1256 = $made(Quantity, {dimension: "power", limit: $c688});
-const $c1244 = $made(Entry, {key: "rated_power", kind: $c1256, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c689 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1257 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
-const $c1245 = $made(Entry, {key: "rated_speed", kind: $c1257, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c690 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1258 = $made(Quantity, {dimension: "number", limit: $c690});
-const $c1246 = $made(Entry, {key: "gear_ratio", kind: $c1258, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c691 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1259 = $made(Quantity, {dimension: "number", limit: $c691});
-const $c1247 = $made(Entry, {key: "gear_efficiency", kind: $c1259, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c692 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1260 = $made(Quantity, {dimension: "number", limit: $c692});
-const $c1248 = $made(Entry, {key: "motor_efficiency", kind: $c1260, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1261 = $made(Count, {least: 1, most: 8});
-const $c1249 = $made(Entry, {key: "count", kind: $c1261, required: false, alias: "", example: "", attribute: "count", unless: ""});
-const $c1262 = $made(Flag, {});
-const $c1250 = $made(Entry, {key: "brakes", kind: $c1262, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1264 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
-const $c1263 = $made(Quantity, {dimension: "number", limit: $c1264});
-const $c1251 = $made(Entry, {key: "setting", kind: $c1263, required: false, alias: "", example: "", attribute: "setting", unless: ""});
-const $c1266 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c1265 = $made(Quantity, {dimension: "number", limit: $c1266});
-const $c1252 = $made(Entry, {key: "droop", kind: $c1265, required: false, alias: "", example: "", attribute: "droop", unless: ""});
-const $c1269 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
-const $c1268 = $made(Quantity, {dimension: "number", limit: $c1269});
-const $c1267 = $made(WordOr, {word: "rigid", kind: $c1268, meaning: Infinity});
-const $c1253 = $made(Entry, {key: "torque_limit", kind: $c1267, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
-const $c1241 = [$c1243, $c1244, $c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253];
-const $c1242 = new Map([["kind", $c1243], ["rated_power", $c1244], ["rated_speed", $c1245], ["gear_ratio", $c1246], ["gear_efficiency", $c1247], ["motor_efficiency", $c1248], ["count", $c1249], ["brakes", $c1250], ["setting", $c1251], ["droop", $c1252], ["torque_limit", $c1253]]);
-const $c676 = $made(tables$Table, {of: VariableSpeed, entries: $c1241, _known: $c1242});
-const $c1282 = ["induction"];
-const $c1281 = $made(Choice, {options: $c1282});
-const $c1272 = $made(Entry, {key: "kind", kind: $c1281, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1283 = $made(Quantity, {dimension: "power", limit: $c688});
-const $c1273 = $made(Entry, {key: "rated_power", kind: $c1283, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1284 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
-const $c1274 = $made(Entry, {key: "rated_speed", kind: $c1284, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1285 = $made(Quantity, {dimension: "number", limit: $c690});
-const $c1275 = $made(Entry, {key: "gear_ratio", kind: $c1285, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1286 = $made(Quantity, {dimension: "number", limit: $c691});
-const $c1276 = $made(Entry, {key: "gear_efficiency", kind: $c1286, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1287 = $made(Quantity, {dimension: "number", limit: $c692});
-const $c1277 = $made(Entry, {key: "motor_efficiency", kind: $c1287, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1288 = $made(Flag, {});
-const $c1278 = $made(Entry, {key: "brakes", kind: $c1288, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1290 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1289 = $made(Quantity, {dimension: "rotation_speed", limit: $c1290});
-const $c1279 = $made(Entry, {key: "synchronous_speed", kind: $c1289, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1292 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
-const $c1291 = $made(Quantity, {dimension: "number", limit: $c1292});
-const $c1280 = $made(Entry, {key: "breakdown_ratio", kind: $c1291, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1270 = [$c1272, $c1273, $c1274, $c1275, $c1276, $c1277, $c1249, $c1278, $c1279, $c1280];
-const $c1271 = new Map([["kind", $c1272], ["rated_power", $c1273], ["rated_speed", $c1274], ["gear_ratio", $c1275], ["gear_efficiency", $c1276], ["motor_efficiency", $c1277], ["count", $c1249], ["brakes", $c1278], ["synchronous_speed", $c1279], ["breakdown_ratio", $c1280]]);
-const $c677 = $made(tables$Table, {of: Induction, entries: $c1270, _known: $c1271});
-const $c1307 = ["fluid-coupling"];
-const $c1306 = $made(Choice, {options: $c1307});
-const $c1295 = $made(Entry, {key: "kind", kind: $c1306, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1308 = $made(Quantity, {dimension: "power", limit: $c688});
-const $c1296 = $made(Entry, {key: "rated_power", kind: $c1308, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1309 = $made(Quantity, {dimension: "rotation_speed", limit: $c689});
-const $c1297 = $made(Entry, {key: "rated_speed", kind: $c1309, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1310 = $made(Quantity, {dimension: "number", limit: $c690});
-const $c1298 = $made(Entry, {key: "gear_ratio", kind: $c1310, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1311 = $made(Quantity, {dimension: "number", limit: $c691});
-const $c1299 = $made(Entry, {key: "gear_efficiency", kind: $c1311, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1312 = $made(Quantity, {dimension: "number", limit: $c692});
-const $c1300 = $made(Entry, {key: "motor_efficiency", kind: $c1312, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1313 = $made(Flag, {});
-const $c1301 = $made(Entry, {key: "brakes", kind: $c1313, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1314 = $made(Quantity, {dimension: "rotation_speed", limit: $c1290});
-const $c1302 = $made(Entry, {key: "synchronous_speed", kind: $c1314, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1315 = $made(Quantity, {dimension: "number", limit: $c1292});
-const $c1303 = $made(Entry, {key: "breakdown_ratio", kind: $c1315, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1318 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c1317 = $made(Quantity, {dimension: "number", limit: $c1318});
-const $c1316 = $made(Rows, {kind: $c1317, least: 2, most: 200});
-const $c1304 = $made(Entry, {key: "coupling_load", kind: $c1316, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
-const $c1305 = $made(Entry, {key: "coupling_slip", kind: $c1316, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
-const $c1293 = [$c1295, $c1296, $c1297, $c1298, $c1299, $c1300, $c1249, $c1301, $c1302, $c1303, $c1304, $c1305];
-const $c1294 = new Map([["kind", $c1295], ["rated_power", $c1296], ["rated_speed", $c1297], ["gear_ratio", $c1298], ["gear_efficiency", $c1299], ["motor_efficiency", $c1300], ["count", $c1249], ["brakes", $c1301], ["synchronous_speed", $c1302], ["breakdown_ratio", $c1303], ["coupling_load", $c1304], ["coupling_slip", $c1305]]);
-const $c678 = $made(tables$Table, {of: FluidCoupling, entries: $c1293, _known: $c1294});
-const $c1325 = ["follower"];
-const $c1324 = $made(Choice, {options: $c1325});
-const $c1321 = $made(Entry, {key: "kind", kind: $c1324, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1326 = $made(Name, {longest: 60});
-const $c1322 = $made(Entry, {key: "master", kind: $c1326, required: true, alias: "", example: "", attribute: "master", unless: ""});
-const $c702 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
-const $c1327 = $made(Quantity, {dimension: "number", limit: $c702});
-const $c1323 = $made(Entry, {key: "ratio", kind: $c1327, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
-const $c1319 = [$c1321, $c1322, $c1323];
-const $c1320 = new Map([["kind", $c1321], ["master", $c1322], ["ratio", $c1323]]);
-const $c679 = $made(tables$Table, {of: TorqueFollower, entries: $c1319, _known: $c1320});
-const $c83 = new Map([["converter", $c676], ["induction", $c677], ["fluid-coupling", $c678], ["follower", $c679]]);
-const $c84 = $made(Variant, {tag: "kind", tables: $c83});
-const $c1240 = $made(ByName, {kind: $c84, most: 200});
-const $c1237 = $made(Entry, {key: "motor", kind: $c1240, required: false, alias: "", example: "", attribute: "motor", unless: ""});
-const $c1234 = [$c1218, $c1219, $c1220, $c1221, $c1222, $c1223, $c1224, $c1236, $c1237];
-const $c1235 = new Map([["entry_tension", $c1218], ["exit_tension", $c1219], ["effective_tension", $c1220], ["power", $c1221], ["run", $c1222], ["share", $c1223], ["speeds", $c1224], ["diameters", $c1236], ["motor", $c1237]]);
-const $c1233 = $made(tables$Table, {of: null, entries: $c1234, _known: $c1235});
-const $c1209 = $made(Entry, {key: "train", kind: $c1233, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1206 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c1208, $c746, $c525, $c526, $c527, $c528, $c1209, $c748];
-const $c1207 = new Map([["format", $c737], ["title", $c738], ["description", $c739], ["creep_limit", $c740], ["condition", $c741], ["belt", $c742], ["pulley", $c743], ["lagging", $c744], ["load_case", $c1208], ["conveyor", $c746], ["take_up", $c525], ["design_standard", $c526], ["safety_factor", $c527], ["sag", $c528], ["train", $c1209], ["motion", $c748]]);
-const $c39 = $made(tables$Table, {of: Drive, entries: $c1206, _known: $c1207});
-const $c40 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c41 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
-const $c42 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
-const $c43 = ["illustrative", "calibrated", "estimated"];
-const $c537 = [0.2, 4.0];
-const $c538 = [100000.0, 1000000000.0];
-const $c539 = [0.05, 15.0];
-const $c540 = [0.15, 3.0];
-const $c541 = [0.17453292519943295, 4.71238898038469];
-const $c542 = [2.0943951023931953, 4.71238898038469];
-const $c543 = [5e-05, 0.061];
-const $c544 = [-0.002, 0.002];
-const $c545 = [0.0, 0.06];
-const $c546 = [100000.0, 50000000.0];
-const $c547 = [100000.0, 5000000000.0];
-const $c548 = [5000.0, 2000000.0];
-const $c549 = [10000.0, 50000000.0];
-const $c550 = [50000.0, 10000000.0];
-const $c551 = [0.1, 3.0];
-const $c552 = [500.0, 10000000.0];
-const $c553 = [15.0, 1000.0];
-const $c554 = [3.0, 20.0];
-const $c555 = [0.0, 1600000.0];
-const $c556 = [250.0, 20000000.0];
-const $c557 = [1.0, 130.0];
-const $c44 = [$c537, $c538, $c539, $c540, $c541, $c542, $c543, $c544, $c545, $c546, $c547, $c548, $c549, $c549, $c550, $c551, $c552, $c553, $c554, $c555, $c552, $c552, $c556, $c557];
-const $c45 = ["force", "mass_per_length"];
-const $c558 = ["mm", "m", "cm", "in", "ft"];
-const $c559 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c560 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c561 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c562 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c563 = ["deg", "rad"];
-const $c564 = ["kW", "W", "hp", "MW"];
-const $c565 = ["t", "kg", "g"];
-const $c566 = ["kg/m", "g/m", "t/m"];
-const $c567 = ["t/h", "kg/s", "kg/h"];
-const $c568 = ["kg m2", "t m2", "kg cm2"];
-const $c569 = ["kN m", "N m", "MN m"];
-const $c570 = ["s", "min", "ms", "h"];
-const $c46 = new Map([["length", $c558], ["force", $c559], ["force_per_width", $c560], ["pressure", $c561], ["speed", $c562], ["angle", $c563], ["power", $c564], ["mass", $c565], ["mass_per_length", $c566], ["mass_flow", $c567], ["moment_of_inertia", $c568], ["torque", $c569], ["time", $c570]]);
-const $c571 = $made(Rule, {name: "gross_slip", what: "the safety against gross slip", missed: "ATTENTION", at_most: false, fails_beyond: 1.0, tolerates: NaN});
-const $c572 = $made(Rule, {name: "design_standard", what: "the design standard", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
-const $c573 = $made(Rule, {name: "creep", what: "the creep limit", missed: "ATTENTION", at_most: true, fails_beyond: 0.0635, tolerates: 0.0127});
-const $c574 = $made(Rule, {name: "cover_creep", what: "the creep limit, with the cover of the belt in series", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c575 = $made(Rule, {name: "creep_interval", what: "the creep limit, at the end of the interval of the law", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c576 = $made(Rule, {name: "belt_tension", what: "the rating of the belt", missed: "FAILS", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c577 = $made(Rule, {name: "momentary_tension", what: "the momentary rating of the belt", missed: "FAILS", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c578 = $made(Rule, {name: "belt_safety", what: "the safety factor of the belt", missed: "ATTENTION", at_most: false, fails_beyond: 3.0, tolerates: NaN});
-const $c579 = $made(Rule, {name: "face_pressure", what: "the pressure on the pulley face", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c580 = $made(Rule, {name: "bond_stress", what: "the bond strength of the lagging", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c581 = $made(Rule, {name: "fatigue_stress", what: "the fatigue limit of the lagging", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c582 = $made(Rule, {name: "tested_pressure_max", what: "the largest wrap pressure tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c583 = $made(Rule, {name: "tested_pressure_min", what: "the least wrap pressure tested", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
-const $c584 = $made(Rule, {name: "condition", what: "friction that was not tested in the condition", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c585 = $made(Rule, {name: "fit", what: "friction that does not fit its tests", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c586 = $made(Rule, {name: "tested_slip", what: "the largest slip tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c587 = $made(Rule, {name: "tested_slip_speed", what: "the slip speed tested", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c588 = $made(Rule, {name: "balance", what: "the energy balance", missed: "FAULT OF THE PROGRAM", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c589 = $made(Rule, {name: "sag", what: "the sag of the belt", missed: "ATTENTION", at_most: false, fails_beyond: NaN, tolerates: NaN});
-const $c590 = $made(Rule, {name: "pulley_diameter", what: "the least pulley of the belt", missed: "FAILS", at_most: false, fails_beyond: NaN, tolerates: NaN});
-const $c591 = $made(Rule, {name: "belt_thickness", what: "a trim without the thickness of the belt", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c592 = $made(Rule, {name: "usual_sizes", what: "an unusual size", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c593 = $made(Rule, {name: "motor_load", what: "the rating of a motor", missed: "ATTENTION", at_most: true, fails_beyond: 1.15, tolerates: NaN});
-const $c594 = $made(Rule, {name: "momentary_load", what: "the torque that a motor bears in a start", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c595 = $made(Rule, {name: "motor_heat", what: "the heat that a motor bears", missed: "ATTENTION", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c596 = $made(Rule, {name: "train_balance", what: "the balance of the train", missed: "FAULT OF THE PROGRAM", at_most: true, fails_beyond: NaN, tolerates: NaN});
-const $c47 = new Map([["gross_slip", $c571], ["design_standard", $c572], ["creep", $c573], ["cover_creep", $c574], ["creep_interval", $c575], ["belt_tension", $c576], ["momentary_tension", $c577], ["belt_safety", $c578], ["face_pressure", $c579], ["bond_stress", $c580], ["fatigue_stress", $c581], ["tested_pressure_max", $c582], ["tested_pressure_min", $c583], ["condition", $c584], ["fit", $c585], ["tested_slip", $c586], ["tested_slip_speed", $c587], ["balance", $c588], ["sag", $c589], ["pulley_diameter", $c590], ["belt_thickness", $c591], ["usual_sizes", $c592], ["motor_load", $c593], ["momentary_load", $c594], ["motor_heat", $c595], ["train_balance", $c596]]);
-const $c48 = new WeakMap();
-const $c49 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c597 = ["by creep", "The belt slides (creep of {slides})"];
-const $c598 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
-const $c599 = ["by the largest friction", "The friction of the whole wrap is used up"];
-const $c50 = new Map([[0, $c597], [1, $c598], [2, $c599]]);
-const $c602 = [180.0, 1.2];
-const $c603 = [200.0, 1.0];
-const $c604 = [210.0, 1.0];
-const $c605 = [220.0, 0.9];
-const $c606 = [240.0, 0.8];
-const $c600 = [$c602, $c603, $c604, $c605, $c606];
-const $c607 = [180.0, 0.8];
-const $c608 = [200.0, 0.7];
-const $c609 = [210.0, 0.7];
-const $c610 = [220.0, 0.6];
-const $c611 = [240.0, 0.6];
-const $c601 = [$c607, $c608, $c609, $c610, $c611];
-const $c51 = new Map([["bare", $c600], ["lagged", $c601]]);
-const $c633 = [0.25, 0.25];
-const $c634 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c612 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c633, provenance: $c634});
-const $c635 = [0.35, 0.35];
-const $c636 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c613 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c635, provenance: $c636});
-const $c637 = [0.5, 0.5];
-const $c638 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
-const $c614 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c637, provenance: $c638});
-const $c639 = [0.35, 0.4];
-const $c640 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c615 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c639, provenance: $c640});
-const $c641 = [0.1, 0.1];
-const $c642 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c616 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c641, provenance: $c642});
-const $c643 = [0.05, 0.1];
-const $c644 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c617 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c643, provenance: $c644});
-const $c645 = [0.4, 0.45];
-const $c646 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c618 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c645, provenance: $c646});
-const $c647 = [0.35, 0.35];
-const $c648 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
-const $c619 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c647, provenance: $c648});
-const $c649 = [0.25, 0.3];
-const $c650 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c620 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c649, provenance: $c650});
-const $c651 = [0.35, 0.4];
-const $c652 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c621 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c651, provenance: $c652});
-const $c653 = [0.35, 0.35];
-const $c654 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c622 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c653, provenance: $c654});
-const $c655 = [0.2, 0.2];
-const $c656 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c623 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c655, provenance: $c656});
-const $c657 = [0.4, 0.45];
-const $c658 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c624 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c657, provenance: $c658});
+const $c530 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c530, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c531, $c532, $c533, $c534];
+const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c539 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c540 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c541 = ["length_coefficient", "secondary_resistance", ""];
+const $c542 = ["start_factor", "start_time", ""];
+const $c36 = [$c539, $c540, $c541, $c542];
+const $c37 = ["capacity", "start_time", "stop_time"];
+const $c1246 = $made(Quantity, $c129, ["force", $c192]);
+const $c1239 = $made(Entry, $c759, ["entry_tension", $c1246, false, "", "", "entry_tension", ""]);
+const $c1240 = $made(Entry, $c759, ["exit_tension", $c1246, false, "", "", "exit_tension", ""]);
+const $c1247 = $made(Quantity, $c129, ["force", null]);
+const $c1241 = $made(Entry, $c759, ["effective_tension", $c1247, false, "", "", "effective_tension", ""]);
+const $c1248 = $made(Quantity, $c129, ["power", null]);
+const $c1242 = $made(Entry, $c759, ["power", $c1248, false, "", "", "power", ""]);
+const $c1250 = $made(Quantity, $c129, ["force", null]);
+const $c1249 = $made(ByName, $c767, [$c1250, 200]);
+const $c1243 = $made(Entry, $c759, ["run", $c1249, false, "", "", "run", ""]);
+const $c1473 = ["first", "second", "words"];
+const $c1476 = $made(Limit, $c765, ["number", -100.0, 100.0, false, false]);
+const $c1474 = $made(Quantity, $c129, ["number", $c1476]);
+const $c1475 = $made(Quantity, $c129, ["power", null]);
+const $c1252 = $made(Either, $c1473, [$c1474, $c1475, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1251 = $made(Rows, $c798, [$c1252, 1, 10]);
+const $c1244 = $made(Entry, $c759, ["share", $c1251, false, "", "", "share", ""]);
+const $c1253 = $made(SpeedList, [], []);
+const $c1245 = $made(Entry, $c759, ["speeds", $c1253, false, "", "", "speeds", ""]);
+const $c1237 = [$c1239, $c1240, $c1241, $c1242, $c1243, $c1244, $c1245];
+const $c1238 = new Map([["entry_tension", $c1239], ["exit_tension", $c1240], ["effective_tension", $c1241], ["power", $c1242], ["run", $c1243], ["share", $c1244], ["speeds", $c1245]]);
+const $c1236 = $made(tables$Table, $c744, [null, $c1237, $c1238]);
+const $c1235 = $made(Entry, $c759, ["train", $c1236, false, "", "", "train", ""]);
+const $c1233 = [$c1115, $c1116, $c1117, $c1118, $c1119, $c1235];
+const $c1234 = new Map([["name", $c1115], ["description", $c1116], ["kind", $c1117], ["condition", $c1118], ["pulley", $c1119], ["train", $c1235]]);
+const $c1232 = $made(tables$Table, $c744, [null, $c1233, $c1234]);
+const $c1231 = $made(Rows, $c798, [$c1232, 1, 1000]);
+const $c1229 = $made(Entry, $c759, ["load_case", $c1231, false, "", "", "load_case", ""]);
+const $c1260 = $made(Quantity, $c129, ["length", $c185]);
+const $c1259 = $made(Rows, $c798, [$c1260, 1, 10]);
+const $c1257 = $made(Entry, $c759, ["diameters", $c1259, false, "", "", "diameters", ""]);
+const $c1276 = ["converter"];
+const $c1275 = $made(Choice, $c782, [$c1276]);
+const $c1264 = $made(Entry, $c759, ["kind", $c1275, true, "", "", "kind", ""]);
+const $c697 = $made(Limit, $c765, ["power", 0.0, 1000000000.0, true, false]);
+const $c1277 = $made(Quantity, $c129, ["power", $c697]);
+const $c1265 = $made(Entry, $c759, ["rated_power", $c1277, true, "", "", "rated_power", ""]);
+const $c698 = $made(Limit, $c765, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1278 = $made(Quantity, $c129, ["rotation_speed", $c698]);
+const $c1266 = $made(Entry, $c759, ["rated_speed", $c1278, true, "", "", "rated_speed", ""]);
+const $c699 = $made(Limit, $c765, ["number", 0.0, 10000.0, true, false]);
+const $c1279 = $made(Quantity, $c129, ["number", $c699]);
+const $c1267 = $made(Entry, $c759, ["gear_ratio", $c1279, false, "", "", "gear_ratio", ""]);
+const $c700 = $made(Limit, $c765, ["number", 0.05, 1.0, false, false]);
+const $c1280 = $made(Quantity, $c129, ["number", $c700]);
+const $c1268 = $made(Entry, $c759, ["gear_efficiency", $c1280, false, "", "", "gear_efficiency", ""]);
+const $c701 = $made(Limit, $c765, ["number", 0.05, 1.0, false, false]);
+const $c1281 = $made(Quantity, $c129, ["number", $c701]);
+const $c1269 = $made(Entry, $c759, ["motor_efficiency", $c1281, false, "", "", "motor_efficiency", ""]);
+const $c1282 = $made(Count, $c1109, [1, 8]);
+const $c1270 = $made(Entry, $c759, ["count", $c1282, false, "", "", "count", ""]);
+const $c1283 = $made(Flag, [], []);
+const $c1271 = $made(Entry, $c759, ["brakes", $c1283, false, "", "", "brakes", ""]);
+const $c1285 = $made(Limit, $c765, ["number", 0.01, 3.0, false, false]);
+const $c1284 = $made(Quantity, $c129, ["number", $c1285]);
+const $c1272 = $made(Entry, $c759, ["setting", $c1284, false, "", "", "setting", ""]);
+const $c1287 = $made(Limit, $c765, ["number", 0.0, 0.5, false, false]);
+const $c1286 = $made(Quantity, $c129, ["number", $c1287]);
+const $c1273 = $made(Entry, $c759, ["droop", $c1286, false, "", "", "droop", ""]);
+const $c1290 = $made(Limit, $c765, ["number", 0.0, Infinity, true, true]);
+const $c1289 = $made(Quantity, $c129, ["number", $c1290]);
+const $c1288 = $made(WordOr, $c796, ["rigid", $c1289, Infinity]);
+const $c1274 = $made(Entry, $c759, ["torque_limit", $c1288, false, "", "", "torque_limit", ""]);
+const $c1262 = [$c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271, $c1272, $c1273, $c1274];
+const $c1263 = new Map([["kind", $c1264], ["rated_power", $c1265], ["rated_speed", $c1266], ["gear_ratio", $c1267], ["gear_efficiency", $c1268], ["motor_efficiency", $c1269], ["count", $c1270], ["brakes", $c1271], ["setting", $c1272], ["droop", $c1273], ["torque_limit", $c1274]]);
+const $c684 = $made(tables$Table, $c744, [VariableSpeed, $c1262, $c1263]);
+const $c1303 = ["induction"];
+const $c1302 = $made(Choice, $c782, [$c1303]);
+const $c1293 = $made(Entry, $c759, ["kind", $c1302, true, "", "", "kind", ""]);
+const $c1304 = $made(Quantity, $c129, ["power", $c697]);
+const $c1294 = $made(Entry, $c759, ["rated_power", $c1304, true, "", "", "rated_power", ""]);
+const $c1305 = $made(Quantity, $c129, ["rotation_speed", $c698]);
+const $c1295 = $made(Entry, $c759, ["rated_speed", $c1305, true, "", "", "rated_speed", ""]);
+const $c1306 = $made(Quantity, $c129, ["number", $c699]);
+const $c1296 = $made(Entry, $c759, ["gear_ratio", $c1306, false, "", "", "gear_ratio", ""]);
+const $c1307 = $made(Quantity, $c129, ["number", $c700]);
+const $c1297 = $made(Entry, $c759, ["gear_efficiency", $c1307, false, "", "", "gear_efficiency", ""]);
+const $c1308 = $made(Quantity, $c129, ["number", $c701]);
+const $c1298 = $made(Entry, $c759, ["motor_efficiency", $c1308, false, "", "", "motor_efficiency", ""]);
+const $c1309 = $made(Flag, [], []);
+const $c1299 = $made(Entry, $c759, ["brakes", $c1309, false, "", "", "brakes", ""]);
+const $c1311 = $made(Limit, $c765, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1310 = $made(Quantity, $c129, ["rotation_speed", $c1311]);
+const $c1300 = $made(Entry, $c759, ["synchronous_speed", $c1310, true, "", "", "synchronous_speed", ""]);
+const $c1313 = $made(Limit, $c765, ["number", 1.1, 10.0, false, false]);
+const $c1312 = $made(Quantity, $c129, ["number", $c1313]);
+const $c1301 = $made(Entry, $c759, ["breakdown_ratio", $c1312, false, "", "", "breakdown_ratio", ""]);
+const $c1291 = [$c1293, $c1294, $c1295, $c1296, $c1297, $c1298, $c1270, $c1299, $c1300, $c1301];
+const $c1292 = new Map([["kind", $c1293], ["rated_power", $c1294], ["rated_speed", $c1295], ["gear_ratio", $c1296], ["gear_efficiency", $c1297], ["motor_efficiency", $c1298], ["count", $c1270], ["brakes", $c1299], ["synchronous_speed", $c1300], ["breakdown_ratio", $c1301]]);
+const $c685 = $made(tables$Table, $c744, [Induction, $c1291, $c1292]);
+const $c1328 = ["fluid-coupling"];
+const $c1327 = $made(Choice, $c782, [$c1328]);
+const $c1316 = $made(Entry, $c759, ["kind", $c1327, true, "", "", "kind", ""]);
+const $c1329 = $made(Quantity, $c129, ["power", $c697]);
+const $c1317 = $made(Entry, $c759, ["rated_power", $c1329, true, "", "", "rated_power", ""]);
+const $c1330 = $made(Quantity, $c129, ["rotation_speed", $c698]);
+const $c1318 = $made(Entry, $c759, ["rated_speed", $c1330, true, "", "", "rated_speed", ""]);
+const $c1331 = $made(Quantity, $c129, ["number", $c699]);
+const $c1319 = $made(Entry, $c759, ["gear_ratio", $c1331, false, "", "", "gear_ratio", ""]);
+const $c1332 = $made(Quantity, $c129, ["number", $c700]);
+const $c1320 = $made(Entry, $c759, ["gear_efficiency", $c1332, false, "", "", "gear_efficiency", ""]);
+const $c1333 = $made(Quantity, $c129, ["number", $c701]);
+const $c1321 = $made(Entry, $c759, ["motor_efficiency", $c1333, false, "", "", "motor_efficiency", ""]);
+const $c1334 = $made(Flag, [], []);
+const $c1322 = $made(Entry, $c759, ["brakes", $c1334, false, "", "", "brakes", ""]);
+const $c1335 = $made(Quantity, $c129, ["rotation_speed", $c1311]);
+const $c1323 = $made(Entry, $c759, ["synchronous_speed", $c1335, true, "", "", "synchronous_speed", ""]);
+const $c1336 = $made(Quantity, $c129, ["number", $c1313]);
+const $c1324 = $made(Entry, $c759, ["breakdown_ratio", $c1336, false, "", "", "breakdown_ratio", ""]);
+const $c1339 = $made(Limit, $c765, ["number", 0.0, 10.0, false, false]);
+const $c1338 = $made(Quantity, $c129, ["number", $c1339]);
+const $c1337 = $made(Rows, $c798, [$c1338, 2, 200]);
+const $c1325 = $made(Entry, $c759, ["coupling_load", $c1337, true, "", "", "coupling_load", ""]);
+const $c1326 = $made(Entry, $c759, ["coupling_slip", $c1337, true, "", "", "coupling_slip", ""]);
+const $c1314 = [$c1316, $c1317, $c1318, $c1319, $c1320, $c1321, $c1270, $c1322, $c1323, $c1324, $c1325, $c1326];
+const $c1315 = new Map([["kind", $c1316], ["rated_power", $c1317], ["rated_speed", $c1318], ["gear_ratio", $c1319], ["gear_efficiency", $c1320], ["motor_efficiency", $c1321], ["count", $c1270], ["brakes", $c1322], ["synchronous_speed", $c1323], ["breakdown_ratio", $c1324], ["coupling_load", $c1325], ["coupling_slip", $c1326]]);
+const $c686 = $made(tables$Table, $c744, [FluidCoupling, $c1314, $c1315]);
+const $c1346 = ["follower"];
+const $c1345 = $made(Choice, $c782, [$c1346]);
+const $c1342 = $made(Entry, $c759, ["kind", $c1345, true, "", "", "kind", ""]);
+const $c1347 = $made(Name, $c770, [60]);
+const $c1343 = $made(Entry, $c759, ["master", $c1347, true, "", "", "master", ""]);
+const $c711 = $made(Limit, $c765, ["number", -10.0, 10.0, false, false]);
+const $c1348 = $made(Quantity, $c129, ["number", $c711]);
+const $c1344 = $made(Entry, $c759, ["ratio", $c1348, false, "", "", "ratio", ""]);
+const $c1340 = [$c1342, $c1343, $c1344];
+const $c1341 = new Map([["kind", $c1342], ["master", $c1343], ["ratio", $c1344]]);
+const $c687 = $made(tables$Table, $c744, [TorqueFollower, $c1340, $c1341]);
+const $c82 = new Map([["converter", $c684], ["induction", $c685], ["fluid-coupling", $c686], ["follower", $c687]]);
+const $c83 = $made(Variant, $c905, ["kind", $c82]);
+const $c1261 = $made(ByName, $c767, [$c83, 200]);
+const $c1258 = $made(Entry, $c759, ["motor", $c1261, false, "", "", "motor", ""]);
+const $c1255 = [$c1239, $c1240, $c1241, $c1242, $c1243, $c1244, $c1245, $c1257, $c1258];
+const $c1256 = new Map([["entry_tension", $c1239], ["exit_tension", $c1240], ["effective_tension", $c1241], ["power", $c1242], ["run", $c1243], ["share", $c1244], ["speeds", $c1245], ["diameters", $c1257], ["motor", $c1258]]);
+const $c1254 = $made(tables$Table, $c744, [null, $c1255, $c1256]);
+const $c1230 = $made(Entry, $c759, ["train", $c1254, false, "", "", "train", ""]);
+const $c1227 = [$c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c1229, $c756, $c531, $c532, $c533, $c534, $c1230, $c758];
+const $c1228 = new Map([["format", $c747], ["title", $c748], ["description", $c749], ["creep_limit", $c750], ["condition", $c751], ["belt", $c752], ["pulley", $c753], ["lagging", $c754], ["load_case", $c1229], ["conveyor", $c756], ["take_up", $c531], ["design_standard", $c532], ["safety_factor", $c533], ["sag", $c534], ["train", $c1230], ["motion", $c758]]);
+const $c38 = $made(tables$Table, $c744, [Drive, $c1227, $c1228]);
+const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
+const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
+const $c42 = ["illustrative", "calibrated", "estimated"];
+const $c543 = [0.2, 4.0];
+const $c544 = [100000.0, 1000000000.0];
+const $c545 = [0.05, 15.0];
+const $c546 = [0.15, 3.0];
+const $c547 = [0.17453292519943295, 4.71238898038469];
+const $c548 = [2.0943951023931953, 4.71238898038469];
+const $c549 = [5e-05, 0.061];
+const $c550 = [-0.002, 0.002];
+const $c551 = [0.0, 0.06];
+const $c552 = [100000.0, 50000000.0];
+const $c553 = [100000.0, 5000000000.0];
+const $c554 = [5000.0, 2000000.0];
+const $c555 = [10000.0, 50000000.0];
+const $c556 = [50000.0, 10000000.0];
+const $c557 = [0.1, 3.0];
+const $c558 = [500.0, 10000000.0];
+const $c559 = [15.0, 1000.0];
+const $c560 = [3.0, 20.0];
+const $c561 = [0.0, 1600000.0];
+const $c562 = [250.0, 20000000.0];
+const $c563 = [1.0, 130.0];
+const $c43 = [$c543, $c544, $c545, $c546, $c547, $c548, $c549, $c550, $c551, $c552, $c553, $c554, $c555, $c555, $c556, $c557, $c558, $c559, $c560, $c561, $c558, $c558, $c562, $c563];
+const $c44 = ["force", "mass_per_length"];
+const $c564 = ["mm", "m", "cm", "in", "ft"];
+const $c565 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c566 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c567 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c568 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c569 = ["deg", "rad"];
+const $c570 = ["kW", "W", "hp", "MW"];
+const $c571 = ["t", "kg", "g"];
+const $c572 = ["kg/m", "g/m", "t/m"];
+const $c573 = ["t/h", "kg/s", "kg/h"];
+const $c574 = ["kg m2", "t m2", "kg cm2"];
+const $c575 = ["kN m", "N m", "MN m"];
+const $c576 = ["s", "min", "ms", "h"];
+const $c45 = new Map([["length", $c564], ["force", $c565], ["force_per_width", $c566], ["pressure", $c567], ["speed", $c568], ["angle", $c569], ["power", $c570], ["mass", $c571], ["mass_per_length", $c572], ["mass_flow", $c573], ["moment_of_inertia", $c574], ["torque", $c575], ["time", $c576]]);
+const $c603 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+const $c577 = $made(Rule, $c603, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
+const $c578 = $made(Rule, $c603, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
+const $c579 = $made(Rule, $c603, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
+const $c580 = $made(Rule, $c603, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
+const $c581 = $made(Rule, $c603, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
+const $c582 = $made(Rule, $c603, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
+const $c583 = $made(Rule, $c603, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
+const $c584 = $made(Rule, $c603, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
+const $c585 = $made(Rule, $c603, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
+const $c586 = $made(Rule, $c603, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c587 = $made(Rule, $c603, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c588 = $made(Rule, $c603, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
+const $c589 = $made(Rule, $c603, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
+const $c590 = $made(Rule, $c603, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
+const $c591 = $made(Rule, $c603, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
+const $c592 = $made(Rule, $c603, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
+const $c593 = $made(Rule, $c603, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
+const $c594 = $made(Rule, $c603, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c595 = $made(Rule, $c603, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
+const $c596 = $made(Rule, $c603, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
+const $c597 = $made(Rule, $c603, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
+const $c598 = $made(Rule, $c603, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
+const $c599 = $made(Rule, $c603, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
+const $c600 = $made(Rule, $c603, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
+const $c601 = $made(Rule, $c603, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
+const $c602 = $made(Rule, $c603, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c46 = new Map([["gross_slip", $c577], ["design_standard", $c578], ["creep", $c579], ["cover_creep", $c580], ["creep_interval", $c581], ["belt_tension", $c582], ["momentary_tension", $c583], ["belt_safety", $c584], ["face_pressure", $c585], ["bond_stress", $c586], ["fatigue_stress", $c587], ["tested_pressure_max", $c588], ["tested_pressure_min", $c589], ["condition", $c590], ["fit", $c591], ["tested_slip", $c592], ["tested_slip_speed", $c593], ["balance", $c594], ["sag", $c595], ["pulley_diameter", $c596], ["belt_thickness", $c597], ["usual_sizes", $c598], ["motor_load", $c599], ["momentary_load", $c600], ["motor_heat", $c601], ["train_balance", $c602]]);
+const $c47 = new WeakMap();
+const $c48 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c604 = ["by creep", "The belt slides (creep of {slides})"];
+const $c605 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c606 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c49 = new Map([[0, $c604], [1, $c605], [2, $c606]]);
+const $c609 = [180.0, 1.2];
+const $c610 = [200.0, 1.0];
+const $c611 = [210.0, 1.0];
+const $c612 = [220.0, 0.9];
+const $c613 = [240.0, 0.8];
+const $c607 = [$c609, $c610, $c611, $c612, $c613];
+const $c614 = [180.0, 0.8];
+const $c615 = [200.0, 0.7];
+const $c616 = [210.0, 0.7];
+const $c617 = [220.0, 0.6];
+const $c618 = [240.0, 0.6];
+const $c608 = [$c614, $c615, $c616, $c617, $c618];
+const $c50 = new Map([["bare", $c607], ["lagged", $c608]]);
+const $c640 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c641 = [0.25, 0.25];
+const $c642 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c619 = $made(DesignFriction, $c640, ["CEMA", "bare", "", $c641, $c642]);
+const $c643 = [0.35, 0.35];
+const $c644 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c620 = $made(DesignFriction, $c640, ["CEMA", "rubber", "", $c643, $c644]);
+const $c645 = [0.5, 0.5];
+const $c646 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c621 = $made(DesignFriction, $c640, ["CEMA", "ceramic", "", $c645, $c646]);
+const $c647 = [0.35, 0.4];
+const $c648 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c622 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "dry", $c647, $c648]);
+const $c649 = [0.1, 0.1];
+const $c650 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c623 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "wet", $c649, $c650]);
+const $c651 = [0.05, 0.1];
+const $c652 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c624 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "wet and dirty", $c651, $c652]);
+const $c653 = [0.4, 0.45];
+const $c654 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c625 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "dry", $c653, $c654]);
+const $c655 = [0.35, 0.35];
+const $c656 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c626 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "wet", $c655, $c656]);
+const $c657 = [0.25, 0.3];
+const $c658 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c627 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "wet and dirty", $c657, $c658]);
 const $c659 = [0.35, 0.4];
-const $c660 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c625 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c659, provenance: $c660});
+const $c660 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c628 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "dry", $c659, $c660]);
 const $c661 = [0.35, 0.35];
-const $c662 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c626 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c661, provenance: $c662});
-const $c663 = [0.35, 0.35];
-const $c664 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c627 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c663, provenance: $c664});
-const $c665 = [0.35, 0.35];
-const $c666 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c628 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c665, provenance: $c666});
-const $c667 = [0.3, 0.3];
-const $c668 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c629 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c667, provenance: $c668});
-const $c669 = [0.8, 0.8];
-const $c670 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c630 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c669, provenance: $c670});
-const $c671 = [0.45, 0.45];
-const $c672 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c631 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c671, provenance: $c672});
+const $c662 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c629 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "wet", $c661, $c662]);
+const $c663 = [0.2, 0.2];
+const $c664 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c630 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "wet and dirty", $c663, $c664]);
+const $c665 = [0.4, 0.45];
+const $c666 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c631 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "dry", $c665, $c666]);
+const $c667 = [0.35, 0.4];
+const $c668 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c632 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "wet", $c667, $c668]);
+const $c669 = [0.35, 0.35];
+const $c670 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c633 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "wet and dirty", $c669, $c670]);
+const $c671 = [0.35, 0.35];
+const $c672 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c634 = $made(DesignFriction, $c640, ["practice", "rubber", "dry", $c671, $c672]);
 const $c673 = [0.35, 0.35];
-const $c674 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c632 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c673, provenance: $c674});
-const $c52 = [$c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632];
-const $c53 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $c54 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $c55 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c56 = new WeakMap();
-const $c57 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
-const $c58 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c59 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c60 = new WeakMap();
-const $c61 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c62 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c63 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c65 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c66 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c69 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c70 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c72 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1339 = $made(Name, {longest: 60});
-const $c1330 = $made(Entry, {key: "name", kind: $c1339, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
-const $c1340 = $made(Quantity, {dimension: "length", limit: $c694});
-const $c1331 = $made(Entry, {key: "thickness", kind: $c1340, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c1341 = $made(Quantity, {dimension: "pressure", limit: $c697});
-const $c1332 = $made(Entry, {key: "elastic_modulus", kind: $c1341, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c1343 = $made(Quantity, {dimension: "pressure", limit: $c695});
-const $c1342 = $made(WordOr, {word: "rigid", kind: $c1343, meaning: Infinity});
-const $c1333 = $made(Entry, {key: "shear_modulus", kind: $c1342, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c1345 = $made(Quantity, {dimension: "pressure", limit: $c696});
-const $c1344 = $made(WordOr, {word: "rigid", kind: $c1345, meaning: Infinity});
-const $c1334 = $made(Entry, {key: "compression_modulus", kind: $c1344, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c1346 = $made(Quantity, {dimension: "wear_coefficient", limit: $c698});
-const $c1335 = $made(Entry, {key: "wear_coefficient", kind: $c1346, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c1347 = $made(Quantity, {dimension: "number", limit: $c699});
-const $c1336 = $made(Entry, {key: "belt_energy_share", kind: $c1347, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c1348 = $made(Quantity, {dimension: "pressure", limit: $c700});
-const $c1337 = $made(Entry, {key: "bond_strength", kind: $c1348, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c1349 = $made(Quantity, {dimension: "pressure", limit: $c701});
-const $c1338 = $made(Entry, {key: "fatigue_limit", kind: $c1349, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c1328 = [$c737, $c1330, $c807, $c808, $c809, $c1331, $c1332, $c1333, $c1334, $c814, $c1335, $c1336, $c1337, $c1338, $c819, $c820, $c821, $c822, $c823, $c122, $c123, $c824];
-const $c1329 = new Map([["format", $c737], ["name", $c1330], ["title", $c807], ["description", $c808], ["surface", $c809], ["thickness", $c1331], ["elastic_modulus", $c1332], ["shear_modulus", $c1333], ["compression_modulus", $c1334], ["block", $c814], ["wear_coefficient", $c1335], ["belt_energy_share", $c1336], ["bond_strength", $c1337], ["fatigue_limit", $c1338], ["cost", $c819], ["slip_speed", $c820], ["temperature", $c821], ["condition_factor", $c822], ["law", $c823], ["provenance", $c122], ["sources", $c123], ["notes", $c824]]);
-const $c76 = $made(tables$Table, {of: Lagging, entries: $c1328, _known: $c1329});
-const $c675 = ["compression_modulus", "block"];
-const $c77 = [$c675];
-const $c78 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c79 = new RunsGain(0.0, 0.0);
-const $c81 = ["effective_tension", "torque", "power"];
-const $c82 = ["share", "speeds", "motor"];
-const $c85 = ["data", "sense"];
-const $c86 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c87 = $Decimal.of("0");
-const $c88 = new Place("", "", "");
-const $c89 = [""];
-const $c680 = [0.0];
-const $c90 = $made(Trend, {form: "polynomial", coefficients: $c680, sign: 1});
-const $c681 = [1000000000.0];
-const $c91 = $made(Trend, {form: "polynomial", coefficients: $c681, sign: 1});
-const $c92 = new Map([["factor", $c682]]);
-const $c93 = new Map([["x", $c683], ["y", $c683], ["diameter", $c684]]);
-const $c685 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c94 = new Map([["entry", $c187], ["exit", $c685]]);
-const $c95 = new Map([["creep_limit", $c686]]);
-const $c687 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c96 = new Map([["creep_limit", $c687]]);
-const $c693 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
-const $c97 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693]]);
-const $c98 = new Map([["thickness", $c694], ["shear_modulus", $c695], ["compression_modulus", $c696], ["elastic_modulus", $c697], ["wear_coefficient", $c698], ["belt_energy_share", $c699], ["bond_strength", $c700], ["fatigue_limit", $c701]]);
-const $c99 = new Map([["ratio", $c702]]);
-const $c100 = new Map([["entry_tension", $c187], ["exit_tension", $c685]]);
-const $c101 = new Map([["sheave_ratio", $c703]]);
-const $c102 = new Map([["friction", $c704], ["start_factor", $c705]]);
-const $c103 = new Map([["running", $c705], ["starting", $c705], ["braking", $c705]]);
-const $c706 = ["balance", "train_balance", "across_balance"];
-const $c707 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c708 = ["gross_slip", "operating_point"];
-const $c709 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1350 = [false, false];
-const $c1351 = [true, false];
-const $c1352 = [true, true];
-const $c1353 = [false, true];
-const $c710 = new Map([["polynomial", $c1350], ["logarithmic", $c1351], ["power", $c1352], ["exponential", $c1353]]);
-const $c715 = $made(_OfClass, {});
-const $c716 = new Map([[10, null], [9, null]]);
-const $c717 = $re("ST[ -]?(\\d{3,5})\\b", "");
-const $c1354 = [80.0, 1.92];
-const $c1355 = [90.0, 1.86];
-const $c1356 = [100.0, 1.78];
-const $c1357 = [120.0, 1.7];
-const $c1358 = [140.0, 1.63];
-const $c1359 = [160.0, 1.56];
-const $c1360 = [180.0, 1.5];
-const $c1361 = [200.0, 1.45];
-const $c1362 = [250.0, 1.38];
-const $c1363 = [300.0, 1.31];
-const $c1364 = [350.0, 1.27];
-const $c1365 = [400.0, 1.25];
-const $c1366 = [450.0, 1.22];
-const $c1367 = [500.0, 1.2];
-const $c1368 = [550.0, 1.18];
-const $c1369 = [600.0, 1.17];
-const $c1370 = [700.0, 1.14];
-const $c1371 = [800.0, 1.12];
-const $c1372 = [900.0, 1.1];
-const $c1373 = [1000.0, 1.09];
-const $c1374 = [1500.0, 1.06];
-const $c1375 = [2000.0, 1.05];
-const $c720 = [$c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361, $c1362, $c1363, $c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372, $c1373, $c1374, $c1375];
-const $c1376 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1377 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c722 = new Map([["residual_noise", $c1376], ["coverage_factor", $c1377]]);
-const $c723 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c724 = $Decimal.of("0");
-const $c725 = new Map([["misalignment", $c1047], ["deflection", $c1049]]);
-const $c726 = new Map([["diameter", $c180], ["wrap_angle", $c182], ["overrun", $c193], ["creep_limit", $c196], ["mass", $c199]]);
-const $c727 = new Map([["spacing", $c1199], ["line_mass", $c1201], ["share", $c1203]]);
-const $c1378 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1379 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c728 = new Map([["length", $c1130], ["lift", $c1132], ["belt_mass", $c1134], ["carry_idler_mass", $c1136], ["return_idler_mass", $c1138], ["material_mass", $c1134], ["capacity", $c1141], ["friction_factor", $c1143], ["length_coefficient", $c1145], ["secondary_resistance", $c1147], ["special_resistance", $c1147], ["return_share", $c1150], ["start_factor", $c1152], ["start_time", $c1154], ["stop_time", $c1154], ["take_up_tension", $c1157], ["counterweight", $c1159], ["take_up_distance", $c1161], ["speed", $c1378], ["sheave_ratio", $c1379]]);
-const $c729 = new Map([["material", $c864], ["installation", $c866], ["area", $c869]]);
-const $c730 = new Map([["width", $c845], ["height", $c847], ["stiffening", $c849], ["contact_fraction", $c851]]);
-const $c1380 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c731 = new Map([["factor", $c1380]]);
-const $c732 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693], ["setting", $c1264], ["droop", $c1266], ["torque_limit", $c1269]]);
-const $c733 = new Map([["rated_power", $c688], ["rated_speed", $c689], ["gear_ratio", $c690], ["gear_efficiency", $c691], ["motor_efficiency", $c692], ["count", $c693], ["synchronous_speed", $c1290], ["breakdown_ratio", $c1292]]);
-const $c734 = new Map([["length", $c1073], ["trough_angle", $c1075], ["centre_roll", $c1077]]);
-const $c1381 = [0.016, 0.03];
-const $c1382 = new Map([["distance", $c1062]]);
-const $c1457 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c1455 = $made(Quantity, {dimension: "number", limit: $c1457});
-const $c1458 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1456 = $made(Quantity, {dimension: "rotation_speed", limit: $c1458});
-const $c1454 = $made(Either, {first: $c1455, second: $c1456, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
-const $c1383 = $made(Rows, {kind: $c1454, least: 1, most: 10});
+const $c674 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c635 = $made(DesignFriction, $c640, ["practice", "rubber", "wet", $c673, $c674]);
+const $c675 = [0.3, 0.3];
+const $c676 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c636 = $made(DesignFriction, $c640, ["practice", "rubber", "wet and dirty", $c675, $c676]);
+const $c677 = [0.8, 0.8];
+const $c678 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c637 = $made(DesignFriction, $c640, ["practice", "ceramic", "dry", $c677, $c678]);
+const $c679 = [0.45, 0.45];
+const $c680 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c638 = $made(DesignFriction, $c640, ["practice", "ceramic", "wet", $c679, $c680]);
+const $c681 = [0.35, 0.35];
+const $c682 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c639 = $made(DesignFriction, $c640, ["practice", "ceramic", "wet and dirty", $c681, $c682]);
+const $c51 = [$c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c633, $c634, $c635, $c636, $c637, $c638, $c639];
+const $c52 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c53 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c54 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c55 = new WeakMap();
+const $c56 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c57 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c58 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c59 = new WeakMap();
+const $c60 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c61 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c62 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c64 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c65 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c68 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c69 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c71 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1360 = $made(Name, $c770, [60]);
+const $c1351 = $made(Entry, $c759, ["name", $c1360, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1361 = $made(Quantity, $c129, ["length", $c703]);
+const $c1352 = $made(Entry, $c759, ["thickness", $c1361, false, "", "", "thickness", ""]);
+const $c1362 = $made(Quantity, $c129, ["pressure", $c706]);
+const $c1353 = $made(Entry, $c759, ["elastic_modulus", $c1362, false, "", "", "elastic_modulus", ""]);
+const $c1364 = $made(Quantity, $c129, ["pressure", $c704]);
+const $c1363 = $made(WordOr, $c796, ["rigid", $c1364, Infinity]);
+const $c1354 = $made(Entry, $c759, ["shear_modulus", $c1363, false, "", "", "shear_modulus", ""]);
+const $c1366 = $made(Quantity, $c129, ["pressure", $c705]);
+const $c1365 = $made(WordOr, $c796, ["rigid", $c1366, Infinity]);
+const $c1355 = $made(Entry, $c759, ["compression_modulus", $c1365, false, "", "", "compression_modulus", ""]);
+const $c1367 = $made(Quantity, $c129, ["wear_coefficient", $c707]);
+const $c1356 = $made(Entry, $c759, ["wear_coefficient", $c1367, false, "", "", "wear_coefficient", ""]);
+const $c1368 = $made(Quantity, $c129, ["number", $c708]);
+const $c1357 = $made(Entry, $c759, ["belt_energy_share", $c1368, false, "", "", "belt_energy_share", ""]);
+const $c1369 = $made(Quantity, $c129, ["pressure", $c709]);
+const $c1358 = $made(Entry, $c759, ["bond_strength", $c1369, false, "", "", "bond_strength", ""]);
+const $c1370 = $made(Quantity, $c129, ["pressure", $c710]);
+const $c1359 = $made(Entry, $c759, ["fatigue_limit", $c1370, false, "", "", "fatigue_limit", ""]);
+const $c1349 = [$c747, $c1351, $c826, $c827, $c828, $c1352, $c1353, $c1354, $c1355, $c833, $c1356, $c1357, $c1358, $c1359, $c838, $c839, $c840, $c841, $c842, $c122, $c123, $c843];
+const $c1350 = new Map([["format", $c747], ["name", $c1351], ["title", $c826], ["description", $c827], ["surface", $c828], ["thickness", $c1352], ["elastic_modulus", $c1353], ["shear_modulus", $c1354], ["compression_modulus", $c1355], ["block", $c833], ["wear_coefficient", $c1356], ["belt_energy_share", $c1357], ["bond_strength", $c1358], ["fatigue_limit", $c1359], ["cost", $c838], ["slip_speed", $c839], ["temperature", $c840], ["condition_factor", $c841], ["law", $c842], ["provenance", $c122], ["sources", $c123], ["notes", $c843]]);
+const $c75 = $made(tables$Table, $c744, [Lagging, $c1349, $c1350]);
+const $c683 = ["compression_modulus", "block"];
+const $c76 = [$c683];
+const $c77 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c78 = new RunsGain(0.0, 0.0);
+const $c80 = ["effective_tension", "torque", "power"];
+const $c81 = ["share", "speeds", "motor"];
+const $c84 = ["data", "sense"];
+const $c85 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c86 = $Decimal.of("0");
+const $c87 = new Place("", "", "");
+const $c88 = [""];
+const $c688 = ["form", "coefficients", "sign"];
+const $c689 = [0.0];
+const $c89 = $made(Trend, $c688, ["polynomial", $c689, 1]);
+const $c690 = [1000000000.0];
+const $c90 = $made(Trend, $c688, ["polynomial", $c690, 1]);
+const $c91 = new Map([["factor", $c691]]);
+const $c92 = new Map([["x", $c692], ["y", $c692], ["diameter", $c693]]);
+const $c694 = $made(Limit, $c765, ["force", 0.1, 1000000000.0, false, false]);
+const $c93 = new Map([["entry", $c192], ["exit", $c694]]);
+const $c94 = new Map([["creep_limit", $c695]]);
+const $c696 = $made(Limit, $c765, ["length", 0.0, Infinity, true, false]);
+const $c95 = new Map([["creep_limit", $c696]]);
+const $c702 = $made(Limit, $c765, ["number", 1, 8, false, false]);
+const $c96 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702]]);
+const $c97 = new Map([["thickness", $c703], ["shear_modulus", $c704], ["compression_modulus", $c705], ["elastic_modulus", $c706], ["wear_coefficient", $c707], ["belt_energy_share", $c708], ["bond_strength", $c709], ["fatigue_limit", $c710]]);
+const $c98 = new Map([["ratio", $c711]]);
+const $c99 = new Map([["entry_tension", $c192], ["exit_tension", $c694]]);
+const $c100 = new Map([["sheave_ratio", $c712]]);
+const $c101 = new Map([["friction", $c713], ["start_factor", $c714]]);
+const $c102 = new Map([["running", $c714], ["starting", $c714], ["braking", $c714]]);
+const $c103 = ["of"];
+const $c124 = ["key", "kind", "example", "attribute"];
+const $c131 = ["dimension"];
+const $c133 = ["word", "kind"];
+const $c164 = ["kind"];
+const $c715 = ["balance", "train_balance", "across_balance"];
+const $c716 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c717 = ["gross_slip", "operating_point"];
+const $c718 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1371 = [false, false];
+const $c1372 = [true, false];
+const $c1373 = [true, true];
+const $c1374 = [false, true];
+const $c719 = new Map([["polynomial", $c1371], ["logarithmic", $c1372], ["power", $c1373], ["exponential", $c1374]]);
+const $c724 = $made(_OfClass, [], []);
+const $c725 = new Map([[10, null], [9, null]]);
+const $c726 = $re("ST[ -]?(\\d{3,5})\\b", "");
+const $c1375 = [80.0, 1.92];
+const $c1376 = [90.0, 1.86];
+const $c1377 = [100.0, 1.78];
+const $c1378 = [120.0, 1.7];
+const $c1379 = [140.0, 1.63];
+const $c1380 = [160.0, 1.56];
+const $c1381 = [180.0, 1.5];
+const $c1382 = [200.0, 1.45];
+const $c1383 = [250.0, 1.38];
+const $c1384 = [300.0, 1.31];
+const $c1385 = [350.0, 1.27];
+const $c1386 = [400.0, 1.25];
+const $c1387 = [450.0, 1.22];
+const $c1388 = [500.0, 1.2];
+const $c1389 = [550.0, 1.18];
+const $c1390 = [600.0, 1.17];
+const $c1391 = [700.0, 1.14];
+const $c1392 = [800.0, 1.12];
+const $c1393 = [900.0, 1.1];
+const $c1394 = [1000.0, 1.09];
+const $c1395 = [1500.0, 1.06];
+const $c1396 = [2000.0, 1.05];
+const $c729 = [$c1375, $c1376, $c1377, $c1378, $c1379, $c1380, $c1381, $c1382, $c1383, $c1384, $c1385, $c1386, $c1387, $c1388, $c1389, $c1390, $c1391, $c1392, $c1393, $c1394, $c1395, $c1396];
+const $c1397 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
+const $c1398 = $made(Limit, $c765, ["number", 1.0, Infinity, false, false]);
+const $c731 = new Map([["residual_noise", $c1397], ["coverage_factor", $c1398]]);
+const $c732 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c733 = $Decimal.of("0");
+const $c734 = new Map([["misalignment", $c1067], ["deflection", $c1069]]);
+const $c735 = new Map([["diameter", $c185], ["wrap_angle", $c187], ["overrun", $c198], ["creep_limit", $c201], ["mass", $c204]]);
+const $c736 = new Map([["spacing", $c1220], ["line_mass", $c1222], ["share", $c1224]]);
+const $c1399 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
+const $c1400 = $made(Limit, $c765, ["number", 0.01, 100.0, false, false]);
+const $c737 = new Map([["length", $c1151], ["lift", $c1153], ["belt_mass", $c1155], ["carry_idler_mass", $c1157], ["return_idler_mass", $c1159], ["material_mass", $c1155], ["capacity", $c1162], ["friction_factor", $c1164], ["length_coefficient", $c1166], ["secondary_resistance", $c1168], ["special_resistance", $c1168], ["return_share", $c1171], ["start_factor", $c1173], ["start_time", $c1175], ["stop_time", $c1175], ["take_up_tension", $c1178], ["counterweight", $c1180], ["take_up_distance", $c1182], ["speed", $c1399], ["sheave_ratio", $c1400]]);
+const $c738 = new Map([["material", $c883], ["installation", $c885], ["area", $c888]]);
+const $c739 = new Map([["width", $c864], ["height", $c866], ["stiffening", $c868], ["contact_fraction", $c870]]);
+const $c1401 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
+const $c740 = new Map([["factor", $c1401]]);
+const $c741 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702], ["setting", $c1285], ["droop", $c1287], ["torque_limit", $c1290]]);
+const $c742 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702], ["synchronous_speed", $c1311], ["breakdown_ratio", $c1313]]);
+const $c743 = new Map([["length", $c1093], ["trough_angle", $c1095], ["centre_roll", $c1097]]);
+const $c1402 = [0.016, 0.03];
+const $c1403 = new Map([["distance", $c1082]]);
+const $c1480 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
+const $c1478 = $made(Quantity, $c129, ["number", $c1480]);
+const $c1481 = $made(Limit, $c765, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1479 = $made(Quantity, $c129, ["rotation_speed", $c1481]);
+const $c1477 = $made(Either, $c1473, [$c1478, $c1479, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1404 = $made(Rows, $c798, [$c1477, 1, 10]);
 $sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
@@ -8103,15 +8165,17 @@ Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 $sig(Condition, ["name", "factor", "factors", "standard", "source"]);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c92;
+Condition.LIMITS = Condition.prototype.LIMITS = $c91;
 $sig(Conditions, ["main", "cases"]);
 Conditions.$compared = Conditions.$names;
 $sig(Point, ["x", "y", "diameter", "turn"]);
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c93;
+Point.LIMITS = Point.prototype.LIMITS = $c92;
 $sig(_UnitTextError, ["message", "remedy"], false);
 $sig(Unit, ["factor", "powers", "zero"]);
 Unit.$compared = Unit.$names;
+$sig(UnitRow, ["unit", "factor", "larger"]);
+UnitRow.$compared = UnitRow.$names;
 $sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
 WidthProfile.$compared = WidthProfile.$names;
 $sig(Criteria, ["take_up", "standard", "safety", "sag"]);
@@ -8125,15 +8189,15 @@ $sig(NipTensions, ["entry", "exit"]);
 NipTensions.$compared = NipTensions.$names;
 $sig(Tensions, ["entry", "exit", "computed"]);
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c94;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c93;
 $sig(LoadCase, ["name", "tensions", "kind", "condition"]);
 LoadCase.$compared = LoadCase.$names;
 $sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c95;
+Drive.LIMITS = Drive.prototype.LIMITS = $c94;
 $sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c96;
+Train.LIMITS = Train.prototype.LIMITS = $c95;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 $sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
 CatalogueBelt.$compared = CatalogueBelt.$names;
@@ -8163,7 +8227,7 @@ $sig(Motors, ["motors"]);
 Motors.$compared = Motors.$names;
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c97;
+Motor.LIMITS = Motor.prototype.LIMITS = $c96;
 $sig(Pulls, ["effective_tensions"]);
 Pulls.$compared = Pulls.$names;
 $sig(Speeds, ["rotation_speeds", "absolute"]);
@@ -8208,7 +8272,7 @@ $sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperat
 Factors.$compared = Factors.$names;
 $sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c98;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c97;
 $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
 LoadGiven.$compared = LoadGiven.$names;
 $sig(DrumAt, ["diameter", "speed"]);
@@ -8219,10 +8283,10 @@ $sig(Pair, ["entry", "exit"]);
 Pair.$compared = Pair.$names;
 $sig(TorqueFollower, ["master", "ratio"]);
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c99;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c98;
 $sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c100;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c99;
 $sig(RunsGain, ["base", "case"]);
 RunsGain.$compared = RunsGain.$names;
 $sig(BehindTakeUp, ["share", "behind", "runs"]);
@@ -8231,13 +8295,13 @@ $sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "w
 Description.$compared = Description.$names;
 $sig(TakeUp, ["kind", "sheave_ratio", "after"]);
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c101;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c100;
 $sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c102;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c101;
 $sig(SafetyFactors, ["running", "starting", "braking", "source"]);
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c103;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c102;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, ["title", "of", "on_one_line"], false);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
@@ -8257,7 +8321,7 @@ $sig(Flag, []);
 $sig(Choice, ["options"]);
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c725;
+Across.LIMITS = Across.prototype.LIMITS = $c734;
 $sig(DimensionText, ["si_unit", "name", "example"]);
 DimensionText.$compared = DimensionText.$names;
 $sig(Definition, ["names", "factor", "unit", "zero"]);
@@ -8266,46 +8330,44 @@ $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 $sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c726;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c735;
 $sig(Sag, ["spacing", "line_mass", "share"]);
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c727;
+Sag.LIMITS = Sag.prototype.LIMITS = $c736;
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c728;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c737;
 $sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"]);
 Rule.$compared = Rule.$names;
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
 DesignFriction.$compared = DesignFriction.$names;
 $sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c729;
+Cost.LIMITS = Cost.prototype.LIMITS = $c738;
 $sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c730;
+Block.LIMITS = Block.prototype.LIMITS = $c739;
 $sig(ConditionFactor, ["factor", "source"]);
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c731;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c740;
 $sig(FrictionFactor, ["at", "factor", "source"]);
 FrictionFactor.$compared = FrictionFactor.$names;
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
 Fit.$compared = Fit.$names;
 $sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c732;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c741;
 $sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c733;
+Induction.LIMITS = Induction.prototype.LIMITS = $c742;
 $sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
 FluidCoupling.$compared = FluidCoupling.$names;
 $sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"]);
 Load.$compared = Load.$names;
-$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"]);
-CompactLaw.$compared = CompactLaw.$names;
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c734;
+Transition.LIMITS = Transition.prototype.LIMITS = $c743;
 $sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
 State.$compared = State.$names;
 $sig(Resistance, ["name", "carrying", "returning", "source"]);
@@ -8325,14 +8387,16 @@ $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(GrippingPulley, ["distance"]);
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1382;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1403;
 $sig(Count, ["least", "most"]);
 $sig(Elsewhere, []);
 $sig(Either, ["first", "second", "words"]);
 Either.$compared = Either.$names;
 $sig(SpeedList, []);
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1383;
+SpeedList.rows = SpeedList.prototype.rows = $c1404;
+$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"]);
+CompactLaw.$compared = CompactLaw.$names;
 $sig(_Pair, ["dimension"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };

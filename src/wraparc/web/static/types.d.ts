@@ -4,8 +4,24 @@ import type { ComponentChildren } from "preact";
 export type Units = "si" | "us";
 export type Children = ComponentChildren;
 export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
-/** The same text in both systems of units; some texts have no units and are plain. */
-export type Text = string | { si: string; us: string } | null | undefined;
+/** A number of a text, see NumberInText of the API. */
+export interface Cell {
+  at?: [number, number];
+  value: number;
+  from?: number;
+  apart?: number;
+  name?: string;
+  dimension?: string;
+  digits?: number;
+  form?: string;
+}
+/** A text in metric units with its numbers, one that is a number, or one that has none. */
+export type Text =
+  | string
+  | { text: string; us?: string; cells: (Cell & { at: [number, number] })[] }
+  | ({ text: string; us?: undefined; cells?: undefined } & Cell)
+  | null
+  | undefined;
 export type Path = (string | number)[];
 export interface Limits {
   least: number;
@@ -91,22 +107,22 @@ export interface Problem {
 }
 export interface Verdict {
   level: Level;
-  told?: string;
+  word?: string;
   headline: Text;
   sentences: Text[];
 }
 export interface TableRow {
   name: string;
-  title: string;
+  title: Text;
   symbol?: string;
-  values: { si: string[]; us: string[] };
+  values: Text[];
   note: Text;
   level: Level | null;
 }
 export interface Table {
   key: string;
-  title: string;
-  heads: { si: string[]; us: string[] };
+  title: Text;
+  heads: Text[];
   note: Text;
   rows: TableRow[];
 }

@@ -23,7 +23,6 @@ import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
 import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
-import { raise, raiseAlone } from "./advice.js";
 import { addCase } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
@@ -378,11 +377,10 @@ function action(arc) {
   const { train } = app.doc;
   if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
   const all = known()?.least_tension?.raise_to;
-  const found = all != null ? raise(all) : raiseAlone(wholeArc());
+  const own = solver();
+  const found = all != null ? own?.raise(all) : own?.raiseAlone(wholeArc());
   if (found) return found;
-  const way = solver()
-    ?.ways()
-    .find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
+  const way = own?.ways().find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
   if (!way) return null;
   const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
   return h(

@@ -1,8 +1,9 @@
 // A judged drive as an answer of the server tells one, for what the page has put together itself.
 import { app } from "../../base/design.js";
-import { digits, percent, unit } from "../../base/units.js";
+import { cellOf } from "../../base/digits.js";
+import { cell__percent as percent, cell__quantity as quantity } from "../../cells.js";
 import { leastAlone, leastTold } from "./least.js";
-import { barsOf, checkTable, onSafeSide, quantity, remarksOf, verdictOf } from "./words.js";
+import { barsOf, checkTable, remarksOf, verdictOf } from "./words.js";
 
 /** @import { Assembled, FullAnswer, FullArc, QuickAnswer } from "../../types.d.ts" */
 /** @import { Table, TableRow } from "../../types.d.ts" */
@@ -44,7 +45,7 @@ const TABLES = [
 function told(name, v) {
   const { dimension } = app.form.glossary[name];
   if (name === "efficiency") return percent(v, 4);
-  return dimension === "number" ? digits(v) : quantity(v, dimension);
+  return quantity(v, dimension);
 }
 /** @param {Record<string, number>} numbers @returns {Table[]} */
 const tablesOf = (numbers) =>
@@ -56,13 +57,13 @@ const tablesOf = (numbers) =>
       const { title, symbol } = app.form.glossary[name];
       return row(name, title, symbol, [told(name, numbers[name])]);
     });
-    return { key, title, heads: { si: [""], us: [""] }, note: "", rows };
+    return { key, title, heads: [""], note: "", rows };
   });
 /** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
  * @param {any} [note] @param {any} [level] @returns {TableRow} */
 const row = (name, title, symbol, cells, note = "", level = null) => ({
   ...{ name, title, symbol, note, level },
-  values: { si: cells, us: cells },
+  values: cells,
 });
 
 /** Numbers that an arc was found from, by their names in the glossary. */
@@ -91,8 +92,7 @@ function inputsOf({ prepared: { given }, condition, lagging: of, belt }) {
       return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
     });
   const words = [row("", "Belt", "", [belt]), row("", "Lagging", "", [lagging])];
-  const heads = { si: [""], us: [""] };
-  return { key: "inputs", title: "Inputs", heads, note: "", rows: [...words, ...rows] };
+  return { key: "inputs", title: "Inputs", heads: [""], note: "", rows: [...words, ...rows] };
 }
 
 /** All load cases side by side, and all pulleys. @param {Judged} judged
@@ -113,7 +113,7 @@ function summaryOf(judged) {
     ];
     return row("", several ? `${load_case}: ${pulley}` : load_case, "", cells, "", level);
   });
-  const [[force], [length]] = [unit("force"), unit("length")];
+  const [force, length] = ["force", "length"].map((of) => cellOf(0, of, undefined, "unit"));
   const heads = [
     ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
     ...["of limit", `least T2 [${force}]`, ""],
@@ -121,7 +121,7 @@ function summaryOf(judged) {
   return {
     key: "summary",
     title: several ? "All load cases and pulleys" : "All load cases",
-    heads: { si: heads, us: heads },
+    heads,
     note: "",
     rows,
   };
@@ -131,16 +131,14 @@ function leastIn(judged, i) {
   const found = leastAlone(judged, i);
   if (!found) return "-";
   if (!Number.isFinite(found.tension)) return "none";
-  return bare(onSafeSide(found.tension, "force", true), "force");
+  return cellOf(found.tension, "force", undefined, "bare up");
 }
-/** A value in the unit of its table, bare. @param {number} v @param {string} [dimension] */
-const bare = (v, dimension) => {
-  const size = dimension ? unit(dimension)[1] : 1;
-  return Number.isNaN(v) ? "-" : quantity(v / size, "number");
-};
+/** A value in the unit of its table. @param {number} v @param {string} [dimension] */
+const bare = (v, dimension = "number") =>
+  Number.isFinite(v) ? cellOf(v, dimension, undefined, "bare") : quantity(v, dimension);
 
 /**
- * The answer of a drive that the page has put together, in the units looked at.
+ * The answer of a drive that the page has put together.
  * @param {Judged} judged @returns {FullAnswer}
  */
 export function wholeOf(judged) {
@@ -190,25 +188,6 @@ function arcOf(judged, i) {
  * @param {Record<string, number>} of @returns {Record<string, any>} */
 const finite = (of) =>
   Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
-/** The same in both systems of units: texts as pairs. @template T @param {() => T} make
- * @returns {T} */
-export function inBoth(make) {
-  const { units } = app;
-  app.units = "si";
-  const si = make();
-  app.units = "us";
-  const us = make();
-  app.units = units;
-  return paired(si, us);
-}
-/** @param {any} a @param {any} b @param {string} [key] @returns {any} */
-function paired(a, b, key = "") {
-  if (key === "values" || key === "heads") return { si: a.si, us: b.us };
-  if (typeof a === "string") return a === b ? a : { si: a, us: b };
-  if (Array.isArray(a)) return a.map((x, i) => paired(x, b[i]));
-  if (typeof a !== "object" || a === null) return a;
-  return Object.fromEntries(Object.keys(a).map((k) => [k, paired(a[k], b[k], k)]));
-}
 /** The first answer to an arc that nothing was solved of.
  * @param {Assembled["cases"][number]} c @returns {QuickAnswer} */
 export const firstAnswer = (c) => ({
