@@ -20,7 +20,7 @@ from javascript.translate import Module, translated
 from wraparc import catalogue, errors
 from wraparc.arc import Status, answer, capacity, profile
 from wraparc.catalogue import loader
-from wraparc.checks import gross_slip, of_arc, usual
+from wraparc.checks import gross_slip, of_arc
 from wraparc.checks.check import Level
 from wraparc.checks.judge import _across, judge
 from wraparc.checks.least_tension import least_tension, least_with_slip
@@ -78,7 +78,6 @@ ENTRIES: tuple[Callable[..., object], ...] = (
 TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
 TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.fallen_of,
-    in_page_train.oversized,
     in_page_train.total_of,
     in_page_train.parts_of,
     in_page_train.miss_of,
@@ -93,7 +92,6 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.system_of,
     in_page_train.divided,
     in_page_train.told,
-    in_page_train.fits,
     conveyor.choices,
     conveyor.Conveyor,
     belt_path.turned_by,
@@ -153,7 +151,7 @@ READER: dict[str, Any] = {
     "alone": in_page_checks.alone,
     "remarksOf": in_page_checks.remarks_of,
     "weakKinds": in_page_checks.weak_kinds,
-    "unjudged": in_page_checks.unjudged,
+    "idleIn": in_page_checks.idle_in,
     "judge": judge,
     "leastTension": least_tension,
     "leastSentence": leasts.least_sentence,
@@ -172,7 +170,6 @@ OF_CHECKS: dict[Any, Any] = {
     of_arc.largest_slip: in_page_checks.largest_slip,
     of_arc.slip_speed: in_page_checks.slip_speed,
     of_arc.creep_interval: in_page_checks.creep_interval,
-    usual.usual_sizes: in_page_checks.usual_sizes,
     _across: in_page_checks.across,
 }
 #: What the page reads of verdict, checks and least tension.

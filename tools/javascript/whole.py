@@ -311,24 +311,19 @@ class Module:
     def _class_text(self, name: str, kind: Any) -> str:
         bases = [b for b in kind.__bases__ if b in self.classes.values()]
         other = next((_BASES[b] for b in kind.__bases__ if b in _BASES), "$Object")
-        above = self.name_of(bases[0]) if bases else other
-        lines = [f"class {name} extends {above} {{"]
+        above = self.name_of(bases[0]) if bases else "$Tuple" if is_named_tuple(kind) else other
+        lines, end = [f"class {name} extends {above} {{"], "}"
         if _generated(kind):
             named = _fields(kind)
-            given = [
-                local(f) + ("" if d is _ABSENT else f" = {self._default(d)}")
-                for f, d in named.items()
-            ]
-            after = "this.__post_init__?.();" if hasattr(kind, "__post_init__") else ""
-            puts = " ".join(f"this.{f} = {local(f)};" for f in named)
-            lines.append(f"$init({', '.join(given)}) {{ {puts} {after} }}")
-            if is_named_tuple(kind):
-                each = " ".join(f"yield this.{f};" for f in named)
-                lines.append(f"*[Symbol.iterator]() {{ {each} }}")
+            usual = (
+                f"{f}: () => {self._default(d)}" for f, d in named.items() if d is not _ABSENT
+            )
+            names = literal([*named], Where(name, 0))
+            end = f"}}\n$sig({name}, {names}, false, {{{', '.join(usual)}}});"
         own = {of: text for (at, of), text in self._methods.items() if at == name}
         lazy = [of for of in own if _lazy(kind, of)]
         lines += [f'get {of}() {{ return $kept(this, "{of}", this.$find_{of}()); }}' for of in lazy]
-        return "\n".join([*lines, *own.values(), "}"])
+        return "\n".join([*lines, *own.values(), end])
 
     def _default(self, default: Any) -> str:
         where = Where("defaults", 0)
@@ -355,7 +350,6 @@ class Module:
     def _of_fields(name: str, kind: Any) -> Iterable[str]:
         if _generated(kind):
             names, compared = [*_fields(kind)], [*_fields(kind)]
-            yield f"$sig({name}, {literal(names, Where(name, 0))});"
             if not is_named_tuple(kind):
                 compared = [f.name for f in dataclasses.fields(kind) if f.compare]
             if is_named_tuple(kind) or kind.__dataclass_params__.eq:

@@ -19,7 +19,6 @@ from wraparc.checks.of_arc import INTERVAL
 from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources, wet_factor
 from wraparc.checks.rules import idle
 from wraparc.checks.sliding import Sliding
-from wraparc.checks.usual import all_usual, unusual_sizes
 from wraparc.drive import Drive
 from wraparc.train import Train, TrainCase
 from wraparc.train.result import drive_with
@@ -177,15 +176,11 @@ _NO_INTERVAL = (
     "The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve "
     "tells it."
 )
-#: Why the page leaves a drive to the program.
-IDLE, UNUSUAL = 2, 3
 
 
-def unjudged(drive: Drive) -> int:
-    """Return why the page cannot judge a drive; 0 where it can."""
-    if any(idle(arc) for arc in arcs_of(drive)):
-        return IDLE
-    return UNUSUAL if any(True for _ in unusual_sizes(drive, False)) else 0
+def idle_in(drive: Drive) -> bool:
+    """Whether some pulley has no pull to carry: the page leaves such a drive to the program."""
+    return any(idle(arc) for arc in arcs_of(drive))
 
 
 # In the place of others.
@@ -242,8 +237,3 @@ def creep_interval(_drive: Drive, result: ArcResult) -> Check | None:
 def across(_result: object) -> Iterator[Check]:
     """Yield nothing: the page solves no load across the width."""
     yield from ()
-
-
-def usual_sizes(_drive: Drive, *_others: object) -> Iterator[Check]:
-    """Yield that all is of usual size: the page leaves other drives to the program."""
-    yield all_usual()

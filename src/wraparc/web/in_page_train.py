@@ -11,7 +11,6 @@ from math import exp, nan
 from typing import NamedTuple
 
 from wraparc.arc.summary import geometry_of
-from wraparc.checks.numbers import LARGE_MOTORS, usual_motor
 from wraparc.friction.compact import CompactLaw
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located, away, locate
@@ -235,17 +234,6 @@ def told(
         tension_error=tension_miss,
         speed_error=speed_miss,
     )
-
-
-def fits(motor: Motor, radius: float, speed: float) -> bool:
-    """Whether a motor is of usual size and its gear fits the belt speed [m, m/s]."""
-    turns = motor.rated_speed / motor.gear_ratio
-    return usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed)
-
-
-def oversized(rated: float, pull: float, speed: float) -> bool:
-    """Whether motors are far too large for the largest pull [W, N, m/s]."""
-    return rated > LARGE_MOTORS * pull * speed
 
 
 def _nip(member: Member, arc: Quick, nominal: float, lift: float) -> Nip:

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.checks.numbers import idles
-from wraparc.checks.usual import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
@@ -221,7 +220,6 @@ def not_judged(document: Document) -> str:
         for name, pair in case.tensions.items()
         if idles(pair.entry, pair.exit)
     ]
-    reasons += [check.sentence().rstrip(".") for check in usual_sizes(one) if check.missed]
     if not reasons:
         return ""
     told = f"The page opens with this drive but does not judge it: {reasons[0]}."

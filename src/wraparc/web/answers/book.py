@@ -11,8 +11,6 @@ from functools import cache
 from typing import Any
 
 from wraparc import catalogue
-from wraparc.checks.usual import USUAL
-from wraparc.conveyor import EMPTIEST, FULLEST, STEEPEST, USUAL_CONVEYOR
 from wraparc.drive import Lagging
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
@@ -64,9 +62,6 @@ class Book(Plain):
 
     laggings: dict[str, BookLagging]
     catalogue: BookCatalogue
-    sizes: dict[str, dict[str, tuple[float, float]]]
-    load: tuple[float, float]
-    steepest: float
     own: dict[str, Any]
 
 
@@ -97,12 +92,6 @@ def _whole() -> Book:
             belts=[asdict(belt) for belt in catalogue.belts()],
             laggings={name: json_like(parse(catalogue.lagging_text(name))) for name in names},
         ),
-        sizes={
-            **{name: dict(ends) for name, ends in USUAL.items()},
-            "Conveyor": {key: ends for key, *ends in USUAL_CONVEYOR} | USUAL["Conveyor"],
-        },
-        load=(EMPTIEST, FULLEST),
-        steepest=STEEPEST,
         own={},
     )
 

@@ -1,7 +1,7 @@
 """What the drive page needs to judge a drive of one pulley itself, its numbers moved."""
 
 from wraparc.arc import ArcResult, DriveResult, Status
-from wraparc.checks import idle, judge
+from wraparc.checks import idle
 from wraparc.schema.source import Document
 from wraparc.web.answers.prepared import Plain, Prepared, elsewhere, prepared
 
@@ -24,8 +24,6 @@ def judging(document: Document, result: DriveResult) -> Judging | None:
     """Return what a page judges a drive by; None where it needs more than the page has."""
     drive = result.drive
     if len(drive.pulleys) > 1 or drive.pulleys[0].across or any(map(_servers, result)):
-        return None
-    if any(c.name == "usual_sizes" and c.missed for c in judge(result).checks):
         return None
     cases = []
     for case in drive.load_cases:

@@ -1140,7 +1140,6 @@ export class Node {
   }
 }
 
-const LARGE_MOTORS = 6.0;
 const FINE = 1e-6;
 const SHARP = 1e-5;
 const _FIRST_RATIO = 0.0015;
@@ -1165,11 +1164,6 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
-const USUAL_MOTORS = [
-  [250.0, 20000000.0],
-  [10.0, 400.0],
-  [0.6, 1.7],
-];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
   ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
@@ -1214,11 +1208,6 @@ const BEYOND = 10.0;
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
-}
-
-/** Whether motors are far too large for the largest pull [W, N, m/s]. */
-export function in_page_train__oversized(rated, pull, speed) {
-  return rated > LARGE_MOTORS * pull * speed;
 }
 
 /** Pull that powers of the drives make [N]. */
@@ -2082,30 +2071,6 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
     tension_miss,
     speed_miss,
   );
-}
-
-/** What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown. */
-export function numbers__compared_motor(power, speed, drum, radius, belt) {
-  return [power, speed, (drum * radius) / belt];
-}
-
-/** Whether a size is one that conveyor drives have; one that is not given or rigid is. */
-export function numbers__usual(value, least, most) {
-  return !(value < least || (value > most && Number.isFinite(value)));
-}
-
-/** Whether a motor is of usual size, and turns the drum about as fast as the belt runs. */
-export function numbers__usual_motor(power, speed, drum, radius, belt) {
-  let values = numbers__compared_motor(power, speed, drum, radius, belt);
-  return [...$zip(values, USUAL_MOTORS)].every(([value, ends]) =>
-    numbers__usual(value, ends[0], ends[1]),
-  );
-}
-
-/** Whether a motor is of usual size and its gear fits the belt speed [m, m/s]. */
-export function in_page_train__fits(motor, radius, speed) {
-  let turns = motor.rated_speed / motor.gear_ratio;
-  return numbers__usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed);
 }
 
 /** Return what is said twice or not at all, and what needs the belt speed. */

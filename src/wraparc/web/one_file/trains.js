@@ -7,11 +7,10 @@ import {
   beyond,
   lacking,
   left,
-  NOT_HERE,
-  oddOf,
+  NO_PULL,
   readIn,
 } from "../static/pages/drive/assemble.js";
-import { arcsOf, InputError, runningAt, trainDrive, unjudged } from "../static/reader.js";
+import { arcsOf, InputError, idleIn, runningAt, trainDrive } from "../static/reader.js";
 import * as K from "./train_kernel.js";
 
 /** @import { Assembled, Book, Design, Problem } from "../static/types.d.ts" */
@@ -85,17 +84,13 @@ function solved(train, given, names, nominal) {
   const quicks = own.cases.map(({ prepared, tested }) =>
     quick(prepared.law, prepared.given, tested, POINTS),
   );
-  const fits = motors.every(
-    (motor, i) => !motor || K.in_page_train__fits(motor, own.arcs[i].radius, speed),
-  );
-  const odd = fits ? unjudged(whole) : UNUSUAL;
-  if (odd || quicks.includes(null)) return { why: odd ? NOT_HERE[odd] : UNSOLVED };
+  if (idleIn(whole)) return { why: NO_PULL };
+  if (quicks.includes(null)) return { why: UNSOLVED };
   for (const i of K.in_page_train__fallen_of(divided))
     if (quicks[i]?.solved) quicks[i] = stateless(quicks[i]);
   const told = K.in_page_train__told(system, names, divided, quicks, nominal, motors);
   return { why: "", c, given, system, divided, own, quicks, motors, told };
 }
-const UNUSUAL = 3;
 const NO_TENSION =
   "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
   "on the slack side";
@@ -119,8 +114,8 @@ export function trainOf(design, book) {
   if (problems.length) return { problems };
   const not = beyond(train);
   if (not) return { problems: [left(not)] };
-  const odd = oddOf(train, book) ?? lacking(train, design, book);
-  if (odd) return { problems: [odd] };
+  const unknown = lacking(train, design, book);
+  if (unknown) return { problems: [unknown] };
   /** @type {string[]} */
   const names = train.pulleys.map((/** @type {any} */ p) => p.name);
   const diameters = train.pulleys.map((/** @type {any} */ p) => p.diameter);
@@ -136,14 +131,7 @@ export function trainOf(design, book) {
       return { problems: /** @type {any} */ (error).problems.map(problemOf) };
     }
   }
-  const [{ motors, own }] = cases;
-  const rated = motors.reduce(
-    (/** @type {number} */ sum, /** @type {any} */ m) => sum + (m ? m.count * m.rated_power : 0),
-    0,
-  );
-  const most = Math.max(...cases.map(({ c }) => Math.abs(c.entry - c.exit)));
-  if (rated && K.in_page_train__oversized(rated, most, train.belt.speed ?? none))
-    return { problems: [left(`Motors: ${NOT_HERE[3]}.`)] };
+  const [{ own }] = cases;
   const all = (/** @type {"arcs" | "cases"} */ key) => cases.flatMap((one) => one.own[key]);
   const judging = { drive: own.drive, kinds: own.kinds, arcs: all("arcs"), cases: all("cases") };
   return { problems: [], train, cases, judging };

@@ -7,7 +7,20 @@ export class $Object {
   constructor(...given) {
     this.$init(...given);
   }
-  $init() {}
+  /** Puts the fields, if a class has any. */
+  $init(...given) {
+    const { $names = [], $usual } = this.constructor;
+    $names.forEach((name, i) => {
+      this[name] = given[i] === undefined ? $usual[name]?.() : given[i];
+    });
+    this.__post_init__?.();
+  }
+}
+/** What has its fields in an order. */
+export class $Tuple extends $Object {
+  *[Symbol.iterator]() {
+    for (const name of this.constructor.$names) yield this[name];
+  }
 }
 export class $Dict extends Map {
   constructor(...given) {
@@ -106,7 +119,8 @@ class Named {
 export const $k = (given) => new Named(given);
 const named = (args) => (args.at(-1) instanceof Named ? args.pop() : {});
 
-export const $sig = (of, names, more = false) => Object.assign(of, { $names: names, $more: more });
+export const $sig = (of, names, more = false, usual = {}) =>
+  Object.assign(of, { $names: names, $more: more, $usual: usual });
 const placed = (of, args, by) => {
   const rest = new Map(by);
   const given = of.$names.map((name, i) => {
@@ -547,7 +561,7 @@ export const $b = {
   reversed: (x) => [...$iter(x)].reverse(),
   ord: (x) => x.codePointAt(0),
   type: (x) => x.constructor,
-  getattr: (x, name, other) => (x[name] === undefined ? (other ?? null) : x[name]),
+  getattr: (x, name, other) => x?.[name] ?? other ?? null,
   pairwise: (x) => $b.zip($iter(x), [...$iter(x)].slice(1)),
   Counter: (x) => {
     const found = new Counts();

@@ -1,10 +1,10 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
-import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
+import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
 import { cell__quantity } from "./cells.js";
 import { cellOf } from "./base/digits.js";
 import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
-import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
+import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $Tuple, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
 
@@ -1318,130 +1318,27 @@ if (($in(source.kind, ["illustrative", "calibrated"]))) {
 yield $b.str($bound(source, "kind"));
 }
 }
-function in_page_checks__unjudged(drive) {
+function in_page_checks__idle_in(drive) {
 
-if ($truth($b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })()))) {
-return 2;
-}
-return ($truth($b.any((function* () { for (const _ of $iter(usual__unusual_sizes(drive, false))) { yield true; } })())) ? 3 : 0);
+return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })());
 }
 function rules__idle(arc) {
 
 return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
-function* usual__unusual_sizes(drive, odd) {
-let case_, dimension, least, made, most, name, names, place, pulley, size, value, values;
-
-for (case_ of $iter(drive.load_cases)) {
-for (pulley of $iter(drive.in_case(case_).pulleys)) {
-(names = usual___names(pulley, case_));
-(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c43, $k({strict: true})))) {
-(made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
-if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
-(size = (($in(dimension, $c44)) ? drive.belt.width : 1.0));
-(odd = true);
-yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
-}
-}
-}
-}
-}
-function usual___names(pulley, case_) {
-let at, belt, drum, lagging, of;
-
-([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
-([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
-return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
-}
-function usual___sizes(drive, case_, pulley) {
-let belt, idle, lagging, sag, tensions;
-([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
-(tensions = $at(case_.tensions, pulley.name));
-(idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
-function known(value) {
-return ((value == null) ? NaN : value);
-}
-$sig(known, ["value"], false);
-return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.diameter, ($truth(idle) ? pulley.wrap_angle : NaN), ($truth(idle) ? NaN : pulley.wrap_angle), drive.creep_limit_of(pulley), known($bound(pulley, "overrun")), lagging.thickness, lagging.shear_modulus, lagging.compression_modulus, known($bound(belt, "rating")), known($bound(belt, "breaking_strength")), known($bound(lagging, "bond_strength")), known($bound(lagging, "fatigue_limit")), known($bound(belt, "largest_wrap_pressure")), known($bound(belt, "least_pulley_diameter")), known(((sag == null) ? null : sag.tension)), tensions.entry, tensions.exit, (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective), known($bound(belt, "mass")));
-}
-function numbers__compared_sizes(of) {
-
-return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
-}
-function numbers__usual(value, least, most) {
-
-return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
-}
-function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy;
-
-([least, most] = ends);
-(meant = $m.join(" or ", parse__meant_by(value, dimension, least, most)));
-(remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
-if (($eq(dimension, "number"))) {
-(near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
-(remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
-}
-if ((($eq(dimension, "angle")) && (value > most))) {
-(remedy = "Is it the sum of two pulleys? Give each of them its own.");
-} else {
-if ((($eq(dimension, "angle")) && !$truth(meant))) {
-(remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
-}
-}
-if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
-(remedy = "Check the diameter and the rating.");
-}
-if (($eq(name, "strength over the rating of the belt"))) {
-(remedy = "Check strength and rating.");
-}
-if ((($eq(name, "mass of the belt")) && (value > most))) {
-(remedy = "Is it that of the whole belt? Give the mass of a metre.");
-}
-if (($eq(name, "modulus over the rating of the belt"))) {
-(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
-}
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c46, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
-}
-function parse__meant_by(value, dimension, least, most) {
-let found, inside, number, short, text, unit, units, written;
-
-(found = []);
-(units = $m.get($c45, dimension, []));
-for (written of $iter(units)) {
-(number = (value / parse__unit_factor(written, dimension)));
-(short = $b.float(("" + $format(number, ("" + ".3g")))));
-if (($b.abs($sub(number, short)) > $mul(1e-09, $b.abs(short)))) {
-continue;
-}
-for (unit of $iter(units)) {
-(text = ("" + $format(short, ("" + "g")) + " " + $str(unit)));
-(inside = (least <= $mul(short, parse__unit_factor(unit, dimension)) && $mul(short, parse__unit_factor(unit, dimension)) <= most));
-if (($truth(inside) && (!$eq(unit, written)) && (!$in(text, (function* () { for (const [_, t] of $iter(found)) { yield t; } })())))) {
-$m.append(found, [!(1.0 <= short && short < 1000.0), text]);
-}
-}
-}
-return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
-}
-function check__escaped(text) {
-
-return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
-}
 function judge__judge(result) {
 let most, one, over, verdict;
 
-if ((!$in(result, $c47))) {
+if ((!$in(result, $c43))) {
 (verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
 if ((verdict.level === "OK")) {
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
 ([most, over] = judge___wet(one));
 (verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
 }
-$put($c47, result, verdict);
+$put($c43, result, verdict);
 }
-return $at($c47, result);
+return $at($c43, result);
 }
 function judge__every_check(result) {
 
@@ -1494,6 +1391,10 @@ let fault, shorts;
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 (shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
 return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(status)))));
+}
+function check__escaped(text) {
+
+return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
 }
 function* judge__not_working(place) {
 let name, title;
@@ -1560,7 +1461,7 @@ return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTI
 }
 function judge__train_balance(error, place) {
 
-return of_drive__judged($at($c46, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+return of_drive__judged($at($c44, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
 let kept, level, miss;
@@ -1604,17 +1505,17 @@ let name, why;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
 (why = "a drive that follows another gives no rating of its motors");
-return of_drive__not_checked(name, $at($c48, momentary), why, place);
+return of_drive__not_checked(name, $at($c45, momentary), why, place);
 }
 function judge__motor_load(load, most, momentary, place) {
 let remedy, title;
 
-(title = $at($c48, momentary));
+(title = $at($c45, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
 if ($truth(momentary)) {
 (remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
 }
-return of_drive__judged($at($c46, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
+return of_drive__judged($at($c44, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
 }
 function* judge___meeting(case_) {
 let ends, one, other, place;
@@ -1633,16 +1534,17 @@ return null;
 yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + "."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
 }
 function* usual__of_train(train) {
-let division, motor, pulley, turns;
+let division, kinds, motor, pulley, turns;
 
 (division = $at(train.cases, 0).division);
 if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
 for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
-yield new Owner(turns, "", new Place($bound(pulley, "name")));
+yield new Owner(turns, $c46, "", new Place($bound(pulley, "name")));
 }
 }
 for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
-yield new Owner(motor, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
+(kinds = ($truth($b.isinstance(motor, Motor)) ? $c47 : ["TorqueFollower"]));
+yield new Owner(motor, kinds, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
 }
 }
 function* judge___drive(result, ...others) {
@@ -1663,7 +1565,7 @@ yield* $iter(of_drive__take_up(drive));
 for (pulley of $iter(drive.pulleys)) {
 yield of_drive__pulley_diameter(drive, pulley);
 }
-yield* $iter(in_page_checks__usual_sizes(drive, ...$iter(others)));
+yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
@@ -1699,7 +1601,7 @@ function of_arc__grip(drive, case_, arcs, index) {
 let name, place, result, rise, take_up, title;
 
 (result = $at(arcs, index));
-([take_up, name] = [drive.criteria.take_up, $at($c46, "gross_slip").name]);
+([take_up, name] = [drive.criteria.take_up, $at($c44, "gross_slip").name]);
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
@@ -1719,8 +1621,8 @@ function of_arc__of_sliding(drive, case_, result, found) {
 let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
 
 ([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
-([rule, factor, gone] = [$at($c46, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
-([by, first] = $at($c49, found.cause));
+([rule, factor, gone] = [$at($c44, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
+([by, first] = $at($c48, found.cause));
 (title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
@@ -1808,7 +1710,7 @@ return design_standard___silent("CEMA", ("" + "its factors for manual take-ups a
 return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
 }
 function design_standard___rows(lagging) {
-return $at($c50, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+return $at($c49, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
 function design_standard___silent(name, why) {
 return new Asked(name, NaN, "", why);
@@ -1825,7 +1727,7 @@ if (!$truth(lagging.surface)) {
 return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
 }
 (condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(found = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
 (value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
 if ((value == null)) {
 return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
@@ -1864,7 +1766,7 @@ return $mul($mul(factor, start), $b.abs(pull));
 function rules__standard_rule(criteria) {
 let rule;
 
-(rule = $at($c46, "design_standard"));
+(rule = $at($c44, "design_standard"));
 return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
 }
 function of_arc__creep(drive, result) {
@@ -1875,7 +1777,7 @@ if (!$truth($told($c40, result.status, "solved"))) {
 return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
 }
 (limit = result.arc.creep_limit);
-return of_drive__judged($at($c46, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c52, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c46, "creep").tolerates, "length"]]]));
+return of_drive__judged($at($c44, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c51, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c44, "creep").tolerates, "length"]]]));
 }
 function of_arc__no_state(result) {
 
@@ -1891,7 +1793,7 @@ let belt, least, over, rating, steel, strong;
 if ((!$eq(limit, 0.00635))) {
 return "";
 }
-(least = $m.get($c52, $bound(belt, "kind")));
+(least = $m.get($c51, $bound(belt, "kind")));
 ([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
 if (((least == null) || ((rating == null) && !$truth(steel)))) {
 return "Whether this belt may creep more is not known: its carcass or rating is not given.";
@@ -1918,7 +1820,7 @@ if (!$truth($told($c40, result.status, "solved"))) {
 return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
 }
 (told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-return of_drive__judged($at($c46, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
+return of_drive__judged($at($c44, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
 }
 function in_page_checks__creep_interval(_drive, result) {
 let fit, place;
@@ -1955,7 +1857,7 @@ return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating
 }
 function rules__tension_rule(kind) {
 
-return $at($c46, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
+return $at($c44, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
 }
 function rules__tension_factor(belt, kind) {
 
@@ -1975,7 +1877,7 @@ return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), lar
 function of_drive__safety_factor(belt, kind, tension, place) {
 let asked, factor, momentary, rule, source, strength, title, why;
 
-([rule, momentary] = [$at($c46, "belt_safety"), (!$eq(kind, "running"))]);
+([rule, momentary] = [$at($c44, "belt_safety"), (!$eq(kind, "running"))]);
 (title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
 ([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
 if ((strength == null)) {
@@ -2001,7 +1903,7 @@ let asked;
 if ((belt.breaking_strength == null)) {
 return NaN;
 }
-(asked = $m.get($c53, $bound(belt, "kind"), NaN));
+(asked = $m.get($c52, $bound(belt, "kind"), NaN));
 if ((belt.rating != null)) {
 (asked = (belt.breaking_strength / belt.rating));
 }
@@ -2025,7 +1927,7 @@ return of_drive__not_checked("face_pressure", title, why, place);
 (tensions = $at(case_.tensions, pulley.name));
 (tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
 (value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return of_drive__judged($at($c46, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
+return of_drive__judged($at($c44, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
 }
 function rules__wrap_pressure(tension, width, diameter, centrifugal) {
 
@@ -2063,7 +1965,7 @@ if ((limit == null)) {
 (why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
 return of_drive__not_checked(name, title, why, place);
 }
-return of_drive__judged($at($c46, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
+return of_drive__judged($at($c44, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
 }
 function of_arc___known(check, result) {
 
@@ -2088,8 +1990,8 @@ return null;
 }
 (tensions = $at(case_.tensions, pulley.name));
 for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
-(more = ($truth($at($c46, name).at_most) ? "above" : "below"));
-yield of_drive__judged($at($c46, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
+(more = ($truth($at($c44, name).at_most) ? "above" : "below"));
+yield of_drive__judged($at($c44, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
 }
 }
 function of_drive__tests_of(pulley) {
@@ -2115,7 +2017,7 @@ yield of_data___untested(case_, pulley, "worn", "worn", says);
 function of_data___untested(case_, pulley, state, part, says) {
 let lagging;
 (lagging = pulley.lagging);
-return new Check($at($c46, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
+return new Check($at($c44, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
 }
 function* of_data__fit(case_, pulley) {
 let first, lagging, more, others;
@@ -2126,7 +2028,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check($at($c46, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
+yield new Check($at($c44, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -2162,7 +2064,7 @@ let found, tested, title, unchecked, why;
 if ((tested == null)) {
 return null;
 }
-yield of_drive__judged($at($c46, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
+yield of_drive__judged($at($c44, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
 (title = "Slip speed, tested");
 if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
@@ -2173,7 +2075,7 @@ yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
 if ($truth($math.isnan(speed))) {
 yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
 } else {
-yield of_drive__judged($at($c46, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
+yield of_drive__judged($at($c44, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
 }
 }
 }
@@ -2195,7 +2097,7 @@ return null;
 (arc = result.arc);
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-return of_drive__judged($at($c46, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+return of_drive__judged($at($c44, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -2220,7 +2122,7 @@ let limits, title;
 if ((limits == null)) {
 return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
 }
-return of_drive__judged($at($c46, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
+return of_drive__judged($at($c44, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2278,17 +2180,292 @@ if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers_
 if (($truth(why) || (least == null))) {
 return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
 }
-return of_drive__judged($at($c46, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
+return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
 }
-function* in_page_checks__usual_sizes(_drive, ..._others) {
+function* usual__usual_sizes(drive, ...others) {
+let odd, parts, title;
 
-yield usual__all_usual();
-}
-function usual__all_usual() {
-let title;
-
+(parts = [...$iter(usual___others(drive, others))]);
+(odd = $map([...(function* () { for (const check of $iter([...$iter(usual__unusual_sizes(drive, $b.bool(parts))), ...$iter(parts)])) { yield [check.said, check]; } })()]));
+yield* $iter($m.values(odd));
+if (!$truth(odd)) {
 (title = "What is given is of usual size");
-return new Check("usual_sizes", title, "OK", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+yield new Check("usual_sizes", title, "OK", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+}
+}
+function* usual___others(drive, others) {
+let ends, fabric, lagging, owner, place, pulley, rating, solid, stiff, width;
+for (owner of $iter([...$iter(usual___owners(drive)), ...$iter(others)])) {
+yield* $iter(usual___of_owner(owner));
+if (($in(owner.kinds, [$c47, $c46]))) {
+yield* $iter(usual___turning(drive, owner));
+}
+}
+yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c47)))) continue; yield o.of; } })()]));
+if ((drive.conveyor != null)) {
+yield* $iter(usual___conveyor_sizes($bound(drive, "conveyor"), $bound(drive.belt, "width")));
+}
+(width = drive.belt.width);
+for (pulley of $iter(drive.pulleys)) {
+if ((pulley.mass != null)) {
+(solid = $mul($mul($mul($mul(7850.0, 0.25), 3.141592653589793), $pow(pulley.diameter, 2)), width));
+(ends = [$mul(0.02, solid), $mul(1.5, solid)]);
+if (!$truth(numbers__usual($bound(pulley, "mass"), ...$iter(ends)))) {
+(place = new Place($bound(pulley, "name")));
+yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place, $bound(pulley, "mass"), ends);
+}
+}
+}
+([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c63, 11))))));
+if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
+yield usual__unusual("modulus over the rating of the belt", "number", $c56, (stiff / rating), [15.0, 250.0]);
+}
+for (lagging of $iter(drive.laggings)) {
+yield* $iter(usual___law_sizes(lagging));
+}
+}
+function* usual___owners(drive) {
+let criteria, factor, lagging, name, of, place, pulley;
+
+(criteria = drive.criteria);
+yield new Owner($bound(drive, "belt"), ["Belt"], "of the belt");
+yield new Owner($bound(criteria, "take_up"), ["TakeUp"], "of the take-up");
+yield new Owner($bound(criteria, "standard"), ["DesignStandard"], "of the design standard");
+yield new Owner($bound(criteria, "safety"), ["SafetyFactors"], "safety factor");
+yield new Owner($bound(criteria, "sag"), ["Sag"], "for the sag of the belt");
+yield new Owner($bound(drive, "conveyor"), ["Conveyor"], "of the conveyor");
+for (lagging of $iter(drive.laggings)) {
+(of = ("" + "of lagging " + $str(lagging.name)));
+yield new Owner(lagging, ["Lagging"], of);
+yield new Owner($bound(lagging, "block"), ["Block"], ("" + "of the blocks " + $str(of)));
+yield new Owner($bound(lagging, "cost"), ["Cost"], ("" + "that the cost " + $str(of) + " is for"));
+for ([name, factor] of $iter($m.items(lagging.condition_factors))) {
+yield new Owner(factor, ["ConditionFactor"], ("" + "on the friction " + $str(of) + ", " + $str(name)));
+}
+}
+for (pulley of $iter(drive.pulleys)) {
+([place, of] = [new Place($bound(pulley, "name")), ("" + "of pulley " + $str(pulley.name))]);
+if ((pulley.across != null)) {
+yield new Owner($bound(pulley, "across"), ["Across"], of, place);
+yield new Owner($bound(pulley.across, "before"), $c53, ("" + "before pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "after"), $c53, ("" + "behind pulley " + $str(pulley.name)), place);
+}
+}
+}
+function* usual___of_owner(owner) {
+let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
+
+([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
+(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c54, kind, $map([])); } })())]);
+for ([key, limit] of $iter($m.items(limits))) {
+([ends, value] = [$b.next((function* () { for (const t of $iter(tables)) { if (!(($in(key, t)))) continue; yield $at(t, key); } })(), null), $b.getattr(of, key)]);
+if (($truth(ends) && $truth(value) && !$truth(numbers__usual(value, ...$iter(ends))))) {
+(name = $m.rstrip(("" + $str($m.replace(key, "_", " ")) + " " + $str(owner.words))));
+yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), value, ends);
+}
+}
+for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
+if ((happening.at >= of.duration)) {
+(name = ("" + "begin (at) of what happens " + $str(owner.words)));
+(check = usual__unusual(name, "time", $c56, $bound(happening, "at"), [0.0, of.duration]));
+yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
+}
+}
+if (($in("Across", owner.kinds))) {
+for ([key, most] of $iter($m.items($c57))) {
+(profile = $b.getattr(of, key));
+(heights = ((profile == null) ? [] : [profile.largest, $neg($b.min([...$iter(profile.value), 0.0]))]));
+if (($b.max(heights, $k({default: 0.0})) > most)) {
+(name = $m.rstrip(("" + $str($m.replace(key, "_", " ")) + " " + $str(owner.words))));
+yield usual__unusual(name, "length", $bound(owner, "place"), $b.max(heights), [0.0, most]);
+}
+}
+}
+}
+function numbers__usual(value, least, most) {
+
+return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
+}
+function usual__unusual(name, dimension, place, value, ends) {
+let least, meant, most, near, remedy;
+
+([least, most] = ends);
+(meant = $m.join(" or ", parse__meant_by(value, dimension, least, most)));
+(remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
+if (($eq(dimension, "number"))) {
+(near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
+(remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
+}
+if ((($eq(dimension, "angle")) && (value > most))) {
+(remedy = "Is it the sum of two pulleys? Give each of them its own.");
+} else {
+if ((($eq(dimension, "angle")) && !$truth(meant))) {
+(remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
+}
+}
+if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
+(remedy = "Check the diameter and the rating.");
+}
+if (($eq(name, "strength over the rating of the belt"))) {
+(remedy = "Check strength and rating.");
+}
+if ((($eq(name, "mass of the belt")) && (value > most))) {
+(remedy = "Is it that of the whole belt? Give the mass of a metre.");
+}
+if (($eq(name, "modulus over the rating of the belt"))) {
+(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
+}
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+}
+function parse__meant_by(value, dimension, least, most) {
+let found, inside, number, short, text, unit, units, written;
+
+(found = []);
+(units = $m.get($c55, dimension, []));
+for (written of $iter(units)) {
+(number = (value / parse__unit_factor(written, dimension)));
+(short = $b.float(("" + $format(number, ("" + ".3g")))));
+if (($b.abs($sub(number, short)) > $mul(1e-09, $b.abs(short)))) {
+continue;
+}
+for (unit of $iter(units)) {
+(text = ("" + $format(short, ("" + "g")) + " " + $str(unit)));
+(inside = (least <= $mul(short, parse__unit_factor(unit, dimension)) && $mul(short, parse__unit_factor(unit, dimension)) <= most));
+if (($truth(inside) && (!$eq(unit, written)) && (!$in(text, (function* () { for (const [_, t] of $iter(found)) { yield t; } })())))) {
+$m.append(found, [!(1.0 <= short && short < 1000.0), text]);
+}
+}
+}
+return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
+}
+function* usual___turning(drive, owner) {
+let belt, check, dimension, ends, motor, name, power, pulley, remedy, setting, speed, turns, value, values;
+
+([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
+([turns, remedy] = [motor, "Check the speeds of the drums, the diameter and the belt speed."]);
+if ($truth($b.isinstance(motor, Motor))) {
+([power, speed] = [motor.rated_power, motor.rated_speed]);
+(setting = ($truth($b.isinstance(motor, VariableSpeed)) ? motor.setting : 1.0));
+(turns = ($mul(setting, speed) / motor.gear_ratio));
+(remedy = "Check gear_ratio, rated_speed, diameter and belt speed.");
+}
+(belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
+(values = numbers__compared_motor(power, speed, turns, $mul(0.5, pulley.diameter), belt));
+for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({strict: true})))) {
+if (!$truth(numbers__usual(value, ...$iter(ends)))) {
+(check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
+yield (($eq(name, "speed of the drum over that of the belt")) ? $replaced(check, new Map([["remedy", remedy]])) : check);
+}
+}
+}
+function numbers__compared_motor(power, speed, drum, radius, belt) {
+
+return [power, speed, ($mul(drum, radius) / belt)];
+}
+function* usual___motor_sizes(drive, motors) {
+let needed, pulls, rated, told;
+
+(pulls = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $b.abs($sub($at(case_.tensions, $at(drive.pulleys, 0).name).entry, $at(case_.tensions, $at(drive.pulleys, $neg(1)).name).exit)); } })()]);
+(needed = $mul($b.max(pulls), $or(drive.belt.speed, () => NaN)));
+(rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
+if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
+(told = "rated power of the motors over that of the largest pull");
+yield usual__unusual(told, "number", $c56, (rated / needed), [0.0, 6.0]);
+}
+}
+function* usual___conveyor_sizes(of, width) {
+let dimension, ends, key, least, load, most, name, odd, slope, value;
+
+(odd = false);
+for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c60, $k({strict: true})))) {
+([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c61)) ? width : 1.0)); } })());
+if (!$truth(numbers__usual(value, least, most))) {
+(odd = true);
+(name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
+(dimension = $at($c62, key).dimension);
+yield usual__unusual(name, dimension, $c56, value, [least, most]);
+}
+}
+([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
+if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
+(name = "load per length of the full belt (capacity, speed and width)");
+yield usual__unusual(name, "mass_per_length", $c56, $bound(of, "material"), load);
+}
+if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
+(name = "lift over length of the conveyor");
+yield usual__unusual(name, "number", $c56, slope, [$neg(0.5), 0.5]);
+}
+}
+function* usual___law_sizes(lagging) {
+let dimension, ends, friction, key, law, name, odd, of, pressures, slip, tested, value;
+
+([tested, of] = [lagging.law.tested, ("" + "lagging " + $str(lagging.name))]);
+if ((!$eq(lagging.condition, "dry"))) {
+(of = $add(of, ("" + ", " + $str(lagging.condition))));
+}
+(odd = false);
+for ([key, [name, dimension, ends]] of $iter($m.items($c64))) {
+(value = $b.getattr(tested, key, null));
+if (((value != null) && !$truth(numbers__usual(value, ...$iter(ends))))) {
+(odd = true);
+yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c56, value, ends);
+}
+}
+if ($truth(odd)) {
+return null;
+}
+([pressures, slip] = [[100000.0], 0.01]);
+if ((tested != null)) {
+([pressures, slip] = [[tested.pressure_min, tested.pressure_max], tested.slip_max]);
+}
+(law = lagging.law.compact());
+for (friction of $iter([...(function* () { for (const pressure of $iter(pressures)) { yield summary__available(law, slip, pressure); } })()])) {
+if (!$truth(numbers__usual(friction, ...$iter($c65)))) {
+yield usual__unusual(("" + "friction of " + $str(of)), "number", $c56, friction, $c65);
+return null;
+}
+}
+}
+function* usual__unusual_sizes(drive, odd) {
+let case_, dimension, least, made, most, name, names, place, pulley, size, value, values;
+
+for (case_ of $iter(drive.load_cases)) {
+for (pulley of $iter(drive.in_case(case_).pulleys)) {
+(names = usual___names(pulley, case_));
+(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c63, $k({strict: true})))) {
+(made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
+if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
+(size = (($in(dimension, $c66)) ? drive.belt.width : 1.0));
+(odd = true);
+yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
+}
+}
+}
+}
+}
+function usual___names(pulley, case_) {
+let at, belt, drum, lagging, of;
+
+([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
+([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
+return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+}
+function usual___sizes(drive, case_, pulley) {
+let belt, idle, lagging, sag, tensions;
+([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
+(tensions = $at(case_.tensions, pulley.name));
+(idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+function known(value) {
+return ((value == null) ? NaN : value);
+}
+$sig(known, ["value"], false);
+return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.diameter, ($truth(idle) ? pulley.wrap_angle : NaN), ($truth(idle) ? NaN : pulley.wrap_angle), drive.creep_limit_of(pulley), known($bound(pulley, "overrun")), lagging.thickness, lagging.shear_modulus, lagging.compression_modulus, known($bound(belt, "rating")), known($bound(belt, "breaking_strength")), known($bound(lagging, "bond_strength")), known($bound(lagging, "fatigue_limit")), known($bound(belt, "largest_wrap_pressure")), known($bound(belt, "least_pulley_diameter")), known(((sag == null) ? null : sag.tension)), tensions.entry, tensions.exit, (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective), known($bound(belt, "mass")));
+}
+function numbers__compared_sizes(of) {
+
+return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
 }
 function of_data__data(drive, pulley) {
 let found, grounds, kind, lagging, what, words, worst;
@@ -2300,7 +2477,7 @@ $m.append($m.setdefault(found, kind, []), what);
 }
 ([grounds, words] = of_data__law_words(lagging));
 (words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c54))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c67))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
@@ -2310,10 +2487,10 @@ if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
 return null;
 }
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-if ((!$in(one, $c55))) {
-$put($c55, one, least_tension___of(one));
+if ((!$in(one, $c68))) {
+$put($c68, one, least_tension___of(one));
 }
-return $at($c55, one);
+return $at($c68, one);
 }
 function least_tension___of(result) {
 let drive, either, ends, figure, found, given, held, take_up, weight, worst;
@@ -2471,9 +2648,9 @@ let both, missed, names;
 
 (missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
 (names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c56)), () => $b.bool($common(names, $c57))));
+(both = $and($b.bool($common(names, $c69)), () => $b.bool($common(names, $c70))));
 function advised(check) {
-if (($in([$m.get($c58, $bound(check, "name"), ""), check.place], missed))) {
+if (($in([$m.get($c71, $bound(check, "name"), ""), check.place], missed))) {
 return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
 }
 if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
@@ -2529,7 +2706,7 @@ return "";
 }
 ([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
 (governs = found.governing);
-(why = $at($c46, governs.name).what);
+(why = $at($c44, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
@@ -2562,10 +2739,10 @@ if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "desi
 return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
 }
 if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c46, governs.name).what) + " (" + $str(governs.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c44, governs.name).what) + " (" + $str(governs.place) + ").");
 }
 ([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c46, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c46, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c44, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c44, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
 }
 function least_tension__least_name(result) {
 let after;
@@ -2704,7 +2881,7 @@ return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c59, result, $map([])));
+(known = $m.setdefault($c72, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -2728,7 +2905,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c60, key))) {
+for ([name, position] of $iter($m.findall($c73, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -2758,10 +2935,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c61, report));
-(common = $map([...(function* () { for (const key of $iter($c62)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c74, report));
+(common = $map([...(function* () { for (const key of $iter($c75)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c63.built($m.get(record, "cost"), report));
+$put(common, "cost", $c76.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -2780,8 +2957,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c64)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c64)))) {
+(given = [...(function* () { for (const key of $iter($c77)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c77)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -2803,7 +2980,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c65)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c78)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -2825,7 +3002,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c66, "built", [shape, report], [...height]));
+(block = $method($c79, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -2851,7 +3028,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c67, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c80, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -2869,7 +3046,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c74.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c87.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -2878,7 +3055,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c68, $map([["pressure", $m.get($c69, kind, "tested_pressure")]])));
+(names = $merged($c81, $map([["pressure", $m.get($c82, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -2887,7 +3064,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c70, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c83, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3070,7 +3247,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c71;
+return $c84;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3171,7 +3348,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c72], ["temperature", $c73]])) {
+for ([key, table] of $iter([["slip_speed", $c85], ["temperature", $c86]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3230,7 +3407,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c75, document, file));
+([record, report] = source__read_tables($c88, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3266,7 +3443,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c77)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c90)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3293,11 +3470,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c51)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw new InputError(new Problem(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard)));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -3314,7 +3491,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c51)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function criteria__choice_problems(thing, choices) {
@@ -3567,7 +3744,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c85, "OK", "rank"), 0.5) : $told($c85, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c98, "OK", "rank"), 0.5) : $told($c98, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -3690,7 +3867,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c724, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c838, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -3700,14 +3877,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c729, 0), 0));
+(least = $at($at($c843, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c729, 0), 0)) ? NaN : $at($at($c729, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c729))) {
+(found = ((length < $at($at($c843, 0), 0)) ? NaN : $at($at($c843, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c843))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -3793,7 +3970,6 @@ let row;
 return [row.unit, row.factor];
 }
 class Problem extends $Object {
-$init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
 __str__() {
 const self = this; let given, place, sentence;
 (place = self.file);
@@ -3805,6 +3981,7 @@ if ((self.line != null)) {
 return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null});
 class WraparcError extends $Error {
 }
 class InputError extends WraparcError {
@@ -3919,7 +4096,6 @@ return ($truth(keys) ? $m.isdisjoint(self.faulty, keys) : !$truth(self.faulty));
 }
 }
 class Provenance extends $Object {
-$init(kind = "given", source = "", date = "", note = "") { this.kind = kind; this.source = source; this.date = date; this.note = note; this.__post_init__?.(); }
 __post_init__() {
 const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
 throw new InputError(new Problem("a published number without a source", "Name the publication, or call the number given or illustrative."));
@@ -3932,6 +4108,7 @@ const self = this; let origin, stated;
 return ($truth(self.note) ? ("" + $str(stated) + " (" + $str(self.note) + ")") : stated);
 }
 }
+$sig(Provenance, ["kind", "source", "date", "note"], false, {kind: () => "given", source: () => "", date: () => "", note: () => ""});
 class Laggings extends $Object {
 $init(own, folder, allow_paths, report) {
 const self = this; (self._report = report);
@@ -3995,7 +4172,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c76)) {
+for (group of $iter($c89)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -4011,7 +4188,6 @@ return new Record(values, $bound(given, "place"), $bound(given, "raw"), $bound(g
 }
 }
 class Condition extends $Object {
-$init(name, factor = null, factors = new Map(), standard = "", source = new Provenance()) { this.name = name; this.factor = factor; this.factors = factors; this.standard = standard; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), self._wetter()));
 }
@@ -4073,7 +4249,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c51)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -4096,15 +4272,15 @@ if (!$truth(lagging.surface)) {
 return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")"), $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })()), undefined, ("" + "condition." + $str(self.name)));
 }
 }
+$sig(Condition, ["name", "factor", "factors", "standard", "source"], false, {factor: () => null, factors: () => new Map(), standard: () => "", source: () => new Provenance()});
 class Conditions extends $Object {
-$init(main = [], cases = []) { this.main = main; this.cases = cases;  }
 get several() {
 const self = this; 
 return [...$iter((($b.len($bound(self, "main")) > 1) ? self.main : [])), ...$iter(self.cases)];
 }
 }
+$sig(Conditions, ["main", "cases"], false, {main: () => [], cases: () => []});
 class Point extends $Object {
-$init(x, y, diameter = 0.0, turn = "clockwise") { this.x = x; this.y = y; this.diameter = diameter; this.turn = turn; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
@@ -4113,22 +4289,20 @@ const self = this;
 return $mul((self.diameter / 2.0), (($eq(self.turn, "counterclockwise")) ? 1.0 : $neg(1.0)));
 }
 }
+$sig(Point, ["x", "y", "diameter", "turn"], false, {diameter: () => 0.0, turn: () => "clockwise"});
 class _UnitTextError extends $Error {
 $init(message, remedy) {
 const self = this; super.$init(message);
 (self.remedy = remedy);
 }
 }
-class Unit extends $Object {
-$init(factor, powers, zero = $c86) { this.factor = factor; this.powers = powers; this.zero = zero;  }
-*[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
+class Unit extends $Tuple {
 }
-class UnitRow extends $Object {
-$init(unit, factor, larger) { this.unit = unit; this.factor = factor; this.larger = larger;  }
-*[Symbol.iterator]() { yield this.unit; yield this.factor; yield this.larger; }
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c99});
+class UnitRow extends $Tuple {
 }
+$sig(UnitRow, ["unit", "factor", "larger"], false, {});
 class WidthProfile extends $Object {
-$init(position = [], value = [], crown = 0.0, uncertainty = null) { this.position = position; this.value = value; this.crown = crown; this.uncertainty = uncertainty; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, numbers, problems, wrong;
 (problems = []);
@@ -4149,6 +4323,10 @@ $m.append(problems, new Problem("the positions must ascend from one edge of the 
 limits__raise_all(problems);
 }
 
+get largest() {
+const self = this; 
+return $add($b.max([...$iter(self.value), 0.0]), $b.max($bound(self, "crown"), 0.0));
+}
 problems(key, width) {
 const self = this; let beyond, edge;
 
@@ -4159,20 +4337,15 @@ return [];
 }
 return [new Problem(("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length"))), "Give positions from the middle of the belt, and leave out rows beside it.", undefined, key, display__display($at(beyond, 0), "length"))];
 }
-get largest() {
-const self = this; 
-return $add($b.max([...$iter(self.value), 0.0]), $b.max($bound(self, "crown"), 0.0));
 }
-}
+$sig(WidthProfile, ["position", "value", "crown", "uncertainty"], false, {position: () => [], value: () => [], crown: () => 0.0, uncertainty: () => null});
 class Criteria extends $Object {
-$init(take_up = new TakeUp(), standard = new DesignStandard(), safety = new SafetyFactors(), sag = null) { this.take_up = take_up; this.standard = standard; this.safety = safety; this.sag = sag;  }
 }
-class Layers extends $Object {
-$init(pulley_cover, carry_cover, carcass) { this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass;  }
-*[Symbol.iterator]() { yield this.pulley_cover; yield this.carry_cover; yield this.carcass; }
+$sig(Criteria, ["take_up", "standard", "safety", "sag"], false, {take_up: () => new TakeUp(), standard: () => new DesignStandard(), safety: () => new SafetyFactors(), sag: () => null});
+class Layers extends $Tuple {
 }
+$sig(Layers, ["pulley_cover", "carry_cover", "carcass"], false, {});
 class Given extends $Object {
-$init(name, place, values, raw, diameter, inherited = []) { this.name = name; this.place = place; this.values = values; this.raw = raw; this.diameter = diameter; this.inherited = inherited;  }
 static of(name, record, diameter) {
 const cls = this; let values;
 
@@ -4183,7 +4356,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c78) {
+overridden(record, fixed = false, speed = null, runs = $c91) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -4197,12 +4370,11 @@ const self = this;
 return $replaced(self, new Map([["values", tension_rules__less_runs($bound(self, "values"), runs, self.at(speed))]]));
 }
 }
-class NipTensions extends $Object {
-$init(entry, exit) { this.entry = entry; this.exit = exit;  }
-*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+$sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"], false, {inherited: () => []});
+class NipTensions extends $Tuple {
 }
+$sig(NipTensions, ["entry", "exit"], false, {});
 class Tensions extends $Object {
-$init(entry, exit, computed = new Map()) { this.entry = entry; this.exit = exit; this.computed = computed; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 (self.exit = load_case__exit_behind($bound(self, "entry"), $bound(self, "exit")));
@@ -4212,20 +4384,20 @@ const self = this;
 return $sub(self.entry, self.exit);
 }
 }
+$sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()});
 class LoadCase extends $Object {
-$init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c79]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c92]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
+$sig(LoadCase, ["name", "tensions", "kind", "condition"], false, {kind: () => "running", condition: () => ""});
 class Viewable extends $Object {
 
 
 }
 class Drive extends Viewable {
-$init(title = "", belt, pulleys, load_cases, creep_limit = 0.00635, criteria = new Criteria(), description = "", conveyor = null) { this.title = title; this.belt = belt; this.pulleys = pulleys; this.load_cases = load_cases; this.creep_limit = creep_limit; this.criteria = criteria; this.description = description; this.conveyor = conveyor; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let case_, key, message, names, problems, pulley;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -4314,8 +4486,8 @@ const self = this;
 return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
+$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"], false, {title: () => "", creep_limit: () => 0.00635, criteria: () => new Criteria(), description: () => "", conveyor: () => null});
 class Train extends $Object {
-$init(title = "", description = "", belt, pulleys, cases, nominal_diameters = [], creep_limit = 0.00635, criteria = new Criteria()) { this.title = title; this.description = description; this.belt = belt; this.pulleys = pulleys; this.cases = cases; this.nominal_diameters = nominal_diameters; this.creep_limit = creep_limit; this.criteria = criteria; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let case_, count, given, least, message, names, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -4383,6 +4555,7 @@ const self = this;
 return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
 }
 }
+$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria()});
 class Reader extends $Object {
 $init(record, belt, pulleys, report, take_up) {
 const self = this; ([self.belt, self.pulleys, self._report, self._take_up] = [belt, pulleys, report, take_up]);
@@ -4464,7 +4637,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c78, self._take_up.fixed]);
+([runs, fixed] = [$c91, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -4477,7 +4650,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c80), ...$iter($c81), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c93), ...$iter($c94), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -4521,10 +4694,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c81)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c94)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c81)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c94)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -4600,7 +4773,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c82))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c95))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -4612,19 +4785,18 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c83.built(record, $bound(self, "_report")));
+(motor = $c96.built(record, $bound(self, "_report")));
 return motor;
 }
 }
 class CatalogueBelt extends $Object {
-$init(name, kind, rating, modulus, least_pulley_diameter = null, carcass = null, carcass_mass = null, cover_mass = null, provenance, carcass_source = null) { this.name = name; this.kind = kind; this.rating = rating; this.modulus = modulus; this.least_pulley_diameter = least_pulley_diameter; this.carcass = carcass; this.carcass_mass = carcass_mass; this.cover_mass = cover_mass; this.provenance = provenance; this.carcass_source = carcass_source;  }
 get sources() {
 const self = this; 
 return ($truth(self.carcass_source) ? $map([["carcass", self.carcass_source]]) : $map([]));
 }
 }
+$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"], false, {least_pulley_diameter: () => null, carcass: () => null, carcass_mass: () => null, cover_mass: () => null, carcass_source: () => null});
 class WrapArc extends $Object {
-$init(law, entry_tension, exit_tension, diameter, wrap_angle, width, axial_stiffness, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, overrun = null, recovery = true, creep_limit = 0.00635, belt_speed = null, wear_coefficient = null, pitch_offset = null, cover_compliance = 0.0, cover_left_out = 0.0, side_of_belt = "pulley", belt_thickness = null, centrifugal = 0.0, fit = null, pulley = "", load_case = "") { this.law = law; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.diameter = diameter; this.wrap_angle = wrap_angle; this.width = width; this.axial_stiffness = axial_stiffness; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.belt_speed = belt_speed; this.wear_coefficient = wear_coefficient; this.pitch_offset = pitch_offset; this.cover_compliance = cover_compliance; this.cover_left_out = cover_left_out; this.side_of_belt = side_of_belt; this.belt_thickness = belt_thickness; this.centrifugal = centrifugal; this.fit = fit; this.pulley = pulley; this.load_case = load_case; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let ends, key, least, message, most, problems, unit, value;
 (problems = [...(function* () { for (const [key, value, unit] of $iter([["entry_tension", self.entry_tension, "N"], ["exit_tension", self.exit_tension, "N"], ["diameter", self.diameter, "m"], ["wrap_angle", self.wrap_angle, "rad"], ["width", self.width, "m"], ["creep_limit", self.creep_limit, "m"]])) { if (!(!(0.0 < value && value < Infinity))) continue; yield new Problem("must be positive and finite", undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))); } })()]);
@@ -4677,6 +4849,10 @@ return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt($bound(drive, 
 get radius() {
 const self = this; 
 return $mul(0.5, self.diameter);
+}
+get length() {
+const self = this; 
+return $mul(self.radius, self.wrap_angle);
 }
 get effective_tension() {
 const self = this; 
@@ -4742,24 +4918,18 @@ if ((tested != null)) {
 }
 return new Load($sub(self.entry_tension, self.centrifugal), $sub(self.exit_tension, self.centrifugal), $bound(self, "creep_limit"), ...$iter(ends), self.law.steepest_fall());
 }
-get length() {
-const self = this; 
-return $mul(self.radius, self.wrap_angle);
 }
+$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, pulley: () => "", load_case: () => ""});
+class in_page$Given extends $Tuple {
 }
-class in_page$Given extends $Object {
-$init(entry_tension, exit_tension, effective_tension, torque, power, diameter, wrap_angle, overrun, recovery, width, modulus, speed, thickness, shear_modulus, compression_modulus, wear_coefficient, creep_limit, steepest_fall, pitch_offset, cover_compliance, mass, slip_with_shear, belt_speed) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.effective_tension = effective_tension; this.torque = torque; this.power = power; this.diameter = diameter; this.wrap_angle = wrap_angle; this.overrun = overrun; this.recovery = recovery; this.width = width; this.modulus = modulus; this.speed = speed; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.wear_coefficient = wear_coefficient; this.creep_limit = creep_limit; this.steepest_fall = steepest_fall; this.pitch_offset = pitch_offset; this.cover_compliance = cover_compliance; this.mass = mass; this.slip_with_shear = slip_with_shear; this.belt_speed = belt_speed;  }
-*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.effective_tension; yield this.torque; yield this.power; yield this.diameter; yield this.wrap_angle; yield this.overrun; yield this.recovery; yield this.width; yield this.modulus; yield this.speed; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.wear_coefficient; yield this.creep_limit; yield this.steepest_fall; yield this.pitch_offset; yield this.cover_compliance; yield this.mass; yield this.slip_with_shear; yield this.belt_speed; }
-}
+$sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"], false, {});
 class Rise extends $Object {
-$init(tight, slack) { this.tight = tight; this.slack = slack;  }
 }
-class in_page$Criteria extends $Object {
-$init(safety, tight_rise, slack_rise, cover, strength, pulley_mass, wet) { this.safety = safety; this.tight_rise = tight_rise; this.slack_rise = slack_rise; this.cover = cover; this.strength = strength; this.pulley_mass = pulley_mass; this.wet = wet;  }
-*[Symbol.iterator]() { yield this.safety; yield this.tight_rise; yield this.slack_rise; yield this.cover; yield this.strength; yield this.pulley_mass; yield this.wet; }
+$sig(Rise, ["tight", "slack"], false, {});
+class in_page$Criteria extends $Tuple {
 }
+$sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"], false, {});
 class ArcResult extends Viewable {
-$init(status, method, arc, profile, entry_tension, exit_tension, exit_creep, creep_shrinkage, creep_compression, creep_global, exit_slip, entry_creep_ratio, exit_creep_ratio, peak_shear_stress, peak_shear_angle, peak_shear_position, mean_friction, active_arc, outside_tested_share, stuck_arc, capacities, energy) { this.status = status; this.method = method; this.arc = arc; this.profile = profile; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.exit_creep = exit_creep; this.creep_shrinkage = creep_shrinkage; this.creep_compression = creep_compression; this.creep_global = creep_global; this.exit_slip = exit_slip; this.entry_creep_ratio = entry_creep_ratio; this.exit_creep_ratio = exit_creep_ratio; this.peak_shear_stress = peak_shear_stress; this.peak_shear_angle = peak_shear_angle; this.peak_shear_position = peak_shear_position; this.mean_friction = mean_friction; this.active_arc = active_arc; this.outside_tested_share = outside_tested_share; this.stuck_arc = stuck_arc; this.capacities = capacities; this.energy = energy;  }
 get covered_creep() { return $kept(this, "covered_creep", this.$find_covered_creep()); }
 get effective_tension() {
 const self = this; 
@@ -4781,15 +4951,15 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 return $at(found.met.course.creep, $neg(1));
 }
 }
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
 class FoundArc extends ArcResult {
-$init(status, method, arc, profile, entry_tension, exit_tension, exit_creep, creep_shrinkage, creep_compression, creep_global, exit_slip, entry_creep_ratio, exit_creep_ratio, peak_shear_stress, peak_shear_angle, peak_shear_position, mean_friction, active_arc, outside_tested_share, stuck_arc, capacities, energy, found) { this.status = status; this.method = method; this.arc = arc; this.profile = profile; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.exit_creep = exit_creep; this.creep_shrinkage = creep_shrinkage; this.creep_compression = creep_compression; this.creep_global = creep_global; this.exit_slip = exit_slip; this.entry_creep_ratio = entry_creep_ratio; this.exit_creep_ratio = exit_creep_ratio; this.peak_shear_stress = peak_shear_stress; this.peak_shear_angle = peak_shear_angle; this.peak_shear_position = peak_shear_position; this.mean_friction = mean_friction; this.active_arc = active_arc; this.outside_tested_share = outside_tested_share; this.stuck_arc = stuck_arc; this.capacities = capacities; this.energy = energy; this.found = found;  }
 get covered_creep() {
 const self = this; 
 return self.found.covered_creep;
 }
 }
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
 class DriveResult extends Viewable {
-$init(drive, arcs) { this.drive = drive; this.arcs = arcs;  }
 __iter__() {
 const self = this; return $b.iter($bound(self, "arcs"));
 }
@@ -4826,8 +4996,8 @@ const self = this;
 return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c40, r.status, "solved"); } })());
 }
 }
+$sig(DriveResult, ["drive", "arcs"], false, {});
 class TrainResult extends Viewable {
-$init(train, cases) { this.train = train; this.cases = cases;  }
 __iter__() {
 const self = this; return $b.iter($bound(self, "cases"));
 }
@@ -4859,8 +5029,8 @@ const self = this; let arcs, cases;
 return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
 }
 }
+$sig(TrainResult, ["train", "cases"], false, {});
 class CaseResult extends $Object {
-$init(case_, status, reason, members, sensitivity, belt_speed, other_splits = [], tension_error = 0.0, speed_error = 0.0) { this.case = case_; this.status = status; this.reason = reason; this.members = members; this.sensitivity = sensitivity; this.belt_speed = belt_speed; this.other_splits = other_splits; this.tension_error = tension_error; this.speed_error = speed_error;  }
 __iter__() {
 const self = this; return $b.iter($bound(self, "members"));
 }
@@ -4869,16 +5039,15 @@ const self = this;
 return $and((self.status === "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
 }
 }
+$sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"], false, {other_splits: () => [], tension_error: () => 0.0, speed_error: () => 0.0});
 class MemberResult extends $Object {
-$init(arc, share, speed_ratio, contraction_term, creep_term, compression_term, thickness_term, drum_ratio, surface_speed, rotation_speed, speed_trim, drum_torque, drum_power, motor = null) { this.arc = arc; this.share = share; this.speed_ratio = speed_ratio; this.contraction_term = contraction_term; this.creep_term = creep_term; this.compression_term = compression_term; this.thickness_term = thickness_term; this.drum_ratio = drum_ratio; this.surface_speed = surface_speed; this.rotation_speed = rotation_speed; this.speed_trim = speed_trim; this.drum_torque = drum_torque; this.drum_power = drum_power; this.motor = motor;  }
 get name() {
 const self = this; 
 return self.arc.arc.pulley;
 }
 }
-class Place extends $Object {
-$init(pulley = "", load_case = "", event = "") { this.pulley = pulley; this.load_case = load_case; this.event = event;  }
-*[Symbol.iterator]() { yield this.pulley; yield this.load_case; yield this.event; }
+$sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"], false, {motor: () => null});
+class Place extends $Tuple {
 __str__() {
 const self = this; let parts;
 (parts = ($truth(self.pulley) ? [("" + "pulley " + $str(self.pulley))] : []));
@@ -4887,19 +5056,15 @@ const self = this; let parts;
 return $m.join(", ", parts);
 }
 }
-class Sizes extends $Object {
-$init(width, modulus, speed, diameter, idle_wrap, wrap_angle, creep_limit, overrun, thickness, shear_modulus, compression_modulus, rating, strength, bond_strength, fatigue_limit, face_pressure, least_diameter, sag, entry, leaving, pull, mass) { this.width = width; this.modulus = modulus; this.speed = speed; this.diameter = diameter; this.idle_wrap = idle_wrap; this.wrap_angle = wrap_angle; this.creep_limit = creep_limit; this.overrun = overrun; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.rating = rating; this.strength = strength; this.bond_strength = bond_strength; this.fatigue_limit = fatigue_limit; this.face_pressure = face_pressure; this.least_diameter = least_diameter; this.sag = sag; this.entry = entry; this.leaving = leaving; this.pull = pull; this.mass = mass;  }
-*[Symbol.iterator]() { yield this.width; yield this.modulus; yield this.speed; yield this.diameter; yield this.idle_wrap; yield this.wrap_angle; yield this.creep_limit; yield this.overrun; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.rating; yield this.strength; yield this.bond_strength; yield this.fatigue_limit; yield this.face_pressure; yield this.least_diameter; yield this.sag; yield this.entry; yield this.leaving; yield this.pull; yield this.mass; }
-}
+$sig(Place, ["pulley", "load_case", "event"], false, {pulley: () => "", load_case: () => "", event: () => ""});
 class Check extends $Object {
-$init(name, title, level, place = $c87, value = NaN, limit = NaN, dimension = "number", at_most = true, source = "", short = "", says = "", remedy = "", otherwise = "", more = new Map(), binding = true, miss = null) { this.name = name; this.title = title; this.level = level; this.place = place; this.value = value; this.limit = limit; this.dimension = dimension; this.at_most = at_most; this.source = source; this.short = short; this.says = says; this.remedy = remedy; this.otherwise = otherwise; this.more = more; this.binding = binding; this.miss = miss;  }
 get margin() {
 const self = this; 
 return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c84)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c97)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -4922,7 +5087,7 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c85, self.level, "rank") >= $told($c85, "ATTENTION", "rank"));
+return ($told($c98, self.level, "rank") >= $told($c98, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
@@ -4957,20 +5122,19 @@ return $m.join(" ", (function* () { for (const part of $iter([self.says, self.re
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c715));
+return ($in(self.name, $c829));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c716)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c830)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c717)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c831)));
 }
 }
-class Miss extends $Object {
-$init(level, short, says, remedy, fails_beyond = NaN, because = "", tolerates = NaN, allows = "", otherwise = "") { this.level = level; this.short = short; this.says = says; this.remedy = remedy; this.fails_beyond = fails_beyond; this.because = because; this.tolerates = tolerates; this.allows = allows; this.otherwise = otherwise;  }
-*[Symbol.iterator]() { yield this.level; yield this.short; yield this.says; yield this.remedy; yield this.fails_beyond; yield this.because; yield this.tolerates; yield this.allows; yield this.otherwise; }
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+class Miss extends $Tuple {
 at(value, at_most) {
 const self = this; let says;
 
@@ -4981,11 +5145,11 @@ return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
 return [self.level, $m.rstrip(says)];
 }
 }
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class Motors extends $Object {
-$init(motors) { this.motors = motors;  }
 }
+$sig(Motors, ["motors"], false, {});
 class Motor extends $Object {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -5018,28 +5182,42 @@ const self = this;
 return (self.rated_power / self.rated_speed);
 }
 }
+$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
 class Pulls extends $Object {
-$init(effective_tensions) { this.effective_tensions = effective_tensions;  }
 }
+$sig(Pulls, ["effective_tensions"], false, {});
 class Speeds extends $Object {
-$init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
 }
-class Owner extends $Object {
-$init(of, words, place = $c87) { this.of = of; this.words = words; this.place = place;  }
-*[Symbol.iterator]() { yield this.of; yield this.words; yield this.place; }
+$sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
+class Owner extends $Tuple {
 }
-class Sliding extends $Object {
-$init(place, cause) { this.place = place; this.cause = cause;  }
-*[Symbol.iterator]() { yield this.place; yield this.cause; }
+$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c56, more: () => []});
+class Sliding extends $Tuple {
 }
+$sig(Sliding, ["place", "cause"], false, {});
 class Asked extends $Object {
-$init(rule, wrap_factor, source, why_not = "") { this.rule = rule; this.wrap_factor = wrap_factor; this.source = source; this.why_not = why_not;  }
 }
+$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+class VariableSpeed extends Motor {
+largest_load() {
+const self = this; let stall;
+
+(stall = ((self.droop > 0.0) ? ($mul(0.9, self.setting) / self.droop) : Infinity));
+return $b.min($bound(self, "torque_limit"), stall);
+}
+shaft_speed(load) {
+const self = this; 
+return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
+}
+}
+$sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, setting: () => 1.0, droop: () => 0.0, torque_limit: () => Infinity});
+class Sizes extends $Tuple {
+}
+$sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"], false, {});
 class Figure extends $Object {
-$init(name, title, tension, place, binding = true, at_least = true) { this.name = name; this.title = title; this.tension = tension; this.place = place; this.binding = binding; this.at_least = at_least;  }
 }
+$sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
 class LeastTension extends $Object {
-$init(figures, given, counterweight) { this.figures = figures; this.given = given; this.counterweight = counterweight;  }
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get highest() { return $kept(this, "highest", this.$find_highest()); }
 $find_governing() {
@@ -5074,8 +5252,8 @@ const self = this;
 return $b.next((function* () { for (const f of $iter(self.figures)) { if (!(($eq(f.name, "design_standard")))) continue; yield f; } })(), null);
 }
 }
+$sig(LeastTension, ["figures", "given", "counterweight"], false, {});
 class Verdict extends $Object {
-$init(checks, wet = -1.0, over_wet = false) { this.checks = checks; this.wet = wet; this.over_wet = over_wet;  }
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get listed() { return $kept(this, "listed", this.$find_listed()); }
 get missed() { return $kept(this, "missed", this.$find_missed()); }
@@ -5227,7 +5405,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c85, self.level, "rank") > $told($c85, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c98, self.level, "rank") > $told($c98, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -5245,30 +5423,30 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c718)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c832)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
+$sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
 class Row extends $Object {
-$init(title, values, symbol = "", note = "", name = "", level = null) { this.title = title; this.values = values; this.symbol = symbol; this.note = note; this.name = name; this.level = level;  }
 }
+$sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
-$init(title, rows, heads = $c88, note = "", name = "", short = null, brief = "") { this.title = title; this.rows = rows; this.heads = heads; this.note = note; this.name = name; this.short = short; this.brief = brief;  }
 }
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c100, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class TestedRange extends $Object {
-$init(pressure_min, pressure_max, slip_max, slip_speed = null) { this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.slip_speed = slip_speed; this.__post_init__?.(); }
 __post_init__() {
 const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
 }
 }
+$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"], false, {slip_speed: () => null});
 class FrictionLaw extends $Object {
-$init(slip_includes = null) { this.slip_includes = slip_includes;  }
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
 return (($eq(friction, slip) && $eq(slip, 1.0)) ? self : self._scaled(friction, slip));
 }
 }
+$sig(FrictionLaw, ["slip_includes"], false, {slip_includes: () => null});
 class MeasuredTable extends FrictionLaw {
-$init(slip_includes = null, slip, pressure, values) { this.slip_includes = slip_includes; this.slip = slip; this.pressure = pressure; this.values = values; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let m, numbers;
 (m = $b.len($bound(self, "slip")));
@@ -5287,21 +5465,20 @@ const self = this; let rows;
 return $replaced(self, new Map([["slip", $b.tuple((function* () { for (const x of $iter(self.slip)) { yield $mul(x, slip); } })())], ["values", rows]]));
 }
 }
-class _Term extends $Object {
-$init(coefficient, function_, power, exponent) { this.coefficient = coefficient; this.function = function_; this.power = power; this.exponent = exponent;  }
-*[Symbol.iterator]() { yield this.coefficient; yield this.function; yield this.power; yield this.exponent; }
+$sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"], false, {slip_includes: () => null});
+class _Term extends $Tuple {
 }
+$sig(_Term, ["coefficient", "function", "power", "exponent"], false, {});
 class Trend extends $Object {
-$init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coefficients = coefficients; this.sign = sign; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c719)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c719)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c833)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c833)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c719, self.form));
+([logarithmic, exponential] = $at($c833, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -5320,16 +5497,16 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c719, self.form));
+([logarithmic, exponential] = $at($c833, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
 }
+$sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
-$init(a, b, post_peak_slope = $c89, residual_friction = $c90) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
 }
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c101, residual_friction: () => $c102});
 class CoefficientPieces extends $Object {
-$init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n, problems;
 (n = $b.len($bound(self, "pieces")));
@@ -5399,8 +5576,8 @@ const self = this;
 return $replaced(self, new Map([["slip_unit", $mul(self.slip_unit, slip)], ["pieces", $b.tuple((function* () { for (const piece of $iter(self.pieces)) { yield $replaced(piece, new Map([["a", piece.a.times(friction)], ["b", piece.b.times(friction)], ["post_peak_slope", piece.post_peak_slope.times((friction / slip))], ["residual_friction", piece.residual_friction.times(friction)]])); } })())]]));
 }
 }
+$sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"], false, {slip_unit: () => 1.0, continuity: () => 0.02});
 class PressureKnots extends $Object {
-$init(pressure, peak_friction, peak_slip, post_peak_slope = [], residual_friction = []) { this.pressure = pressure; this.peak_friction = peak_friction; this.peak_slip = peak_slip; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "pressure")));
@@ -5415,8 +5592,8 @@ return $replaced(self, new Map([["peak_friction", $b.tuple((function* () { for (
 }
 
 }
+$sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => [], residual_friction: () => []});
 class IntegralLog extends FrictionLaw {
-$init(slip_includes = null, coefficients, tested = null) { this.slip_includes = slip_includes; this.coefficients = coefficients; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let p, t;
 if (((self.tested == null) || ($b.len($bound(self.coefficients, "pressure")) < 2))) {
@@ -5434,8 +5611,8 @@ const self = this; return $replaced(self, new Map([["coefficients", self.coeffic
 }
 
 }
+$sig(IntegralLog, ["slip_includes", "coefficients", "tested"], false, {slip_includes: () => null, tested: () => null});
 class Factors extends $Object {
-$init(law, by_slip_speed = null, by_temperature = null, slip_speed = null, temperature = null) { this.law = law; this.by_slip_speed = by_slip_speed; this.by_temperature = by_temperature; this.slip_speed = slip_speed; this.temperature = temperature; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all([...$iter(factors___outside("slip_speed", $bound(self, "slip_speed"), $bound(self, "by_slip_speed"), "speed")), ...$iter(factors___outside("temperature", $bound(self, "temperature"), $bound(self, "by_temperature"), "temperature"))]);
 }
@@ -5480,14 +5657,14 @@ return table.least($bound(self, "temperature"), $bound(self, "temperature"));
 return $b.min($bound(table, "factor"));
 }
 }
+$sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"], false, {by_slip_speed: () => null, by_temperature: () => null, slip_speed: () => null, temperature: () => null});
 class Lagging extends Viewable {
-$init(name, law, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, title = "", condition = "dry", surface = "", elastic_modulus = null, wear_coefficient = null, belt_energy_share = null, bond_strength = null, fatigue_limit = null, cost = null, fit = null, factors = null, condition_factors = new Map(), block = null, provenance = new Provenance(), sources = new Map(), notes = [], description = "") { this.name = name; this.law = law; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.title = title; this.condition = condition; this.surface = surface; this.elastic_modulus = elastic_modulus; this.wear_coefficient = wear_coefficient; this.belt_energy_share = belt_energy_share; this.bond_strength = bond_strength; this.fatigue_limit = fatigue_limit; this.cost = cost; this.fit = fit; this.factors = factors; this.condition_factors = condition_factors; this.block = block; this.provenance = provenance; this.sources = sources; this.notes = notes; this.description = description; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c720)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c720))));
+if (($truth(self.surface) && (!$in(self.surface, $c834)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c834))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -5504,29 +5681,26 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 }
-class LoadGiven extends $Object {
-$init(entry_tension = null, exit_tension = null, effective_tension = null, torque = null, power = null) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.effective_tension = effective_tension; this.torque = torque; this.power = power;  }
-*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.effective_tension; yield this.torque; yield this.power; }
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, provenance: () => new Provenance(), sources: () => new Map(), notes: () => [], description: () => ""});
+class LoadGiven extends $Tuple {
 }
-class DrumAt extends $Object {
-$init(diameter, speed) { this.diameter = diameter; this.speed = speed;  }
-*[Symbol.iterator]() { yield this.diameter; yield this.speed; }
+$sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"], false, {entry_tension: () => null, exit_tension: () => null, effective_tension: () => null, torque: () => null, power: () => null});
+class DrumAt extends $Tuple {
 }
+$sig(DrumAt, ["diameter", "speed"], false, {});
 class Shares extends $Object {
-$init(fractions) { this.fractions = fractions;  }
 }
-class Pair extends $Object {
-$init(entry, exit) { this.entry = entry; this.exit = exit;  }
-*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+$sig(Shares, ["fractions"], false, {});
+class Pair extends $Tuple {
 }
+$sig(Pair, ["entry", "exit"], false, {});
 class TorqueFollower extends $Object {
-$init(master, ratio = 1.0) { this.master = master; this.ratio = ratio; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(TorqueFollower, ["master", "ratio"], false, {ratio: () => 1.0});
 class TrainCase extends $Object {
-$init(name, entry_tension, exit_tension, division, runs = [], kind = "running", condition = "") { this.name = name; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.division = division; this.runs = runs; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
 }
@@ -5543,26 +5717,23 @@ const self = this;
 return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
 }
 }
-class RunsGain extends $Object {
-$init(base = 0.0, case_ = 0.0) { this.base = base; this.case = case_;  }
-*[Symbol.iterator]() { yield this.base; yield this.case; }
+$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"], false, {runs: () => [], kind: () => "running", condition: () => ""});
+class RunsGain extends $Tuple {
 }
-class BehindTakeUp extends $Object {
-$init(share, behind, runs) { this.share = share; this.behind = behind; this.runs = runs;  }
-*[Symbol.iterator]() { yield this.share; yield this.behind; yield this.runs; }
+$sig(RunsGain, ["base", "case"], false, {base: () => 0.0, case: () => 0.0});
+class BehindTakeUp extends $Tuple {
 }
+$sig(BehindTakeUp, ["share", "behind", "runs"], false, {});
 class OfBelt extends $Dict {
 }
-class Description extends $Object {
-$init(entry_tension, exit_tension, diameter, wrap_angle, width, axial_stiffness, thickness, shear_modulus, compression_modulus, overrun, recovery, belt_speed, wear_coefficient, shear_compliance, pitch_offset, centrifugal) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.diameter = diameter; this.wrap_angle = wrap_angle; this.width = width; this.axial_stiffness = axial_stiffness; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.overrun = overrun; this.recovery = recovery; this.belt_speed = belt_speed; this.wear_coefficient = wear_coefficient; this.shear_compliance = shear_compliance; this.pitch_offset = pitch_offset; this.centrifugal = centrifugal;  }
-*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.diameter; yield this.wrap_angle; yield this.width; yield this.axial_stiffness; yield this.thickness; yield this.shear_modulus; yield this.compression_modulus; yield this.overrun; yield this.recovery; yield this.belt_speed; yield this.wear_coefficient; yield this.shear_compliance; yield this.pitch_offset; yield this.centrifugal; }
+class Description extends $Tuple {
 }
+$sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"], false, {});
 class TakeUp extends $Object {
-$init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave_ratio = sheave_ratio; this.after = after; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c721)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c835)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -5591,11 +5762,11 @@ const self = this;
 return ($mul(self.sheave_ratio, tension) / 9.80665);
 }
 }
+$sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_ratio: () => 2.0, after: () => ""});
 class DesignStandard extends $Object {
-$init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c722)]], ["condition", ["", ...$iter($c723)]]]));
+(words = $map([["name", ["", ...$iter($c836)]], ["condition", ["", ...$iter($c837)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -5613,8 +5784,8 @@ $m.append(problems, new Problem(message, undefined, undefined, "binding", "true"
 limits__raise_all(problems);
 }
 }
+$sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"], false, {name: () => "", condition: () => "", friction: () => null, start_factor: () => 1.0, binding: () => false});
 class SafetyFactors extends $Object {
-$init(running = 1.25, starting = 1.1, braking = 1.1, source = "") { this.running = running; this.starting = starting; this.braking = braking; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
@@ -5623,6 +5794,7 @@ const self = this;
 return $b.float($b.getattr(self, kind));
 }
 }
+$sig(SafetyFactors, ["running", "starting", "braking", "source"], false, {running: () => 1.25, starting: () => 1.1, braking: () => 1.1, source: () => ""});
 class Kind extends $Object {
 built(value, report, more = new Map()) {
 const self = this; 
@@ -5633,7 +5805,7 @@ class tables$Table extends Kind {
 get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c724) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c838) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -5702,14 +5874,13 @@ return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fi
 }
 }
 class Entry extends $Object {
-$init(key, meaning = "", kind = $c724, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
 __post_init__() {
 const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(self.key, "_", " "))));
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c838, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
-$init(longest = 60) { this.longest = longest;  }
 read(raw, place, report) {
 const self = this; let value;
 
@@ -5721,8 +5892,8 @@ return $c7;
 return value;
 }
 }
+$sig(Name, ["longest"], false, {longest: () => 60});
 class Text extends Kind {
-$init(longest = 200, lines = false) { this.longest = longest; this.lines = lines;  }
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "str"))) {
@@ -5731,7 +5902,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c725) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c839) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -5741,8 +5912,8 @@ return raw;
 return $c7;
 }
 }
+$sig(Text, ["longest", "lines"], false, {longest: () => 200, lines: () => false});
 class Quantity extends Kind {
-$init(dimension, limit = null) { this.dimension = dimension; this.limit = limit;  }
 read(raw, place, report) {
 const self = this; let error, refusal, value;
 
@@ -5763,8 +5934,8 @@ return $c7;
 return value;
 }
 }
+$sig(Quantity, ["dimension", "limit"], false, {limit: () => null});
 class Limit extends $Object {
-$init(dimension, least = 0.0, most = Infinity, open = false, rigid = false) { this.dimension = dimension; this.least = least; this.most = most; this.open = open; this.rigid = rigid;  }
 __str__() {
 const self = this; let least;
 
@@ -5799,15 +5970,15 @@ return ("" + "must be " + $str(self));
 return "";
 }
 }
+$sig(Limit, ["dimension", "least", "most", "open", "rigid"], false, {least: () => 0.0, most: () => Infinity, open: () => false, rigid: () => false});
 class WordOr extends Kind {
-$init(word, kind, meaning = null) { this.word = word; this.kind = kind; this.meaning = meaning;  }
 read(raw, place, report) {
 const self = this; 
 return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
 }
 }
+$sig(WordOr, ["word", "kind", "meaning"], false, {meaning: () => null});
 class ByName extends Kind {
-$init(kind, most = 200) { this.kind = kind; this.most = most;  }
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "dict"))) {
@@ -5821,8 +5992,8 @@ return $c7;
 return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
 }
 }
+$sig(ByName, ["kind", "most"], false, {most: () => 200});
 class Belt extends $Object {
-$init(name, width, modulus, rating = null, strength = null, speed = null, kind = "", momentary_factor = null, least_pulley_diameter = null, largest_wrap_pressure = null, in_plane_shear_stiffness = null, pulley_cover = null, carry_cover = null, carcass = null, thickness = null, cover_shear_modulus = null, mass = null, provenance = new Provenance(), sources = new Map()) { this.name = name; this.width = width; this.modulus = modulus; this.rating = rating; this.strength = strength; this.speed = speed; this.kind = kind; this.momentary_factor = momentary_factor; this.least_pulley_diameter = least_pulley_diameter; this.largest_wrap_pressure = largest_wrap_pressure; this.in_plane_shear_stiffness = in_plane_shear_stiffness; this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass; this.thickness = thickness; this.cover_shear_modulus = cover_shear_modulus; this.mass = mass; this.provenance = provenance; this.sources = sources; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
@@ -5861,7 +6032,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let found;
 
-(found = $m.search($c726, $m.upper(self.name)));
+(found = $m.search($c840, $m.upper(self.name)));
 return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
 }
 get axial_stiffness() {
@@ -5869,17 +6040,17 @@ const self = this;
 return $mul(self.modulus, self.width);
 }
 }
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, mass: () => null, provenance: () => new Provenance(), sources: () => new Map()});
 class _Nothing extends $Object {
 }
 class TextOr extends Kind {
-$init(text, table) { this.text = text; this.table = table;  }
 read(raw, place, report) {
 const self = this; 
 return ($truth($b.isinstance(raw, "dict")) ? self.table : self.text).read(raw, place, report);
 }
 }
+$sig(TextOr, ["text", "table"], false, {});
 class Flag extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 if ($truth($b.isinstance(raw, "bool"))) {
@@ -5889,8 +6060,8 @@ report.add(place, "must be true or false", "Write it without quotes.", raw);
 return $c7;
 }
 }
+$sig(Flag, [], false, {});
 class Choice extends Kind {
-$init(options) { this.options = options;  }
 read(raw, place, report) {
 const self = this; let allowed;
 
@@ -5902,8 +6073,8 @@ report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw,
 return $c7;
 }
 }
+$sig(Choice, ["options"], false, {});
 class Across extends $Object {
-$init(shell_profile = null, worn_depth = null, build_up = null, misalignment = 0.0, deflection = 0.0, entry_profile = null, before = null, after = null, strips = 32) { this.shell_profile = shell_profile; this.worn_depth = worn_depth; this.build_up = build_up; this.misalignment = misalignment; this.deflection = deflection; this.entry_profile = entry_profile; this.before = before; this.after = after; this.strips = strips; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let key, least, message, problems, profile;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -5937,14 +6108,13 @@ const self = this; let found;
 return $map([...(function* () { for (const [k, v] of $iter($m.items(found))) { if (!($truth($b.isinstance(v, WidthProfile)))) continue; yield [k, v]; } })()]);
 }
 }
-class DimensionText extends $Object {
-$init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.example = example;  }
-*[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
+$sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"], false, {shell_profile: () => null, worn_depth: () => null, build_up: () => null, misalignment: () => 0.0, deflection: () => 0.0, entry_profile: () => null, before: () => null, after: () => null, strips: () => 32});
+class DimensionText extends $Tuple {
 }
-class Definition extends $Object {
-$init(names, factor, unit, zero = $c733) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
-*[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
+$sig(DimensionText, ["si_unit", "name", "example"], false, {});
+class Definition extends $Tuple {
 }
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c847});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -5975,11 +6145,10 @@ return ((word === $c7) ? $c7 : $at(self.tables, word).read(raw, place, report));
 }
 }
 class Pulley extends $Object {
-$init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, creep_limit = null, side = "pulley", mass = null, across = null, sources = new Map(), conditions = []) { this.name = name; this.diameter = diameter; this.wrap_angle = wrap_angle; this.lagging = lagging; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.side = side; this.mass = mass; this.across = across; this.sources = sources; this.conditions = conditions; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c727]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c841]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -6008,8 +6177,8 @@ const self = this;
 return (self.diameter / 2.0);
 }
 }
+$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"], false, {overrun: () => null, recovery: () => true, creep_limit: () => null, side: () => "pulley", mass: () => null, across: () => null, sources: () => new Map(), conditions: () => []});
 class Sag extends $Object {
-$init(spacing, line_mass, share = 0.02) { this.spacing = spacing; this.line_mass = line_mass; this.share = share; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
@@ -6018,14 +6187,14 @@ const self = this;
 return ($mul($mul(self.line_mass, 9.80665), self.spacing) / $mul(8.0, self.share));
 }
 }
+$sig(Sag, ["spacing", "line_mass", "share"], false, {share: () => 0.02});
 class Conveyor extends $Object {
-$init(length, lift = 0.0, belt_mass, carry_idler_mass, return_idler_mass, material_mass = null, capacity = null, friction_factor = 0.02, length_coefficient = null, secondary_resistance = null, special_resistance = 0.0, return_share = 0.0, start_factor = null, start_time = null, stop_time = null, take_up_tension = null, counterweight = null, take_up_distance = 0.0, drive_at = "head", speed = null, sheave_ratio = 2.0) { this.length = length; this.lift = lift; this.belt_mass = belt_mass; this.carry_idler_mass = carry_idler_mass; this.return_idler_mass = return_idler_mass; this.material_mass = material_mass; this.capacity = capacity; this.friction_factor = friction_factor; this.length_coefficient = length_coefficient; this.secondary_resistance = secondary_resistance; this.special_resistance = special_resistance; this.return_share = return_share; this.start_factor = start_factor; this.start_time = start_time; this.stop_time = stop_time; this.take_up_tension = take_up_tension; this.counterweight = counterweight; this.take_up_distance = take_up_distance; this.drive_at = drive_at; this.speed = speed; this.sheave_ratio = sheave_ratio; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c728))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c728))));
+if ((!$in(self.drive_at, $c842))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c842))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -6046,6 +6215,17 @@ yield new Problem(message, undefined, undefined, "take_up_distance", given);
 if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
 yield* $iter(resistance__no_coefficient($bound(self, "length")));
 }
+}
+get material() {
+const self = this; 
+if ((self.material_mass != null)) {
+return self.material_mass;
+}
+return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
+}
+sizes() {
+const self = this; 
+return [self.length, self.lift, self.belt_mass, self.carry_idler_mass, self.return_idler_mass, conveyor___known($bound(self, "material_mass"), NaN), conveyor___known($bound(self, "capacity"), NaN), self.friction_factor, conveyor___known($bound(self, "secondary_resistance"), NaN), (($eq(self.special_resistance, 0.0)) ? NaN : self.special_resistance), conveyor___known($bound(self, "start_time"), NaN), conveyor___known($bound(self, "stop_time"), NaN), conveyor___known($bound(self, "take_up_tension"), NaN), conveyor___known($bound(self, "counterweight"), NaN)];
 }
 get take_up() {
 const self = this; 
@@ -6150,30 +6330,23 @@ yield new Resistance("special", $mul($sub(1.0, share), special), $mul(share, spe
 (returning = resistance__inertia(acceleration, $bound(self, "length"), self._moving(null)));
 yield new Resistance("inertia", carrying, returning, "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass");
 }
-get material() {
-const self = this; 
-if ((self.material_mass != null)) {
-return self.material_mass;
-}
-return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
-}
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1402);
+([least, most] = $c1495);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
 return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
 }
 }
+$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
-$init(name, what, missed = "ATTENTION", at_most = true, fails_beyond = NaN, tolerates = NaN) { this.name = name; this.what = what; this.missed = missed; this.at_most = at_most; this.fails_beyond = fails_beyond; this.tolerates = tolerates;  }
 }
+$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"], false, {missed: () => "ATTENTION", at_most: () => true, fails_beyond: () => NaN, tolerates: () => NaN});
 class DesignFriction extends $Object {
-$init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
 }
+$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
 class Cost extends $Object {
-$init(material, installation, currency, area, life_years) { this.material = material; this.installation = installation; this.currency = currency; this.area = area; this.life_years = life_years; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems, years;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
@@ -6185,13 +6358,13 @@ $m.append(problems, new Problem(message, undefined, undefined, "life_years", $sh
 limits__raise_all(problems);
 }
 }
+$sig(Cost, ["material", "installation", "currency", "area", "life_years"], false, {});
 class Block extends $Object {
-$init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0) { this.shape = shape; this.width = width; this.height = height; this.stiffening = stiffening; this.contact_fraction = contact_fraction; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c730))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c730))));
+if ((!$in(self.shape, $c844))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c844))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -6201,14 +6374,14 @@ const self = this;
 return compression__shape_factor(($eq(self.shape, "square")), $bound(self, "width"), $bound(self, "height"));
 }
 }
+$sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"], false, {shape: () => "square", stiffening: () => 0.54, contact_fraction: () => 1.0});
 class ConditionFactor extends $Object {
-$init(factor, source) { this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(ConditionFactor, ["factor", "source"], false, {});
 class FrictionFactor extends $Object {
-$init(at, factor, source) { this.at = at; this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let bad, count, message, n, problems;
 ([n, problems] = [$b.len($bound(self, "at")), $b.list()]);
@@ -6245,13 +6418,13 @@ return $add($mul(($sub(f1, f) / $sub(x1, x)), $sub(value, x)), f);
 return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(1)));
 }
 }
+$sig(FrictionFactor, ["at", "factor", "source"], false, {});
 class Fit extends $Object {
-$init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
 get knots() { return $kept(this, "knots", this.$find_knots()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c731));
+(problems = limits__limit_problems(self, $c845));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -6290,7 +6463,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c732, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c846, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -6298,21 +6471,8 @@ return [];
 return (($eq($b.len(named), $b.len(found))) ? named : []);
 }
 }
-class VariableSpeed extends Motor {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, setting = 1.0, droop = 0.0, torque_limit = Infinity) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.setting = setting; this.droop = droop; this.torque_limit = torque_limit; this.__post_init__?.(); }
-largest_load() {
-const self = this; let stall;
-
-(stall = ((self.droop > 0.0) ? ($mul(0.9, self.setting) / self.droop) : Infinity));
-return $b.min($bound(self, "torque_limit"), stall);
-}
-shaft_speed(load) {
-const self = this; 
-return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
-}
-}
+$sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"], false, {residual_noise: () => null, date: () => "", method: () => "", misfit: () => [], misfit_accepted: () => "", coverage_factor: () => 1.96});
 class Induction extends Motor {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.__post_init__?.(); }
 _problems() {
 const self = this; let message;
 if (($mul(0.8, self.synchronous_speed) <= self.rated_speed && self.rated_speed < self.synchronous_speed)) {
@@ -6343,8 +6503,8 @@ const self = this;
 return $sub(1.0, (self.rated_speed / self.synchronous_speed));
 }
 }
+$sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
 class FluidCoupling extends Induction {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5, coupling_load, coupling_slip) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.coupling_load = coupling_load; this.coupling_slip = coupling_slip; this.__post_init__?.(); }
 get _end() { return $kept(this, "_end", this.$find__end()); }
 _problems() {
 const self = this; let count, key, loads, message, problems, rising, slips, top, values;
@@ -6401,38 +6561,37 @@ while (((i < $sub($b.len(loads), 2)) && (size > $at(loads, $add(i, 1))))) {
 return $math.copysign($b.min(slip, 0.95), load);
 }
 }
-class Load extends $Object {
-$init(entry_tension, exit_tension, creep_limit, pressure_min, pressure_max, slip_max, steepest_fall) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.creep_limit = creep_limit; this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.steepest_fall = steepest_fall;  }
-*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.creep_limit; yield this.pressure_min; yield this.pressure_max; yield this.slip_max; yield this.steepest_fall; }
+$sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
+class Load extends $Tuple {
 }
+$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"], false, {});
 class Transition extends $Object {
-$init(length, trough_angle, centre_roll, depth = "full") { this.length = length; this.trough_angle = trough_angle; this.centre_roll = centre_roll; this.depth = depth; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1099))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1099))));
+if ((!$in(self.depth, $c1211))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1211))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
 }
 }
+$sig(Transition, ["length", "trough_angle", "centre_roll", "depth"], false, {depth: () => "full"});
 class State extends $Object {
-$init(name, kind, resistances, head, tail, entry, exit) { this.name = name; this.kind = kind; this.resistances = resistances; this.head = head; this.tail = tail; this.entry = entry; this.exit = exit;  }
 get pull() {
 const self = this; 
 return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
 }
 }
+$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
 class Resistance extends $Object {
-$init(name, carrying, returning, source) { this.name = name; this.carrying = carrying; this.returning = returning; this.source = source;  }
 get total() {
 const self = this; 
 return $add(self.carrying, self.returning);
 }
 }
+$sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
 class OneOrMore extends Kind {
-$init(kind, most = 50) { this.kind = kind; this.most = most;  }
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "list"))) {
@@ -6441,8 +6600,8 @@ return [self.kind.read(raw, place, report)];
 return new Rows($bound(self, "kind"), 1, $bound(self, "most")).read(raw, place, report);
 }
 }
+$sig(OneOrMore, ["kind", "most"], false, {most: () => 50});
 class Rows extends Kind {
-$init(kind, least = 0, most = 1000) { this.kind = kind; this.least = least; this.most = most;  }
 read(raw, place, report) {
 const self = this; let count, labels;
 
@@ -6459,8 +6618,8 @@ return $c7;
 return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
 }
 }
+$sig(Rows, ["kind", "least", "most"], false, {least: () => 0, most: () => 1000});
 class Constant extends FrictionLaw {
-$init(slip_includes = null, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let mu;
 (mu = self.friction_coefficient);
@@ -6479,8 +6638,8 @@ _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(Constant, ["slip_includes", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
 class ElasticPlastic extends FrictionLaw {
-$init(slip_includes = null, stiffness, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.stiffness = stiffness; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let k, mu;
 ([mu, k] = [self.friction_coefficient, self.stiffness]);
@@ -6501,8 +6660,8 @@ _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["stiffness", ($mul(self.stiffness, friction) / slip)], ["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
 class PressurePower extends FrictionLaw {
-$init(slip_includes = null, friction_coefficient, reference_pressure, exponent, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.reference_pressure = reference_pressure; this.exponent = exponent; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let mu, n, p;
 ([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
@@ -6523,6 +6682,7 @@ _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"], false, {slip_includes: () => null, tested: () => null});
 class Profile extends Kind {
 $init(dimension, diameters = false) {
 const self = this; let entries, words;
@@ -6575,13 +6735,12 @@ return false;
 }
 }
 class GrippingPulley extends $Object {
-$init(distance) { this.distance = distance; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(GrippingPulley, ["distance"], false, {});
 class Count extends Kind {
-$init(least, most) { this.least = least; this.most = most;  }
 read(raw, place, report) {
 const self = this; let message, whole;
 
@@ -6594,15 +6753,15 @@ $method(report, "add", [place, message], [["value", raw]]);
 return $c7;
 }
 }
+$sig(Count, ["least", "most"], false, {});
 class Elsewhere extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 return raw;
 }
 }
+$sig(Elsewhere, [], false, {});
 class Either extends Kind {
-$init(first, second, words) { this.first = first; this.second = second; this.words = words;  }
 read(raw, place, report) {
 const self = this; let kind, value;
 
@@ -6621,8 +6780,8 @@ $method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value",
 return $c7;
 }
 }
+$sig(Either, ["first", "second", "words"], false, {});
 class SpeedList extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 if (($eq(raw, "equal"))) {
@@ -6635,16 +6794,16 @@ return $c7;
 return self.rows.read(raw, place, report);
 }
 }
+$sig(SpeedList, [], false, {});
 class _OfClass extends Kind {
 read(raw, place, report) {
 const self = this; 
 throw $TypeError;
 }
 }
-class CompactLaw extends $Object {
-$init(kind, edges, coefficients, slips = [], onset_compliance = 0.0) { this.kind = kind; this.edges = edges; this.coefficients = coefficients; this.slips = slips; this.onset_compliance = onset_compliance;  }
-*[Symbol.iterator]() { yield this.kind; yield this.edges; yield this.coefficients; yield this.slips; yield this.onset_compliance; }
+class CompactLaw extends $Tuple {
 }
+$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"], false, {slips: () => [], onset_compliance: () => 0.0});
 class _Pair extends Kind {
 $init(dimension) {
 const self = this; (self.kinds = [new Quantity("length"), new Quantity(dimension)]);
@@ -6659,800 +6818,800 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c744 = ["of", "entries", "_known"];
-const $c759 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c129 = ["dimension", "limit"];
-const $c760 = $made(Quantity, $c129, ["number", null]);
-const $c747 = $made(Entry, $c759, ["format", $c760, true, "", "format = 1", "format", ""]);
-const $c762 = ["longest", "lines"];
-const $c761 = $made(Text, $c762, [200, false]);
-const $c748 = $made(Entry, $c759, ["title", $c761, false, "", "", "title", ""]);
-const $c763 = $made(Text, $c762, [5000, true]);
-const $c749 = $made(Entry, $c759, ["description", $c763, false, "", "", "description", ""]);
-const $c765 = ["dimension", "least", "most", "open", "rigid"];
-const $c695 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
-const $c764 = $made(Quantity, $c129, ["length", $c695]);
-const $c750 = $made(Entry, $c759, ["creep_limit", $c764, false, "", "", "creep_limit", ""]);
-const $c767 = ["kind", "most"];
-const $c768 = ["text", "table"];
-const $c770 = ["longest"];
-const $c769 = $made(Name, $c770, [60]);
-const $c778 = $made(Name, $c770, [60]);
-const $c773 = $made(Entry, $c759, ["name", $c778, true, "", "", "name", ""]);
-const $c691 = $made(Limit, $c765, ["number", 0.0, 2.0, true, false]);
-const $c779 = $made(Quantity, $c129, ["number", $c691]);
-const $c774 = $made(Entry, $c759, ["friction_factor", $c779, false, "", "", "factor", ""]);
-const $c780 = $made(ByName, $c767, [$c779, 200]);
-const $c775 = $made(Entry, $c759, ["friction_factors", $c780, false, "", "", "friction_factors", ""]);
-const $c782 = ["options"];
-const $c783 = ["DIN 22101", "practice"];
-const $c781 = $made(Choice, $c782, [$c783]);
-const $c776 = $made(Entry, $c759, ["standard", $c781, false, "", "", "standard", ""]);
-const $c791 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c790 = $made(Choice, $c782, [$c791]);
-const $c786 = $made(Entry, $c759, ["kind", $c790, true, "", "", "kind", ""]);
-const $c792 = $made(Text, $c762, [500, false]);
-const $c787 = $made(Entry, $c759, ["source", $c792, false, "", "", "source", ""]);
-const $c793 = $made(Text, $c762, [60, false]);
-const $c788 = $made(Entry, $c759, ["date", $c793, false, "", "", "date", ""]);
-const $c794 = $made(Text, $c762, [1000, false]);
-const $c789 = $made(Entry, $c759, ["note", $c794, false, "", "", "note", ""]);
-const $c784 = [$c786, $c787, $c788, $c789];
-const $c785 = new Map([["kind", $c786], ["source", $c787], ["date", $c788], ["note", $c789]]);
-const $c2 = $made(tables$Table, $c744, [Provenance, $c784, $c785]);
-const $c777 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c771 = [$c773, $c774, $c775, $c776, $c777];
-const $c772 = new Map([["name", $c773], ["friction_factor", $c774], ["friction_factors", $c775], ["standard", $c776], ["provenance", $c777]]);
-const $c8 = $made(tables$Table, $c744, [Condition, $c771, $c772]);
-const $c190 = $made(TextOr, $c768, [$c769, $c8]);
-const $c766 = $made(OneOrMore, $c767, [$c190, 8]);
-const $c751 = $made(Entry, $c759, ["condition", $c766, false, "", "", "condition", ""]);
-const $c125 = $made(Name, $c770, [60]);
-const $c104 = $made(Entry, $c759, ["preset", $c125, false, "", "", "preset", ""]);
-const $c126 = $made(Name, $c770, [60]);
-const $c105 = $made(Entry, $c759, ["name", $c126, false, "", "", "name", ""]);
-const $c127 = $made(Text, $c762, [60, false]);
-const $c106 = $made(Entry, $c759, ["kind", $c127, false, "", "", "kind", ""]);
-const $c130 = $made(Limit, $c765, ["length", 0.001, 1000.0, false, false]);
-const $c128 = $made(Quantity, $c129, ["length", $c130]);
-const $c107 = $made(Entry, $c759, ["width", $c128, true, "", "", "width", ""]);
-const $c796 = ["word", "kind", "meaning"];
-const $c135 = $made(Limit, $c765, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c134 = $made(Quantity, $c129, ["force_per_width", $c135]);
-const $c132 = $made(WordOr, $c796, ["rigid", $c134, Infinity]);
-const $c108 = $made(Entry, $c759, ["modulus", $c132, false, "", "", "modulus", ""]);
-const $c137 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, true, false]);
-const $c136 = $made(Quantity, $c129, ["force_per_width", $c137]);
-const $c109 = $made(Entry, $c759, ["rating", $c136, false, "", "", "rating", ""]);
-const $c139 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, true, false]);
-const $c138 = $made(Quantity, $c129, ["force_per_width", $c139]);
-const $c110 = $made(Entry, $c759, ["strength", $c138, false, "", "", "strength", ""]);
-const $c141 = $made(Limit, $c765, ["speed", 0.0, 1000.0, true, false]);
-const $c140 = $made(Quantity, $c129, ["speed", $c141]);
-const $c111 = $made(Entry, $c759, ["speed", $c140, false, "", "", "speed", ""]);
-const $c143 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
-const $c142 = $made(Quantity, $c129, ["number", $c143]);
-const $c112 = $made(Entry, $c759, ["momentary_factor", $c142, false, "", "", "momentary_factor", ""]);
-const $c145 = $made(Limit, $c765, ["length", 0.0, Infinity, true, false]);
-const $c144 = $made(Quantity, $c129, ["length", $c145]);
-const $c113 = $made(Entry, $c759, ["least_pulley_diameter", $c144, false, "", "", "least_pulley_diameter", ""]);
-const $c147 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
-const $c146 = $made(Quantity, $c129, ["pressure", $c147]);
-const $c114 = $made(Entry, $c759, ["largest_wrap_pressure", $c146, false, "", "", "largest_wrap_pressure", ""]);
-const $c149 = $made(Limit, $c765, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c148 = $made(Quantity, $c129, ["force_per_width", $c149]);
-const $c115 = $made(Entry, $c759, ["in_plane_shear_stiffness", $c148, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c151 = $made(Limit, $c765, ["length", 0.0, 0.06, false, false]);
-const $c150 = $made(Quantity, $c129, ["length", $c151]);
-const $c116 = $made(Entry, $c759, ["pulley_cover", $c150, false, "", "", "pulley_cover", ""]);
-const $c153 = $made(Limit, $c765, ["length", 0.0, 0.06, false, false]);
-const $c152 = $made(Quantity, $c129, ["length", $c153]);
-const $c117 = $made(Entry, $c759, ["carry_cover", $c152, false, "", "", "carry_cover", ""]);
-const $c155 = $made(Limit, $c765, ["length", 0.0, 0.06, true, false]);
-const $c154 = $made(Quantity, $c129, ["length", $c155]);
-const $c118 = $made(Entry, $c759, ["carcass", $c154, false, "", "", "carcass", ""]);
-const $c157 = $made(Limit, $c765, ["length", 0.0, 0.06, true, false]);
-const $c156 = $made(Quantity, $c129, ["length", $c157]);
-const $c119 = $made(Entry, $c759, ["thickness", $c156, false, "", "", "thickness", ""]);
-const $c160 = $made(Limit, $c765, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c159 = $made(Quantity, $c129, ["pressure", $c160]);
-const $c158 = $made(WordOr, $c796, ["rigid", $c159, Infinity]);
-const $c120 = $made(Entry, $c759, ["cover_shear_modulus", $c158, false, "", "", "cover_shear_modulus", ""]);
-const $c162 = $made(Limit, $c765, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c161 = $made(Quantity, $c129, ["mass_per_length", $c162]);
-const $c121 = $made(Entry, $c759, ["mass", $c161, false, "", "", "mass", ""]);
-const $c122 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c163 = $made(ByName, $c767, [$c2, 200]);
-const $c123 = $made(Entry, $c759, ["sources", $c163, false, "", "", "sources", ""]);
-const $c1 = [$c104, $c105, $c106, $c107, $c108, $c109, $c110, $c111, $c112, $c113, $c114, $c115, $c116, $c117, $c118, $c119, $c120, $c121, $c122, $c123];
-const $c795 = new Map([["preset", $c104], ["name", $c105], ["kind", $c106], ["width", $c107], ["modulus", $c108], ["rating", $c109], ["strength", $c110], ["speed", $c111], ["momentary_factor", $c112], ["least_pulley_diameter", $c113], ["largest_wrap_pressure", $c114], ["in_plane_shear_stiffness", $c115], ["pulley_cover", $c116], ["carry_cover", $c117], ["carcass", $c118], ["thickness", $c119], ["cover_shear_modulus", $c120], ["mass", $c121], ["provenance", $c122], ["sources", $c123]]);
-const $c5 = $made(tables$Table, $c744, [Belt, $c1, $c795]);
-const $c752 = $made(Entry, $c759, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c798 = ["kind", "least", "most"];
-const $c183 = $made(Name, $c770, [60]);
-const $c165 = $made(Entry, $c759, ["name", $c183, true, "", "name = \"head\"", "name", ""]);
-const $c185 = $made(Limit, $c765, ["length", 0.001, 1000.0, false, false]);
-const $c184 = $made(Quantity, $c129, ["length", $c185]);
-const $c166 = $made(Entry, $c759, ["diameter", $c184, true, "", "", "diameter", ""]);
-const $c187 = $made(Limit, $c765, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c186 = $made(Quantity, $c129, ["angle", $c187]);
-const $c167 = $made(Entry, $c759, ["wrap_angle", $c186, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c692 = $made(Limit, $c765, ["length", -100000.0, 100000.0, false, false]);
-const $c807 = $made(Quantity, $c129, ["length", $c692]);
-const $c802 = $made(Entry, $c759, ["x", $c807, true, "", "", "x", ""]);
-const $c808 = $made(Quantity, $c129, ["length", $c692]);
-const $c803 = $made(Entry, $c759, ["y", $c808, true, "", "", "y", ""]);
-const $c810 = ["clockwise", "counterclockwise"];
-const $c809 = $made(Choice, $c782, [$c810]);
-const $c804 = $made(Entry, $c759, ["turn", $c809, false, "", "", "turn", ""]);
-const $c817 = $made(Quantity, $c129, ["length", $c692]);
-const $c814 = $made(Entry, $c759, ["x", $c817, true, "", "", "x", ""]);
-const $c818 = $made(Quantity, $c129, ["length", $c692]);
-const $c815 = $made(Entry, $c759, ["y", $c818, true, "", "", "y", ""]);
-const $c693 = $made(Limit, $c765, ["length", 0.0, 1000.0, false, false]);
-const $c819 = $made(Quantity, $c129, ["length", $c693]);
-const $c816 = $made(Entry, $c759, ["diameter", $c819, false, "", "", "diameter", ""]);
-const $c812 = [$c814, $c815, $c816, $c804];
-const $c813 = new Map([["x", $c814], ["y", $c815], ["diameter", $c816], ["turn", $c804]]);
-const $c811 = $made(tables$Table, $c744, [Point, $c812, $c813]);
-const $c805 = $made(Entry, $c759, ["before", $c811, true, "", "a table with x and y", "before", ""]);
-const $c806 = $made(Entry, $c759, ["after", $c811, true, "", "a table with x and y", "after", ""]);
-const $c800 = [$c802, $c803, $c804, $c805, $c806];
-const $c801 = new Map([["x", $c802], ["y", $c803], ["turn", $c804], ["before", $c805], ["after", $c806]]);
-const $c188 = $made(tables$Table, $c744, [Point, $c800, $c801]);
-const $c168 = $made(Entry, $c759, ["belt_path", $c188, false, "", "", "belt_path", ""]);
-const $c820 = $made(Name, $c770, [500]);
-const $c844 = $made(Name, $c770, [500]);
-const $c824 = $made(Entry, $c759, ["preset", $c844, false, "", "", "preset", ""]);
-const $c845 = $made(Name, $c770, [60]);
-const $c825 = $made(Entry, $c759, ["name", $c845, false, "", "", "name", ""]);
-const $c846 = $made(Text, $c762, [200, false]);
-const $c826 = $made(Entry, $c759, ["title", $c846, false, "", "", "title", ""]);
-const $c847 = $made(Text, $c762, [5000, true]);
-const $c827 = $made(Entry, $c759, ["description", $c847, false, "", "", "description", ""]);
-const $c720 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c848 = $made(Choice, $c782, [$c720]);
-const $c828 = $made(Entry, $c759, ["surface", $c848, false, "", "", "surface", ""]);
-const $c703 = $made(Limit, $c765, ["length", 0.0, 1.0, false, false]);
-const $c849 = $made(Quantity, $c129, ["length", $c703]);
-const $c829 = $made(Entry, $c759, ["thickness", $c849, false, "", "", "thickness", ""]);
-const $c706 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, false]);
-const $c850 = $made(Quantity, $c129, ["pressure", $c706]);
-const $c830 = $made(Entry, $c759, ["elastic_modulus", $c850, false, "", "", "elastic_modulus", ""]);
-const $c704 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, true]);
-const $c852 = $made(Quantity, $c129, ["pressure", $c704]);
-const $c851 = $made(WordOr, $c796, ["rigid", $c852, Infinity]);
-const $c831 = $made(Entry, $c759, ["shear_modulus", $c851, false, "", "", "shear_modulus", ""]);
-const $c705 = $made(Limit, $c765, ["pressure", 1000.0, Infinity, false, true]);
-const $c854 = $made(Quantity, $c129, ["pressure", $c705]);
-const $c853 = $made(WordOr, $c796, ["rigid", $c854, Infinity]);
-const $c832 = $made(Entry, $c759, ["compression_modulus", $c853, false, "", "", "compression_modulus", ""]);
-const $c730 = ["square", "strip"];
-const $c862 = $made(Choice, $c782, [$c730]);
-const $c857 = $made(Entry, $c759, ["shape", $c862, false, "", "", "shape", ""]);
-const $c864 = $made(Limit, $c765, ["length", 0.0001, 10.0, false, false]);
-const $c863 = $made(Quantity, $c129, ["length", $c864]);
-const $c858 = $made(Entry, $c759, ["width", $c863, true, "", "", "width", ""]);
-const $c866 = $made(Limit, $c765, ["length", 0.0001, 1.0, false, false]);
-const $c865 = $made(Quantity, $c129, ["length", $c866]);
-const $c859 = $made(Entry, $c759, ["height", $c865, false, "", "", "height", ""]);
-const $c868 = $made(Limit, $c765, ["number", 0.0, 10.0, false, false]);
-const $c867 = $made(Quantity, $c129, ["number", $c868]);
-const $c860 = $made(Entry, $c759, ["stiffening", $c867, false, "", "", "stiffening", ""]);
-const $c870 = $made(Limit, $c765, ["number", 0.01, 1.0, false, false]);
-const $c869 = $made(Quantity, $c129, ["number", $c870]);
-const $c861 = $made(Entry, $c759, ["contact_fraction", $c869, false, "", "", "contact_fraction", ""]);
-const $c855 = [$c857, $c858, $c859, $c860, $c861];
-const $c856 = new Map([["shape", $c857], ["width", $c858], ["height", $c859], ["stiffening", $c860], ["contact_fraction", $c861]]);
-const $c66 = $made(tables$Table, $c744, [Block, $c855, $c856]);
-const $c833 = $made(Entry, $c759, ["block", $c66, false, "", "", "block", ""]);
-const $c707 = $made(Limit, $c765, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c871 = $made(Quantity, $c129, ["wear_coefficient", $c707]);
-const $c834 = $made(Entry, $c759, ["wear_coefficient", $c871, false, "", "", "wear_coefficient", ""]);
-const $c708 = $made(Limit, $c765, ["number", 0.0, 1.0, false, false]);
-const $c872 = $made(Quantity, $c129, ["number", $c708]);
-const $c835 = $made(Entry, $c759, ["belt_energy_share", $c872, false, "", "", "belt_energy_share", ""]);
-const $c709 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
-const $c873 = $made(Quantity, $c129, ["pressure", $c709]);
-const $c836 = $made(Entry, $c759, ["bond_strength", $c873, false, "", "", "bond_strength", ""]);
-const $c710 = $made(Limit, $c765, ["pressure", 0.0, Infinity, true, false]);
-const $c874 = $made(Quantity, $c129, ["pressure", $c710]);
-const $c837 = $made(Entry, $c759, ["fatigue_limit", $c874, false, "", "", "fatigue_limit", ""]);
-const $c883 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
-const $c882 = $made(Quantity, $c129, ["number", $c883]);
-const $c877 = $made(Entry, $c759, ["material", $c882, true, "", "", "material", ""]);
-const $c885 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
-const $c884 = $made(Quantity, $c129, ["number", $c885]);
-const $c878 = $made(Entry, $c759, ["installation", $c884, true, "", "", "installation", ""]);
-const $c886 = $made(Name, $c770, [12]);
-const $c879 = $made(Entry, $c759, ["currency", $c886, true, "", "", "currency", ""]);
-const $c888 = $made(Limit, $c765, ["area", 0.0, Infinity, true, false]);
-const $c887 = $made(Quantity, $c129, ["area", $c888]);
-const $c880 = $made(Entry, $c759, ["area", $c887, true, "", "", "area", ""]);
-const $c890 = $made(Quantity, $c129, ["number", null]);
-const $c889 = $made(Rows, $c798, [$c890, 2, 2]);
-const $c881 = $made(Entry, $c759, ["life_years", $c889, true, "", "", "life_years", ""]);
-const $c875 = [$c877, $c878, $c879, $c880, $c881];
-const $c876 = new Map([["material", $c877], ["installation", $c878], ["currency", $c879], ["area", $c880], ["life_years", $c881]]);
-const $c63 = $made(tables$Table, $c744, [Cost, $c875, $c876]);
-const $c838 = $made(Entry, $c759, ["cost", $c63, false, "", "", "cost", ""]);
-const $c892 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
-const $c891 = $made(Quantity, $c129, ["speed", $c892]);
-const $c839 = $made(Entry, $c759, ["slip_speed", $c891, false, "", "", "slip_speed", ""]);
-const $c894 = $made(Limit, $c765, ["temperature", 0.0, Infinity, false, false]);
-const $c893 = $made(Quantity, $c129, ["temperature", $c894]);
-const $c840 = $made(Entry, $c759, ["temperature", $c893, false, "", "", "temperature", ""]);
-const $c901 = $made(Name, $c770, [60]);
-const $c898 = $made(Entry, $c759, ["condition", $c901, true, "", "", "condition", ""]);
-const $c903 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
-const $c902 = $made(Quantity, $c129, ["number", $c903]);
-const $c899 = $made(Entry, $c759, ["factor", $c902, true, "", "", "factor", ""]);
-const $c900 = $made(Entry, $c759, ["provenance", $c2, true, "", "", "provenance", ""]);
-const $c896 = [$c898, $c899, $c900];
-const $c897 = new Map([["condition", $c898], ["factor", $c899], ["provenance", $c900]]);
-const $c67 = $made(tables$Table, $c744, [ConditionFactor, $c896, $c897]);
-const $c895 = $made(Rows, $c798, [$c67, 0, 20]);
-const $c841 = $made(Entry, $c759, ["condition_factor", $c895, false, "", "", "condition_factor", ""]);
-const $c905 = ["tag", "tables"];
-const $c932 = ["integral-log"];
-const $c931 = $made(Choice, $c782, [$c932]);
-const $c914 = $made(Entry, $c759, ["kind", $c931, true, "", "", "kind", ""]);
-const $c933 = $made(Name, $c770, [60]);
-const $c915 = $made(Entry, $c759, ["condition", $c933, false, "", "", "condition", ""]);
-const $c916 = $made(Entry, $c759, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c917 = $made(Entry, $c759, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c946 = $made(Name, $c770, [120]);
-const $c945 = $made(Rows, $c798, [$c946, 1, 1000]);
-const $c936 = $made(Entry, $c759, ["parameters", $c945, true, "", "", "parameters", ""]);
-const $c947 = $made(Rows, $c798, [$c890, 1, 1000]);
-const $c937 = $made(Entry, $c759, ["values", $c947, true, "", "", "values", ""]);
-const $c949 = $made(Rows, $c798, [$c890, 1, 1000]);
-const $c948 = $made(Rows, $c798, [$c949, 1, 1000]);
-const $c938 = $made(Entry, $c759, ["covariance", $c948, true, "", "", "covariance", ""]);
-const $c951 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
-const $c950 = $made(Quantity, $c129, ["number", $c951]);
-const $c939 = $made(Entry, $c759, ["residual_noise", $c950, false, "", "", "residual_noise", ""]);
-const $c953 = $made(Limit, $c765, ["number", 1.0, Infinity, false, false]);
-const $c952 = $made(Quantity, $c129, ["number", $c953]);
-const $c940 = $made(Entry, $c759, ["coverage_factor", $c952, false, "", "", "coverage_factor", ""]);
-const $c954 = $made(Text, $c762, [60, false]);
-const $c941 = $made(Entry, $c759, ["date", $c954, false, "", "", "date", ""]);
-const $c955 = $made(Text, $c762, [500, false]);
-const $c942 = $made(Entry, $c759, ["method", $c955, false, "", "", "method", ""]);
-const $c957 = $made(Text, $c762, [2000, true]);
-const $c956 = $made(Rows, $c798, [$c957, 0, 50]);
-const $c943 = $made(Entry, $c759, ["misfit", $c956, false, "", "", "misfit", ""]);
-const $c958 = $made(Text, $c762, [500, false]);
-const $c944 = $made(Entry, $c759, ["misfit_accepted", $c958, false, "", "", "misfit_accepted", ""]);
-const $c934 = [$c936, $c937, $c938, $c939, $c940, $c941, $c942, $c943, $c944];
-const $c935 = new Map([["parameters", $c936], ["values", $c937], ["covariance", $c938], ["residual_noise", $c939], ["coverage_factor", $c940], ["date", $c941], ["method", $c942], ["misfit", $c943], ["misfit_accepted", $c944]]);
-const $c74 = $made(tables$Table, $c744, [Fit, $c934, $c935]);
-const $c918 = $made(Entry, $c759, ["fit", $c74, false, "", "", "fit", ""]);
-const $c961 = ["lagging shear", "cover shear"];
-const $c960 = $made(Choice, $c782, [$c961]);
-const $c959 = $made(Rows, $c798, [$c960, 0, 2]);
-const $c919 = $made(Entry, $c759, ["slip_includes", $c959, false, "", "", "slip_includes", ""]);
-const $c968 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
-const $c967 = $made(Quantity, $c129, ["speed", $c968]);
-const $c966 = $made(Rows, $c798, [$c967, 2, 100]);
-const $c964 = $made(Entry, $c759, ["slip_speed", $c966, true, "", "", "at", ""]);
-const $c969 = $made(Rows, $c798, [$c902, 2, 100]);
-const $c965 = $made(Entry, $c759, ["factor", $c969, true, "", "", "factor", ""]);
-const $c962 = [$c964, $c965, $c900];
-const $c963 = new Map([["slip_speed", $c964], ["factor", $c965], ["provenance", $c900]]);
-const $c72 = $made(tables$Table, $c744, [FrictionFactor, $c962, $c963]);
-const $c920 = $made(Entry, $c759, ["slip_speed_factor", $c72, false, "", "", "slip_speed_factor", ""]);
-const $c975 = $made(Limit, $c765, ["temperature", 0.0, Infinity, false, false]);
-const $c974 = $made(Quantity, $c129, ["temperature", $c975]);
-const $c973 = $made(Rows, $c798, [$c974, 2, 100]);
-const $c972 = $made(Entry, $c759, ["temperature", $c973, true, "", "", "at", ""]);
-const $c970 = [$c972, $c965, $c900];
-const $c971 = new Map([["temperature", $c972], ["factor", $c965], ["provenance", $c900]]);
-const $c73 = $made(tables$Table, $c744, [FrictionFactor, $c970, $c971]);
-const $c921 = $made(Entry, $c759, ["temperature_factor", $c73, false, "", "", "temperature_factor", ""]);
-const $c922 = $made(Entry, $c759, ["notes", $c956, false, "", "", "notes", ""]);
-const $c978 = $made(Limit, $c765, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c977 = $made(Quantity, $c129, ["pressure", $c978]);
-const $c976 = $made(Rows, $c798, [$c977, 2, 2]);
-const $c923 = $made(Entry, $c759, ["tested_pressure", $c976, false, "", "", "tested_pressure", ""]);
-const $c980 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
-const $c979 = $made(Quantity, $c129, ["length", $c980]);
-const $c924 = $made(Entry, $c759, ["tested_slip", $c979, false, "", "", "tested_slip", ""]);
-const $c982 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
-const $c981 = $made(Quantity, $c129, ["speed", $c982]);
-const $c925 = $made(Entry, $c759, ["tested_slip_speed", $c981, false, "", "", "tested_slip_speed", ""]);
-const $c987 = $made(Entry, $c759, ["pressure", $c977, true, "", "", "pressure", ""]);
-const $c993 = $made(Limit, $c765, ["number", 0.0, 5.0, true, false]);
-const $c992 = $made(Quantity, $c129, ["number", $c993]);
-const $c988 = $made(Entry, $c759, ["peak_friction", $c992, true, "", "", "peak_friction", ""]);
-const $c989 = $made(Entry, $c759, ["peak_slip", $c979, true, "", "", "peak_slip", ""]);
-const $c995 = $made(Limit, $c765, ["per_length", -1000000.0, 0.0, false, false]);
-const $c994 = $made(Quantity, $c129, ["per_length", $c995]);
-const $c990 = $made(Entry, $c759, ["post_peak_slope", $c994, false, "", "", "post_peak_slope", ""]);
-const $c991 = $made(Entry, $c759, ["residual_friction", $c992, false, "", "", "residual_friction", ""]);
-const $c985 = [$c987, $c988, $c989, $c990, $c991];
-const $c986 = new Map([["pressure", $c987], ["peak_friction", $c988], ["peak_slip", $c989], ["post_peak_slope", $c990], ["residual_friction", $c991]]);
-const $c984 = $made(tables$Table, $c744, [null, $c985, $c986]);
-const $c983 = $made(Rows, $c798, [$c984, 1, 200]);
-const $c926 = $made(Entry, $c759, ["knots", $c983, false, "", "", "knots", ""]);
-const $c1000 = $made(Entry, $c759, ["from", $c977, true, "", "", "from", ""]);
-const $c1001 = $made(Entry, $c759, ["to", $c977, true, "", "", "to", ""]);
-const $c1006 = $made(Text, $c762, [300, false]);
-const $c1002 = $made(Entry, $c759, ["A", $c1006, true, "", "", "A", ""]);
-const $c1003 = $made(Entry, $c759, ["b", $c1006, true, "", "", "b", ""]);
-const $c1004 = $made(Entry, $c759, ["post_peak_slope", $c1006, false, "", "", "post_peak_slope", ""]);
-const $c1005 = $made(Entry, $c759, ["residual_friction", $c1006, false, "", "", "residual_friction", ""]);
-const $c998 = [$c1000, $c1001, $c1002, $c1003, $c1004, $c1005];
-const $c999 = new Map([["from", $c1000], ["to", $c1001], ["A", $c1002], ["b", $c1003], ["post_peak_slope", $c1004], ["residual_friction", $c1005]]);
-const $c997 = $made(tables$Table, $c744, [null, $c998, $c999]);
-const $c996 = $made(Rows, $c798, [$c997, 1, 50]);
-const $c927 = $made(Entry, $c759, ["pieces", $c996, false, "", "", "pieces", ""]);
-const $c1007 = $made(Text, $c762, [20, false]);
-const $c928 = $made(Entry, $c759, ["slip_unit", $c1007, false, "", "", "slip_unit", ""]);
-const $c1008 = $made(Text, $c762, [20, false]);
-const $c929 = $made(Entry, $c759, ["pressure_unit", $c1008, false, "", "", "pressure_unit", ""]);
-const $c1010 = $made(Limit, $c765, ["number", 0.0, 0.5, false, false]);
-const $c1009 = $made(Quantity, $c129, ["number", $c1010]);
-const $c930 = $made(Entry, $c759, ["continuity", $c1009, false, "", "", "continuity", ""]);
-const $c912 = [$c914, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c926, $c927, $c928, $c929, $c930];
-const $c913 = new Map([["kind", $c914], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["knots", $c926], ["pieces", $c927], ["slip_unit", $c928], ["pressure_unit", $c929], ["continuity", $c930]]);
-const $c907 = $made(tables$Table, $c744, [IntegralLog, $c912, $c913]);
-const $c1016 = ["constant"];
-const $c1015 = $made(Choice, $c782, [$c1016]);
-const $c1013 = $made(Entry, $c759, ["kind", $c1015, true, "", "", "kind", ""]);
-const $c1014 = $made(Entry, $c759, ["friction", $c992, true, "", "", "friction_coefficient", ""]);
-const $c1011 = [$c1013, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1014];
-const $c1012 = new Map([["kind", $c1013], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["friction", $c1014]]);
-const $c908 = $made(tables$Table, $c744, [Constant, $c1011, $c1012]);
-const $c1022 = ["elastic-plastic"];
-const $c1021 = $made(Choice, $c782, [$c1022]);
-const $c1019 = $made(Entry, $c759, ["kind", $c1021, true, "", "", "kind", ""]);
-const $c1024 = $made(Limit, $c765, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1023 = $made(Quantity, $c129, ["pressure_per_length", $c1024]);
-const $c1020 = $made(Entry, $c759, ["stiffness", $c1023, true, "", "", "stiffness", ""]);
-const $c1017 = [$c1019, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1020, $c1014];
-const $c1018 = new Map([["kind", $c1019], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["stiffness", $c1020], ["friction", $c1014]]);
-const $c909 = $made(tables$Table, $c744, [ElasticPlastic, $c1017, $c1018]);
-const $c1032 = ["power"];
-const $c1031 = $made(Choice, $c782, [$c1032]);
-const $c1027 = $made(Entry, $c759, ["kind", $c1031, true, "", "", "kind", ""]);
-const $c1028 = $made(Entry, $c759, ["friction", $c992, true, "", "", "friction_coefficient", ""]);
-const $c1029 = $made(Entry, $c759, ["reference_pressure", $c977, true, "", "", "reference_pressure", ""]);
-const $c1030 = $made(Entry, $c759, ["exponent", $c890, true, "", "", "exponent", ""]);
-const $c1025 = [$c1027, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c923, $c924, $c925, $c1028, $c1029, $c1030];
-const $c1026 = new Map([["kind", $c1027], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["tested_pressure", $c923], ["tested_slip", $c924], ["tested_slip_speed", $c925], ["friction", $c1028], ["reference_pressure", $c1029], ["exponent", $c1030]]);
-const $c910 = $made(tables$Table, $c744, [PressurePower, $c1025, $c1026]);
-const $c1039 = ["table"];
-const $c1038 = $made(Choice, $c782, [$c1039]);
-const $c1035 = $made(Entry, $c759, ["kind", $c1038, true, "", "", "kind", ""]);
-const $c1042 = $made(Limit, $c765, ["length", 0.0, 1.0, false, false]);
-const $c1041 = $made(Quantity, $c129, ["length", $c1042]);
-const $c1040 = $made(Rows, $c798, [$c1041, 2, 1000]);
-const $c1036 = $made(Entry, $c759, ["slip", $c1040, true, "", "", "slip", ""]);
-const $c1047 = $made(Entry, $c759, ["pressure", $c977, true, "", "", "pressure", ""]);
-const $c1051 = $made(Limit, $c765, ["number", 0.0, 5.0, false, false]);
-const $c1050 = $made(Quantity, $c129, ["number", $c1051]);
-const $c1049 = $made(Rows, $c798, [$c1050, 2, 1000]);
-const $c1048 = $made(Entry, $c759, ["friction", $c1049, true, "", "", "values", ""]);
-const $c1045 = [$c1047, $c1048];
-const $c1046 = new Map([["pressure", $c1047], ["friction", $c1048]]);
-const $c1044 = $made(tables$Table, $c744, [null, $c1045, $c1046]);
-const $c1043 = $made(Rows, $c798, [$c1044, 1, 200]);
-const $c1037 = $made(Entry, $c759, ["rows", $c1043, true, "", "", "rows", ""]);
-const $c1033 = [$c1035, $c915, $c916, $c917, $c918, $c919, $c920, $c921, $c922, $c1036, $c1037];
-const $c1034 = new Map([["kind", $c1035], ["condition", $c915], ["provenance", $c916], ["condition_source", $c917], ["fit", $c918], ["slip_includes", $c919], ["slip_speed_factor", $c920], ["temperature_factor", $c921], ["notes", $c922], ["slip", $c1036], ["rows", $c1037]]);
-const $c911 = $made(tables$Table, $c744, [MeasuredTable, $c1033, $c1034]);
-const $c906 = new Map([["integral-log", $c907], ["constant", $c908], ["elastic-plastic", $c909], ["power", $c910], ["table", $c911]]);
-const $c70 = $made(Variant, $c905, ["kind", $c906]);
-const $c904 = $made(OneOrMore, $c767, [$c70, 50]);
-const $c842 = $made(Entry, $c759, ["law", $c904, false, "", "", "law", ""]);
-const $c843 = $made(Entry, $c759, ["notes", $c956, false, "", "", "notes", ""]);
-const $c822 = [$c824, $c825, $c826, $c827, $c828, $c829, $c830, $c831, $c832, $c833, $c834, $c835, $c836, $c837, $c838, $c839, $c840, $c841, $c842, $c122, $c123, $c843];
-const $c823 = new Map([["preset", $c824], ["name", $c825], ["title", $c826], ["description", $c827], ["surface", $c828], ["thickness", $c829], ["elastic_modulus", $c830], ["shear_modulus", $c831], ["compression_modulus", $c832], ["block", $c833], ["wear_coefficient", $c834], ["belt_energy_share", $c835], ["bond_strength", $c836], ["fatigue_limit", $c837], ["cost", $c838], ["slip_speed", $c839], ["temperature", $c840], ["condition_factor", $c841], ["law", $c842], ["provenance", $c122], ["sources", $c123], ["notes", $c843]]);
-const $c821 = $made(tables$Table, $c744, [Lagging, $c822, $c823]);
-const $c189 = $made(TextOr, $c768, [$c820, $c821]);
-const $c169 = $made(Entry, $c759, ["lagging", $c189, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c170 = $made(Entry, $c759, ["condition", $c190, false, "", "", "condition", ""]);
-const $c192 = $made(Limit, $c765, ["force", 0.1, 1000000000.0, false, false]);
-const $c191 = $made(Quantity, $c129, ["force", $c192]);
-const $c171 = $made(Entry, $c759, ["entry_tension", $c191, false, "", "", "entry_tension", ""]);
-const $c172 = $made(Entry, $c759, ["exit_tension", $c191, false, "", "", "exit_tension", ""]);
-const $c193 = $made(Quantity, $c129, ["force", null]);
-const $c173 = $made(Entry, $c759, ["effective_tension", $c193, false, "", "", "effective_tension", ""]);
-const $c194 = $made(Quantity, $c129, ["torque", null]);
-const $c174 = $made(Entry, $c759, ["torque", $c194, false, "", "", "torque", ""]);
-const $c195 = $made(Quantity, $c129, ["power", null]);
-const $c175 = $made(Entry, $c759, ["power", $c195, false, "", "", "power", ""]);
-const $c198 = $made(Limit, $c765, ["length", -1.0, 1.0, false, false]);
-const $c197 = $made(Quantity, $c129, ["length", $c198]);
-const $c196 = $made(WordOr, $c796, ["formula", $c197, null]);
-const $c176 = $made(Entry, $c759, ["overrun", $c196, false, "", "", "overrun", ""]);
-const $c199 = $made(Flag, [], []);
-const $c177 = $made(Entry, $c759, ["recovery", $c199, false, "", "", "recovery", ""]);
-const $c201 = $made(Limit, $c765, ["length", 0.0, 1.0, true, false]);
-const $c200 = $made(Quantity, $c129, ["length", $c201]);
-const $c178 = $made(Entry, $c759, ["creep_limit", $c200, false, "", "", "creep_limit", ""]);
-const $c727 = ["pulley", "carry"];
-const $c202 = $made(Choice, $c782, [$c727]);
-const $c179 = $made(Entry, $c759, ["side", $c202, false, "", "", "side", ""]);
-const $c204 = $made(Limit, $c765, ["mass", 0.0, 1000000.0, true, false]);
-const $c203 = $made(Quantity, $c129, ["mass", $c204]);
-const $c180 = $made(Entry, $c759, ["mass", $c203, false, "", "", "mass", ""]);
-const $c1405 = ["dimension", "diameters", "rows", "within"];
-const $c1482 = ["kinds"];
-const $c1484 = $made(Quantity, $c129, ["length", null]);
-const $c1485 = $made(Quantity, $c129, ["length", null]);
-const $c1483 = [$c1484, $c1485];
-const $c1408 = $made(_Pair, $c1482, [$c1483]);
-const $c1406 = $made(Rows, $c798, [$c1408, 0, 500]);
-const $c1412 = $made(Entry, $c759, ["rows", $c1406, false, "", "", "rows", ""]);
-const $c1417 = $made(Quantity, $c129, ["length", null]);
-const $c1413 = $made(Entry, $c759, ["crown", $c1417, false, "", "", "crown", ""]);
-const $c1419 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
-const $c1418 = $made(Quantity, $c129, ["number", $c1419]);
-const $c1414 = $made(Entry, $c759, ["factor", $c1418, false, "", "", "factor", ""]);
-const $c1421 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
-const $c1420 = $made(Quantity, $c129, ["length", $c1421]);
-const $c1415 = $made(Entry, $c759, ["uncertainty", $c1420, false, "", "", "uncertainty", ""]);
-const $c1423 = ["radius", "diameter"];
-const $c1422 = $made(Choice, $c782, [$c1423]);
-const $c1416 = $made(Entry, $c759, ["on", $c1422, false, "", "", "on", ""]);
-const $c1410 = [$c1412, $c1413, $c1414, $c1415, $c1416];
-const $c1411 = new Map([["rows", $c1412], ["crown", $c1413], ["factor", $c1414], ["uncertainty", $c1415], ["on", $c1416]]);
-const $c1409 = $made(tables$Table, $c744, [null, $c1410, $c1411]);
-const $c1407 = $made(TextOr, $c768, [$c1406, $c1409]);
-const $c1063 = $made(Profile, $c1405, ["length", true, $c1406, $c1407]);
-const $c1054 = $made(Entry, $c759, ["shell_profile", $c1063, false, "", "", "shell_profile", ""]);
-const $c1487 = $made(Quantity, $c129, ["length", null]);
-const $c1488 = $made(Quantity, $c129, ["length", null]);
-const $c1486 = [$c1487, $c1488];
-const $c1426 = $made(_Pair, $c1482, [$c1486]);
-const $c1424 = $made(Rows, $c798, [$c1426, 0, 500]);
-const $c1430 = $made(Entry, $c759, ["rows", $c1424, false, "", "", "rows", ""]);
-const $c1435 = $made(Quantity, $c129, ["length", null]);
-const $c1431 = $made(Entry, $c759, ["crown", $c1435, false, "", "", "crown", ""]);
-const $c1437 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
-const $c1436 = $made(Quantity, $c129, ["number", $c1437]);
-const $c1432 = $made(Entry, $c759, ["factor", $c1436, false, "", "", "factor", ""]);
-const $c1439 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
-const $c1438 = $made(Quantity, $c129, ["length", $c1439]);
-const $c1433 = $made(Entry, $c759, ["uncertainty", $c1438, false, "", "", "uncertainty", ""]);
-const $c1440 = $made(Choice, $c782, [$c1423]);
-const $c1434 = $made(Entry, $c759, ["on", $c1440, false, "", "", "on", ""]);
-const $c1428 = [$c1430, $c1431, $c1432, $c1433, $c1434];
-const $c1429 = new Map([["rows", $c1430], ["crown", $c1431], ["factor", $c1432], ["uncertainty", $c1433], ["on", $c1434]]);
-const $c1427 = $made(tables$Table, $c744, [null, $c1428, $c1429]);
-const $c1425 = $made(TextOr, $c768, [$c1424, $c1427]);
-const $c1064 = $made(Profile, $c1405, ["length", true, $c1424, $c1425]);
-const $c1055 = $made(Entry, $c759, ["worn_depth", $c1064, false, "", "", "worn_depth", ""]);
-const $c1490 = $made(Quantity, $c129, ["length", null]);
-const $c1491 = $made(Quantity, $c129, ["length", null]);
-const $c1489 = [$c1490, $c1491];
-const $c1443 = $made(_Pair, $c1482, [$c1489]);
-const $c1441 = $made(Rows, $c798, [$c1443, 0, 500]);
-const $c1447 = $made(Entry, $c759, ["rows", $c1441, false, "", "", "rows", ""]);
-const $c1452 = $made(Quantity, $c129, ["length", null]);
-const $c1448 = $made(Entry, $c759, ["crown", $c1452, false, "", "", "crown", ""]);
-const $c1454 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
-const $c1453 = $made(Quantity, $c129, ["number", $c1454]);
-const $c1449 = $made(Entry, $c759, ["factor", $c1453, false, "", "", "factor", ""]);
-const $c1456 = $made(Limit, $c765, ["length", 0.0, Infinity, false, false]);
-const $c1455 = $made(Quantity, $c129, ["length", $c1456]);
-const $c1450 = $made(Entry, $c759, ["uncertainty", $c1455, false, "", "", "uncertainty", ""]);
-const $c1457 = $made(Choice, $c782, [$c1423]);
-const $c1451 = $made(Entry, $c759, ["on", $c1457, false, "", "", "on", ""]);
-const $c1445 = [$c1447, $c1448, $c1449, $c1450, $c1451];
-const $c1446 = new Map([["rows", $c1447], ["crown", $c1448], ["factor", $c1449], ["uncertainty", $c1450], ["on", $c1451]]);
-const $c1444 = $made(tables$Table, $c744, [null, $c1445, $c1446]);
-const $c1442 = $made(TextOr, $c768, [$c1441, $c1444]);
-const $c1065 = $made(Profile, $c1405, ["length", true, $c1441, $c1442]);
-const $c1056 = $made(Entry, $c759, ["build_up", $c1065, false, "", "", "build_up", ""]);
-const $c1067 = $made(Limit, $c765, ["number", -0.1, 0.1, false, false]);
-const $c1066 = $made(Quantity, $c129, ["number", $c1067]);
-const $c1057 = $made(Entry, $c759, ["misalignment", $c1066, false, "", "", "misalignment", ""]);
-const $c1069 = $made(Limit, $c765, ["length", -0.1, 0.1, false, false]);
-const $c1068 = $made(Quantity, $c129, ["length", $c1069]);
-const $c1058 = $made(Entry, $c759, ["deflection", $c1068, false, "", "", "deflection", ""]);
-const $c1493 = $made(Quantity, $c129, ["length", null]);
-const $c1494 = $made(Quantity, $c129, ["force_per_width", null]);
-const $c1492 = [$c1493, $c1494];
-const $c1460 = $made(_Pair, $c1482, [$c1492]);
-const $c1458 = $made(Rows, $c798, [$c1460, 0, 500]);
-const $c1464 = $made(Entry, $c759, ["rows", $c1458, false, "", "", "rows", ""]);
-const $c1468 = $made(Quantity, $c129, ["force_per_width", null]);
-const $c1465 = $made(Entry, $c759, ["crown", $c1468, false, "", "", "crown", ""]);
-const $c1470 = $made(Limit, $c765, ["number", 0.0, 100.0, false, false]);
-const $c1469 = $made(Quantity, $c129, ["number", $c1470]);
-const $c1466 = $made(Entry, $c759, ["factor", $c1469, false, "", "", "factor", ""]);
-const $c1472 = $made(Limit, $c765, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1471 = $made(Quantity, $c129, ["force_per_width", $c1472]);
-const $c1467 = $made(Entry, $c759, ["uncertainty", $c1471, false, "", "", "uncertainty", ""]);
-const $c1462 = [$c1464, $c1465, $c1466, $c1467];
-const $c1463 = new Map([["rows", $c1464], ["crown", $c1465], ["factor", $c1466], ["uncertainty", $c1467]]);
-const $c1461 = $made(tables$Table, $c744, [null, $c1462, $c1463]);
-const $c1459 = $made(TextOr, $c768, [$c1458, $c1461]);
-const $c1070 = $made(Profile, $c1405, ["force_per_width", false, $c1458, $c1459]);
-const $c1059 = $made(Entry, $c759, ["entry_profile", $c1070, false, "", "", "entry_profile", ""]);
-const $c1080 = ["pulley"];
-const $c1079 = $made(Choice, $c782, [$c1080]);
-const $c1077 = $made(Entry, $c759, ["kind", $c1079, true, "", "", "kind", ""]);
-const $c1082 = $made(Limit, $c765, ["length", 0.0, 100000.0, true, false]);
-const $c1081 = $made(Quantity, $c129, ["length", $c1082]);
-const $c1078 = $made(Entry, $c759, ["distance", $c1081, true, "", "", "distance", ""]);
-const $c1075 = [$c1077, $c1078];
-const $c1076 = new Map([["kind", $c1077], ["distance", $c1078]]);
-const $c1073 = $made(tables$Table, $c744, [GrippingPulley, $c1075, $c1076]);
-const $c1091 = ["transition"];
-const $c1090 = $made(Choice, $c782, [$c1091]);
-const $c1085 = $made(Entry, $c759, ["kind", $c1090, true, "", "", "kind", ""]);
-const $c1093 = $made(Limit, $c765, ["length", 0.0, 1000.0, true, false]);
-const $c1092 = $made(Quantity, $c129, ["length", $c1093]);
-const $c1086 = $made(Entry, $c759, ["length", $c1092, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1095 = $made(Limit, $c765, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1094 = $made(Quantity, $c129, ["angle", $c1095]);
-const $c1087 = $made(Entry, $c759, ["trough_angle", $c1094, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1097 = $made(Limit, $c765, ["length", 0.0, 100.0, false, false]);
-const $c1096 = $made(Quantity, $c129, ["length", $c1097]);
-const $c1088 = $made(Entry, $c759, ["centre_roll", $c1096, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1099 = ["full", "half"];
-const $c1098 = $made(Choice, $c782, [$c1099]);
-const $c1089 = $made(Entry, $c759, ["depth", $c1098, false, "", "", "depth", ""]);
-const $c1083 = [$c1085, $c1086, $c1087, $c1088, $c1089];
-const $c1084 = new Map([["kind", $c1085], ["length", $c1086], ["trough_angle", $c1087], ["centre_roll", $c1088], ["depth", $c1089]]);
-const $c1074 = $made(tables$Table, $c744, [Transition, $c1083, $c1084]);
-const $c1072 = new Map([["pulley", $c1073], ["transition", $c1074]]);
-const $c28 = $made(Variant, $c905, ["kind", $c1072]);
-const $c1071 = $made(WordOr, $c796, ["far", $c28, null]);
-const $c1060 = $made(Entry, $c759, ["before", $c1071, false, "", "", "before", ""]);
-const $c1107 = ["pulley"];
-const $c1106 = $made(Choice, $c782, [$c1107]);
-const $c1105 = $made(Entry, $c759, ["kind", $c1106, true, "", "", "kind", ""]);
-const $c1103 = [$c1105, $c1078];
-const $c1104 = new Map([["kind", $c1105], ["distance", $c1078]]);
-const $c1102 = $made(tables$Table, $c744, [GrippingPulley, $c1103, $c1104]);
-const $c1101 = new Map([["pulley", $c1102]]);
-const $c29 = $made(Variant, $c905, ["kind", $c1101]);
-const $c1100 = $made(WordOr, $c796, ["far", $c29, null]);
-const $c1061 = $made(Entry, $c759, ["after", $c1100, false, "", "", "after", ""]);
-const $c1109 = ["least", "most"];
-const $c1108 = $made(Count, $c1109, [4, 128]);
-const $c1062 = $made(Entry, $c759, ["strips", $c1108, false, "", "", "strips", ""]);
-const $c1052 = [$c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061, $c1062];
-const $c1053 = new Map([["shell_profile", $c1054], ["worn_depth", $c1055], ["build_up", $c1056], ["misalignment", $c1057], ["deflection", $c1058], ["entry_profile", $c1059], ["before", $c1060], ["after", $c1061], ["strips", $c1062]]);
-const $c30 = $made(tables$Table, $c744, [Across, $c1052, $c1053]);
-const $c181 = $made(Entry, $c759, ["across", $c30, false, "", "", "across", ""]);
-const $c205 = $made(ByName, $c767, [$c2, 200]);
-const $c182 = $made(Entry, $c759, ["sources", $c205, false, "", "", "sources", ""]);
-const $c9 = [$c165, $c166, $c167, $c168, $c169, $c170, $c171, $c172, $c173, $c174, $c175, $c176, $c177, $c178, $c179, $c180, $c181, $c182];
-const $c799 = new Map([["name", $c165], ["diameter", $c166], ["wrap_angle", $c167], ["belt_path", $c168], ["lagging", $c169], ["condition", $c170], ["entry_tension", $c171], ["exit_tension", $c172], ["effective_tension", $c173], ["torque", $c174], ["power", $c175], ["overrun", $c176], ["recovery", $c177], ["creep_limit", $c178], ["side", $c179], ["mass", $c180], ["across", $c181], ["sources", $c182]]);
-const $c31 = $made(tables$Table, $c744, [Pulley, $c9, $c799]);
-const $c797 = $made(Rows, $c798, [$c31, 1, 10]);
-const $c753 = $made(Entry, $c759, ["pulley", $c797, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1110 = $made(ByName, $c767, [$c821, 200]);
-const $c754 = $made(Entry, $c759, ["lagging", $c1110, false, "", "", "lagging", ""]);
-const $c1121 = $made(Name, $c770, [60]);
-const $c1115 = $made(Entry, $c759, ["name", $c1121, true, "", "name = \"start\"", "name", ""]);
-const $c1122 = $made(Text, $c762, [1000, true]);
-const $c1116 = $made(Entry, $c759, ["description", $c1122, false, "", "", "description", ""]);
-const $c79 = ["running", "starting", "braking"];
-const $c1123 = $made(Choice, $c782, [$c79]);
-const $c1117 = $made(Entry, $c759, ["kind", $c1123, false, "", "", "kind", ""]);
-const $c1118 = $made(Entry, $c759, ["condition", $c190, false, "", "", "condition", ""]);
-const $c1126 = [$c171, $c172, $c173, $c174, $c175];
-const $c1127 = new Map([["entry_tension", $c171], ["exit_tension", $c172], ["effective_tension", $c173], ["torque", $c174], ["power", $c175]]);
-const $c1125 = $made(tables$Table, $c744, [null, $c1126, $c1127]);
-const $c1124 = $made(ByName, $c767, [$c1125, 200]);
-const $c1119 = $made(Entry, $c759, ["pulley", $c1124, false, "", "", "pulley", ""]);
-const $c1128 = $made(Elsewhere, [], []);
-const $c1120 = $made(Entry, $c759, ["train", $c1128, false, "", "", "train", ""]);
-const $c1113 = [$c1115, $c1116, $c1117, $c1118, $c1119, $c1120];
-const $c1114 = new Map([["name", $c1115], ["description", $c1116], ["kind", $c1117], ["condition", $c1118], ["pulley", $c1119], ["train", $c1120]]);
-const $c1112 = $made(tables$Table, $c744, [null, $c1113, $c1114]);
-const $c1111 = $made(Rows, $c798, [$c1112, 1, 1000]);
-const $c755 = $made(Entry, $c759, ["load_case", $c1111, false, "", "", "load_case", ""]);
-const $c1151 = $made(Limit, $c765, ["length", 0.0, 100000.0, true, false]);
-const $c1150 = $made(Quantity, $c129, ["length", $c1151]);
-const $c1131 = $made(Entry, $c759, ["length", $c1150, true, "", "length = \"600 m\"", "length", ""]);
-const $c1153 = $made(Limit, $c765, ["length", -5000.0, 5000.0, false, false]);
-const $c1152 = $made(Quantity, $c129, ["length", $c1153]);
-const $c1132 = $made(Entry, $c759, ["lift", $c1152, false, "", "", "lift", ""]);
-const $c1155 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1154 = $made(Quantity, $c129, ["mass_per_length", $c1155]);
-const $c1133 = $made(Entry, $c759, ["belt_mass", $c1154, true, "", "", "belt_mass", ""]);
-const $c1157 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1156 = $made(Quantity, $c129, ["mass_per_length", $c1157]);
-const $c1134 = $made(Entry, $c759, ["carry_idler_mass", $c1156, true, "", "", "carry_idler_mass", ""]);
-const $c1159 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1158 = $made(Quantity, $c129, ["mass_per_length", $c1159]);
-const $c1135 = $made(Entry, $c759, ["return_idler_mass", $c1158, true, "", "", "return_idler_mass", ""]);
-const $c1160 = $made(Quantity, $c129, ["mass_per_length", $c1155]);
-const $c1136 = $made(Entry, $c759, ["material_mass", $c1160, false, "", "", "material_mass", ""]);
-const $c1162 = $made(Limit, $c765, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1161 = $made(Quantity, $c129, ["mass_flow", $c1162]);
-const $c1137 = $made(Entry, $c759, ["capacity", $c1161, false, "", "", "capacity", ""]);
-const $c1164 = $made(Limit, $c765, ["number", 0.005, 0.1, false, false]);
-const $c1163 = $made(Quantity, $c129, ["number", $c1164]);
-const $c1138 = $made(Entry, $c759, ["friction_factor", $c1163, false, "", "", "friction_factor", ""]);
-const $c1166 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
-const $c1165 = $made(Quantity, $c129, ["number", $c1166]);
-const $c1139 = $made(Entry, $c759, ["length_coefficient", $c1165, false, "", "", "length_coefficient", ""]);
-const $c1168 = $made(Limit, $c765, ["force", 0.0, 100000000.0, false, false]);
-const $c1167 = $made(Quantity, $c129, ["force", $c1168]);
-const $c1140 = $made(Entry, $c759, ["secondary_resistance", $c1167, false, "", "", "secondary_resistance", ""]);
-const $c1169 = $made(Quantity, $c129, ["force", $c1168]);
-const $c1141 = $made(Entry, $c759, ["special_resistance", $c1169, false, "", "", "special_resistance", ""]);
-const $c1171 = $made(Limit, $c765, ["number", 0.0, 1.0, false, false]);
-const $c1170 = $made(Quantity, $c129, ["number", $c1171]);
-const $c1142 = $made(Entry, $c759, ["return_share", $c1170, false, "", "", "return_share", ""]);
-const $c1173 = $made(Limit, $c765, ["number", 1.0, 5.0, false, false]);
-const $c1172 = $made(Quantity, $c129, ["number", $c1173]);
-const $c1143 = $made(Entry, $c759, ["start_factor", $c1172, false, "", "", "start_factor", ""]);
-const $c1175 = $made(Limit, $c765, ["time", 0.0, 3600.0, true, false]);
-const $c1174 = $made(Quantity, $c129, ["time", $c1175]);
-const $c1144 = $made(Entry, $c759, ["start_time", $c1174, false, "", "", "start_time", ""]);
-const $c1176 = $made(Quantity, $c129, ["time", $c1175]);
-const $c1145 = $made(Entry, $c759, ["stop_time", $c1176, false, "", "", "stop_time", ""]);
-const $c1178 = $made(Limit, $c765, ["force", 0.0, 100000000.0, true, false]);
-const $c1177 = $made(Quantity, $c129, ["force", $c1178]);
-const $c1146 = $made(Entry, $c759, ["take_up_tension", $c1177, false, "", "", "take_up_tension", ""]);
-const $c1180 = $made(Limit, $c765, ["mass", 0.0, 10000000.0, true, false]);
-const $c1179 = $made(Quantity, $c129, ["mass", $c1180]);
-const $c1147 = $made(Entry, $c759, ["counterweight", $c1179, false, "", "", "counterweight", ""]);
-const $c1182 = $made(Limit, $c765, ["length", 0.0, 100000.0, false, false]);
-const $c1181 = $made(Quantity, $c129, ["length", $c1182]);
-const $c1148 = $made(Entry, $c759, ["take_up_distance", $c1181, false, "", "", "take_up_distance", ""]);
-const $c728 = ["head", "tail"];
-const $c1183 = $made(Choice, $c782, [$c728]);
-const $c1149 = $made(Entry, $c759, ["drive_at", $c1183, false, "", "", "drive_at", ""]);
-const $c1129 = [$c1131, $c1132, $c1133, $c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144, $c1145, $c1146, $c1147, $c1148, $c1149];
-const $c1130 = new Map([["length", $c1131], ["lift", $c1132], ["belt_mass", $c1133], ["carry_idler_mass", $c1134], ["return_idler_mass", $c1135], ["material_mass", $c1136], ["capacity", $c1137], ["friction_factor", $c1138], ["length_coefficient", $c1139], ["secondary_resistance", $c1140], ["special_resistance", $c1141], ["return_share", $c1142], ["start_factor", $c1143], ["start_time", $c1144], ["stop_time", $c1145], ["take_up_tension", $c1146], ["counterweight", $c1147], ["take_up_distance", $c1148], ["drive_at", $c1149]]);
-const $c35 = $made(tables$Table, $c744, [Conveyor, $c1129, $c1130]);
-const $c756 = $made(Entry, $c759, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c721 = ["gravity", "winch", "fixed"];
-const $c1189 = $made(Choice, $c782, [$c721]);
-const $c1186 = $made(Entry, $c759, ["kind", $c1189, false, "", "", "kind", ""]);
-const $c712 = $made(Limit, $c765, ["number", 0.01, 100.0, false, false]);
-const $c1190 = $made(Quantity, $c129, ["number", $c712]);
-const $c1187 = $made(Entry, $c759, ["sheave_ratio", $c1190, false, "", "", "sheave_ratio", ""]);
-const $c1191 = $made(Name, $c770, [60]);
-const $c1188 = $made(Entry, $c759, ["after", $c1191, false, "", "", "after", ""]);
-const $c1184 = [$c1186, $c1187, $c1188];
-const $c1185 = new Map([["kind", $c1186], ["sheave_ratio", $c1187], ["after", $c1188]]);
-const $c535 = $made(tables$Table, $c744, [TakeUp, $c1184, $c1185]);
-const $c531 = $made(Entry, $c759, ["take_up", $c535, false, "", "", "take_up", ""]);
-const $c722 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1199 = $made(Choice, $c782, [$c722]);
-const $c1194 = $made(Entry, $c759, ["name", $c1199, false, "", "", "name", ""]);
-const $c723 = ["dry", "wet", "wet and dirty"];
-const $c1200 = $made(Choice, $c782, [$c723]);
-const $c1195 = $made(Entry, $c759, ["condition", $c1200, false, "", "", "condition", ""]);
-const $c713 = $made(Limit, $c765, ["number", 0.01, 2.0, false, false]);
-const $c1201 = $made(Quantity, $c129, ["number", $c713]);
-const $c1196 = $made(Entry, $c759, ["friction", $c1201, false, "", "", "friction", ""]);
-const $c714 = $made(Limit, $c765, ["number", 1.0, 10.0, false, false]);
-const $c1202 = $made(Quantity, $c129, ["number", $c714]);
-const $c1197 = $made(Entry, $c759, ["start_factor", $c1202, false, "", "", "start_factor", ""]);
-const $c1203 = $made(Flag, [], []);
-const $c1198 = $made(Entry, $c759, ["binding", $c1203, false, "", "", "binding", ""]);
-const $c1192 = [$c1194, $c1195, $c1196, $c1197, $c1198];
-const $c1193 = new Map([["name", $c1194], ["condition", $c1195], ["friction", $c1196], ["start_factor", $c1197], ["binding", $c1198]]);
-const $c536 = $made(tables$Table, $c744, [DesignStandard, $c1192, $c1193]);
-const $c532 = $made(Entry, $c759, ["design_standard", $c536, false, "", "", "standard", ""]);
-const $c1210 = $made(Quantity, $c129, ["number", $c714]);
-const $c1206 = $made(Entry, $c759, ["running", $c1210, false, "", "", "running", ""]);
-const $c1211 = $made(Quantity, $c129, ["number", $c714]);
-const $c1207 = $made(Entry, $c759, ["starting", $c1211, false, "", "", "starting", ""]);
-const $c1212 = $made(Quantity, $c129, ["number", $c714]);
-const $c1208 = $made(Entry, $c759, ["braking", $c1212, false, "", "", "braking", ""]);
-const $c1213 = $made(Text, $c762, [500, false]);
-const $c1209 = $made(Entry, $c759, ["source", $c1213, false, "", "", "source", ""]);
-const $c1204 = [$c1206, $c1207, $c1208, $c1209];
-const $c1205 = new Map([["running", $c1206], ["starting", $c1207], ["braking", $c1208], ["source", $c1209]]);
-const $c537 = $made(tables$Table, $c744, [SafetyFactors, $c1204, $c1205]);
-const $c533 = $made(Entry, $c759, ["safety_factor", $c537, false, "", "", "safety", ""]);
-const $c1220 = $made(Limit, $c765, ["length", 0.0, 100.0, true, false]);
-const $c1219 = $made(Quantity, $c129, ["length", $c1220]);
-const $c1216 = $made(Entry, $c759, ["idler_spacing", $c1219, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1222 = $made(Limit, $c765, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1221 = $made(Quantity, $c129, ["mass_per_length", $c1222]);
-const $c1217 = $made(Entry, $c759, ["line_mass", $c1221, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1224 = $made(Limit, $c765, ["number", 0.0, 0.1, true, false]);
-const $c1223 = $made(Quantity, $c129, ["number", $c1224]);
-const $c1218 = $made(Entry, $c759, ["share", $c1223, false, "", "", "share", ""]);
-const $c1214 = [$c1216, $c1217, $c1218];
-const $c1215 = new Map([["idler_spacing", $c1216], ["line_mass", $c1217], ["share", $c1218]]);
-const $c538 = $made(tables$Table, $c744, [Sag, $c1214, $c1215]);
-const $c534 = $made(Entry, $c759, ["sag", $c538, false, "", "", "sag", ""]);
-const $c1225 = $made(Elsewhere, [], []);
-const $c757 = $made(Entry, $c759, ["train", $c1225, false, "", "", "train", ""]);
-const $c1226 = $made(Elsewhere, [], []);
-const $c758 = $made(Entry, $c759, ["motion", $c1226, false, "", "", "motion", ""]);
-const $c745 = [$c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c531, $c532, $c533, $c534, $c757, $c758];
-const $c746 = new Map([["format", $c747], ["title", $c748], ["description", $c749], ["creep_limit", $c750], ["condition", $c751], ["belt", $c752], ["pulley", $c753], ["lagging", $c754], ["load_case", $c755], ["conveyor", $c756], ["take_up", $c531], ["design_standard", $c532], ["safety_factor", $c533], ["sag", $c534], ["train", $c757], ["motion", $c758]]);
-const $c0 = $made(tables$Table, $c744, [Drive, $c745, $c746]);
+const $c856 = ["of", "entries", "_known"];
+const $c871 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c142 = ["dimension", "limit"];
+const $c872 = $made(Quantity, $c142, ["number", null]);
+const $c859 = $made(Entry, $c871, ["format", $c872, true, "", "format = 1", "format", ""]);
+const $c874 = ["longest", "lines"];
+const $c873 = $made(Text, $c874, [200, false]);
+const $c860 = $made(Entry, $c871, ["title", $c873, false, "", "", "title", ""]);
+const $c875 = $made(Text, $c874, [5000, true]);
+const $c861 = $made(Entry, $c871, ["description", $c875, false, "", "", "description", ""]);
+const $c877 = ["dimension", "least", "most", "open", "rigid"];
+const $c806 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c876 = $made(Quantity, $c142, ["length", $c806]);
+const $c862 = $made(Entry, $c871, ["creep_limit", $c876, false, "", "", "creep_limit", ""]);
+const $c879 = ["kind", "most"];
+const $c880 = ["text", "table"];
+const $c882 = ["longest"];
+const $c881 = $made(Name, $c882, [60]);
+const $c890 = $made(Name, $c882, [60]);
+const $c885 = $made(Entry, $c871, ["name", $c890, true, "", "", "name", ""]);
+const $c802 = $made(Limit, $c877, ["number", 0.0, 2.0, true, false]);
+const $c891 = $made(Quantity, $c142, ["number", $c802]);
+const $c886 = $made(Entry, $c871, ["friction_factor", $c891, false, "", "", "factor", ""]);
+const $c892 = $made(ByName, $c879, [$c891, 200]);
+const $c887 = $made(Entry, $c871, ["friction_factors", $c892, false, "", "", "friction_factors", ""]);
+const $c894 = ["options"];
+const $c895 = ["DIN 22101", "practice"];
+const $c893 = $made(Choice, $c894, [$c895]);
+const $c888 = $made(Entry, $c871, ["standard", $c893, false, "", "", "standard", ""]);
+const $c903 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c902 = $made(Choice, $c894, [$c903]);
+const $c898 = $made(Entry, $c871, ["kind", $c902, true, "", "", "kind", ""]);
+const $c904 = $made(Text, $c874, [500, false]);
+const $c899 = $made(Entry, $c871, ["source", $c904, false, "", "", "source", ""]);
+const $c905 = $made(Text, $c874, [60, false]);
+const $c900 = $made(Entry, $c871, ["date", $c905, false, "", "", "date", ""]);
+const $c906 = $made(Text, $c874, [1000, false]);
+const $c901 = $made(Entry, $c871, ["note", $c906, false, "", "", "note", ""]);
+const $c896 = [$c898, $c899, $c900, $c901];
+const $c897 = new Map([["kind", $c898], ["source", $c899], ["date", $c900], ["note", $c901]]);
+const $c2 = $made(tables$Table, $c856, [Provenance, $c896, $c897]);
+const $c889 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c883 = [$c885, $c886, $c887, $c888, $c889];
+const $c884 = new Map([["name", $c885], ["friction_factor", $c886], ["friction_factors", $c887], ["standard", $c888], ["provenance", $c889]]);
+const $c8 = $made(tables$Table, $c856, [Condition, $c883, $c884]);
+const $c203 = $made(TextOr, $c880, [$c881, $c8]);
+const $c878 = $made(OneOrMore, $c879, [$c203, 8]);
+const $c863 = $made(Entry, $c871, ["condition", $c878, false, "", "", "condition", ""]);
+const $c138 = $made(Name, $c882, [60]);
+const $c117 = $made(Entry, $c871, ["preset", $c138, false, "", "", "preset", ""]);
+const $c139 = $made(Name, $c882, [60]);
+const $c118 = $made(Entry, $c871, ["name", $c139, false, "", "", "name", ""]);
+const $c140 = $made(Text, $c874, [60, false]);
+const $c119 = $made(Entry, $c871, ["kind", $c140, false, "", "", "kind", ""]);
+const $c143 = $made(Limit, $c877, ["length", 0.001, 1000.0, false, false]);
+const $c141 = $made(Quantity, $c142, ["length", $c143]);
+const $c120 = $made(Entry, $c871, ["width", $c141, true, "", "", "width", ""]);
+const $c908 = ["word", "kind", "meaning"];
+const $c148 = $made(Limit, $c877, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c147 = $made(Quantity, $c142, ["force_per_width", $c148]);
+const $c145 = $made(WordOr, $c908, ["rigid", $c147, Infinity]);
+const $c121 = $made(Entry, $c871, ["modulus", $c145, false, "", "", "modulus", ""]);
+const $c150 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, true, false]);
+const $c149 = $made(Quantity, $c142, ["force_per_width", $c150]);
+const $c122 = $made(Entry, $c871, ["rating", $c149, false, "", "", "rating", ""]);
+const $c152 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, true, false]);
+const $c151 = $made(Quantity, $c142, ["force_per_width", $c152]);
+const $c123 = $made(Entry, $c871, ["strength", $c151, false, "", "", "strength", ""]);
+const $c154 = $made(Limit, $c877, ["speed", 0.0, 1000.0, true, false]);
+const $c153 = $made(Quantity, $c142, ["speed", $c154]);
+const $c124 = $made(Entry, $c871, ["speed", $c153, false, "", "", "speed", ""]);
+const $c156 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c155 = $made(Quantity, $c142, ["number", $c156]);
+const $c125 = $made(Entry, $c871, ["momentary_factor", $c155, false, "", "", "momentary_factor", ""]);
+const $c158 = $made(Limit, $c877, ["length", 0.0, Infinity, true, false]);
+const $c157 = $made(Quantity, $c142, ["length", $c158]);
+const $c126 = $made(Entry, $c871, ["least_pulley_diameter", $c157, false, "", "", "least_pulley_diameter", ""]);
+const $c160 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c159 = $made(Quantity, $c142, ["pressure", $c160]);
+const $c127 = $made(Entry, $c871, ["largest_wrap_pressure", $c159, false, "", "", "largest_wrap_pressure", ""]);
+const $c162 = $made(Limit, $c877, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c161 = $made(Quantity, $c142, ["force_per_width", $c162]);
+const $c128 = $made(Entry, $c871, ["in_plane_shear_stiffness", $c161, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c164 = $made(Limit, $c877, ["length", 0.0, 0.06, false, false]);
+const $c163 = $made(Quantity, $c142, ["length", $c164]);
+const $c129 = $made(Entry, $c871, ["pulley_cover", $c163, false, "", "", "pulley_cover", ""]);
+const $c166 = $made(Limit, $c877, ["length", 0.0, 0.06, false, false]);
+const $c165 = $made(Quantity, $c142, ["length", $c166]);
+const $c130 = $made(Entry, $c871, ["carry_cover", $c165, false, "", "", "carry_cover", ""]);
+const $c168 = $made(Limit, $c877, ["length", 0.0, 0.06, true, false]);
+const $c167 = $made(Quantity, $c142, ["length", $c168]);
+const $c131 = $made(Entry, $c871, ["carcass", $c167, false, "", "", "carcass", ""]);
+const $c170 = $made(Limit, $c877, ["length", 0.0, 0.06, true, false]);
+const $c169 = $made(Quantity, $c142, ["length", $c170]);
+const $c132 = $made(Entry, $c871, ["thickness", $c169, false, "", "", "thickness", ""]);
+const $c173 = $made(Limit, $c877, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c172 = $made(Quantity, $c142, ["pressure", $c173]);
+const $c171 = $made(WordOr, $c908, ["rigid", $c172, Infinity]);
+const $c133 = $made(Entry, $c871, ["cover_shear_modulus", $c171, false, "", "", "cover_shear_modulus", ""]);
+const $c175 = $made(Limit, $c877, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c174 = $made(Quantity, $c142, ["mass_per_length", $c175]);
+const $c134 = $made(Entry, $c871, ["mass", $c174, false, "", "", "mass", ""]);
+const $c135 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c176 = $made(ByName, $c879, [$c2, 200]);
+const $c136 = $made(Entry, $c871, ["sources", $c176, false, "", "", "sources", ""]);
+const $c1 = [$c117, $c118, $c119, $c120, $c121, $c122, $c123, $c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136];
+const $c907 = new Map([["preset", $c117], ["name", $c118], ["kind", $c119], ["width", $c120], ["modulus", $c121], ["rating", $c122], ["strength", $c123], ["speed", $c124], ["momentary_factor", $c125], ["least_pulley_diameter", $c126], ["largest_wrap_pressure", $c127], ["in_plane_shear_stiffness", $c128], ["pulley_cover", $c129], ["carry_cover", $c130], ["carcass", $c131], ["thickness", $c132], ["cover_shear_modulus", $c133], ["mass", $c134], ["provenance", $c135], ["sources", $c136]]);
+const $c5 = $made(tables$Table, $c856, [Belt, $c1, $c907]);
+const $c864 = $made(Entry, $c871, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c910 = ["kind", "least", "most"];
+const $c196 = $made(Name, $c882, [60]);
+const $c178 = $made(Entry, $c871, ["name", $c196, true, "", "name = \"head\"", "name", ""]);
+const $c198 = $made(Limit, $c877, ["length", 0.001, 1000.0, false, false]);
+const $c197 = $made(Quantity, $c142, ["length", $c198]);
+const $c179 = $made(Entry, $c871, ["diameter", $c197, true, "", "", "diameter", ""]);
+const $c200 = $made(Limit, $c877, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c199 = $made(Quantity, $c142, ["angle", $c200]);
+const $c180 = $made(Entry, $c871, ["wrap_angle", $c199, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c803 = $made(Limit, $c877, ["length", -100000.0, 100000.0, false, false]);
+const $c919 = $made(Quantity, $c142, ["length", $c803]);
+const $c914 = $made(Entry, $c871, ["x", $c919, true, "", "", "x", ""]);
+const $c920 = $made(Quantity, $c142, ["length", $c803]);
+const $c915 = $made(Entry, $c871, ["y", $c920, true, "", "", "y", ""]);
+const $c922 = ["clockwise", "counterclockwise"];
+const $c921 = $made(Choice, $c894, [$c922]);
+const $c916 = $made(Entry, $c871, ["turn", $c921, false, "", "", "turn", ""]);
+const $c929 = $made(Quantity, $c142, ["length", $c803]);
+const $c926 = $made(Entry, $c871, ["x", $c929, true, "", "", "x", ""]);
+const $c930 = $made(Quantity, $c142, ["length", $c803]);
+const $c927 = $made(Entry, $c871, ["y", $c930, true, "", "", "y", ""]);
+const $c804 = $made(Limit, $c877, ["length", 0.0, 1000.0, false, false]);
+const $c931 = $made(Quantity, $c142, ["length", $c804]);
+const $c928 = $made(Entry, $c871, ["diameter", $c931, false, "", "", "diameter", ""]);
+const $c924 = [$c926, $c927, $c928, $c916];
+const $c925 = new Map([["x", $c926], ["y", $c927], ["diameter", $c928], ["turn", $c916]]);
+const $c923 = $made(tables$Table, $c856, [Point, $c924, $c925]);
+const $c917 = $made(Entry, $c871, ["before", $c923, true, "", "a table with x and y", "before", ""]);
+const $c918 = $made(Entry, $c871, ["after", $c923, true, "", "a table with x and y", "after", ""]);
+const $c912 = [$c914, $c915, $c916, $c917, $c918];
+const $c913 = new Map([["x", $c914], ["y", $c915], ["turn", $c916], ["before", $c917], ["after", $c918]]);
+const $c201 = $made(tables$Table, $c856, [Point, $c912, $c913]);
+const $c181 = $made(Entry, $c871, ["belt_path", $c201, false, "", "", "belt_path", ""]);
+const $c932 = $made(Name, $c882, [500]);
+const $c956 = $made(Name, $c882, [500]);
+const $c936 = $made(Entry, $c871, ["preset", $c956, false, "", "", "preset", ""]);
+const $c957 = $made(Name, $c882, [60]);
+const $c937 = $made(Entry, $c871, ["name", $c957, false, "", "", "name", ""]);
+const $c958 = $made(Text, $c874, [200, false]);
+const $c938 = $made(Entry, $c871, ["title", $c958, false, "", "", "title", ""]);
+const $c959 = $made(Text, $c874, [5000, true]);
+const $c939 = $made(Entry, $c871, ["description", $c959, false, "", "", "description", ""]);
+const $c834 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c960 = $made(Choice, $c894, [$c834]);
+const $c940 = $made(Entry, $c871, ["surface", $c960, false, "", "", "surface", ""]);
+const $c817 = $made(Limit, $c877, ["length", 0.0, 1.0, false, false]);
+const $c961 = $made(Quantity, $c142, ["length", $c817]);
+const $c941 = $made(Entry, $c871, ["thickness", $c961, false, "", "", "thickness", ""]);
+const $c820 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, false]);
+const $c962 = $made(Quantity, $c142, ["pressure", $c820]);
+const $c942 = $made(Entry, $c871, ["elastic_modulus", $c962, false, "", "", "elastic_modulus", ""]);
+const $c818 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, true]);
+const $c964 = $made(Quantity, $c142, ["pressure", $c818]);
+const $c963 = $made(WordOr, $c908, ["rigid", $c964, Infinity]);
+const $c943 = $made(Entry, $c871, ["shear_modulus", $c963, false, "", "", "shear_modulus", ""]);
+const $c819 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, true]);
+const $c966 = $made(Quantity, $c142, ["pressure", $c819]);
+const $c965 = $made(WordOr, $c908, ["rigid", $c966, Infinity]);
+const $c944 = $made(Entry, $c871, ["compression_modulus", $c965, false, "", "", "compression_modulus", ""]);
+const $c844 = ["square", "strip"];
+const $c974 = $made(Choice, $c894, [$c844]);
+const $c969 = $made(Entry, $c871, ["shape", $c974, false, "", "", "shape", ""]);
+const $c976 = $made(Limit, $c877, ["length", 0.0001, 10.0, false, false]);
+const $c975 = $made(Quantity, $c142, ["length", $c976]);
+const $c970 = $made(Entry, $c871, ["width", $c975, true, "", "", "width", ""]);
+const $c978 = $made(Limit, $c877, ["length", 0.0001, 1.0, false, false]);
+const $c977 = $made(Quantity, $c142, ["length", $c978]);
+const $c971 = $made(Entry, $c871, ["height", $c977, false, "", "", "height", ""]);
+const $c980 = $made(Limit, $c877, ["number", 0.0, 10.0, false, false]);
+const $c979 = $made(Quantity, $c142, ["number", $c980]);
+const $c972 = $made(Entry, $c871, ["stiffening", $c979, false, "", "", "stiffening", ""]);
+const $c982 = $made(Limit, $c877, ["number", 0.01, 1.0, false, false]);
+const $c981 = $made(Quantity, $c142, ["number", $c982]);
+const $c973 = $made(Entry, $c871, ["contact_fraction", $c981, false, "", "", "contact_fraction", ""]);
+const $c967 = [$c969, $c970, $c971, $c972, $c973];
+const $c968 = new Map([["shape", $c969], ["width", $c970], ["height", $c971], ["stiffening", $c972], ["contact_fraction", $c973]]);
+const $c79 = $made(tables$Table, $c856, [Block, $c967, $c968]);
+const $c945 = $made(Entry, $c871, ["block", $c79, false, "", "", "block", ""]);
+const $c821 = $made(Limit, $c877, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c983 = $made(Quantity, $c142, ["wear_coefficient", $c821]);
+const $c946 = $made(Entry, $c871, ["wear_coefficient", $c983, false, "", "", "wear_coefficient", ""]);
+const $c822 = $made(Limit, $c877, ["number", 0.0, 1.0, false, false]);
+const $c984 = $made(Quantity, $c142, ["number", $c822]);
+const $c947 = $made(Entry, $c871, ["belt_energy_share", $c984, false, "", "", "belt_energy_share", ""]);
+const $c823 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c985 = $made(Quantity, $c142, ["pressure", $c823]);
+const $c948 = $made(Entry, $c871, ["bond_strength", $c985, false, "", "", "bond_strength", ""]);
+const $c824 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c986 = $made(Quantity, $c142, ["pressure", $c824]);
+const $c949 = $made(Entry, $c871, ["fatigue_limit", $c986, false, "", "", "fatigue_limit", ""]);
+const $c995 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c994 = $made(Quantity, $c142, ["number", $c995]);
+const $c989 = $made(Entry, $c871, ["material", $c994, true, "", "", "material", ""]);
+const $c997 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c996 = $made(Quantity, $c142, ["number", $c997]);
+const $c990 = $made(Entry, $c871, ["installation", $c996, true, "", "", "installation", ""]);
+const $c998 = $made(Name, $c882, [12]);
+const $c991 = $made(Entry, $c871, ["currency", $c998, true, "", "", "currency", ""]);
+const $c1000 = $made(Limit, $c877, ["area", 0.0, Infinity, true, false]);
+const $c999 = $made(Quantity, $c142, ["area", $c1000]);
+const $c992 = $made(Entry, $c871, ["area", $c999, true, "", "", "area", ""]);
+const $c1002 = $made(Quantity, $c142, ["number", null]);
+const $c1001 = $made(Rows, $c910, [$c1002, 2, 2]);
+const $c993 = $made(Entry, $c871, ["life_years", $c1001, true, "", "", "life_years", ""]);
+const $c987 = [$c989, $c990, $c991, $c992, $c993];
+const $c988 = new Map([["material", $c989], ["installation", $c990], ["currency", $c991], ["area", $c992], ["life_years", $c993]]);
+const $c76 = $made(tables$Table, $c856, [Cost, $c987, $c988]);
+const $c950 = $made(Entry, $c871, ["cost", $c76, false, "", "", "cost", ""]);
+const $c1004 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1003 = $made(Quantity, $c142, ["speed", $c1004]);
+const $c951 = $made(Entry, $c871, ["slip_speed", $c1003, false, "", "", "slip_speed", ""]);
+const $c1006 = $made(Limit, $c877, ["temperature", 0.0, Infinity, false, false]);
+const $c1005 = $made(Quantity, $c142, ["temperature", $c1006]);
+const $c952 = $made(Entry, $c871, ["temperature", $c1005, false, "", "", "temperature", ""]);
+const $c1013 = $made(Name, $c882, [60]);
+const $c1010 = $made(Entry, $c871, ["condition", $c1013, true, "", "", "condition", ""]);
+const $c1015 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c1014 = $made(Quantity, $c142, ["number", $c1015]);
+const $c1011 = $made(Entry, $c871, ["factor", $c1014, true, "", "", "factor", ""]);
+const $c1012 = $made(Entry, $c871, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c1008 = [$c1010, $c1011, $c1012];
+const $c1009 = new Map([["condition", $c1010], ["factor", $c1011], ["provenance", $c1012]]);
+const $c80 = $made(tables$Table, $c856, [ConditionFactor, $c1008, $c1009]);
+const $c1007 = $made(Rows, $c910, [$c80, 0, 20]);
+const $c953 = $made(Entry, $c871, ["condition_factor", $c1007, false, "", "", "condition_factor", ""]);
+const $c1017 = ["tag", "tables"];
+const $c1044 = ["integral-log"];
+const $c1043 = $made(Choice, $c894, [$c1044]);
+const $c1026 = $made(Entry, $c871, ["kind", $c1043, true, "", "", "kind", ""]);
+const $c1045 = $made(Name, $c882, [60]);
+const $c1027 = $made(Entry, $c871, ["condition", $c1045, false, "", "", "condition", ""]);
+const $c1028 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1029 = $made(Entry, $c871, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1058 = $made(Name, $c882, [120]);
+const $c1057 = $made(Rows, $c910, [$c1058, 1, 1000]);
+const $c1048 = $made(Entry, $c871, ["parameters", $c1057, true, "", "", "parameters", ""]);
+const $c1059 = $made(Rows, $c910, [$c1002, 1, 1000]);
+const $c1049 = $made(Entry, $c871, ["values", $c1059, true, "", "", "values", ""]);
+const $c1061 = $made(Rows, $c910, [$c1002, 1, 1000]);
+const $c1060 = $made(Rows, $c910, [$c1061, 1, 1000]);
+const $c1050 = $made(Entry, $c871, ["covariance", $c1060, true, "", "", "covariance", ""]);
+const $c1063 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c1062 = $made(Quantity, $c142, ["number", $c1063]);
+const $c1051 = $made(Entry, $c871, ["residual_noise", $c1062, false, "", "", "residual_noise", ""]);
+const $c1065 = $made(Limit, $c877, ["number", 1.0, Infinity, false, false]);
+const $c1064 = $made(Quantity, $c142, ["number", $c1065]);
+const $c1052 = $made(Entry, $c871, ["coverage_factor", $c1064, false, "", "", "coverage_factor", ""]);
+const $c1066 = $made(Text, $c874, [60, false]);
+const $c1053 = $made(Entry, $c871, ["date", $c1066, false, "", "", "date", ""]);
+const $c1067 = $made(Text, $c874, [500, false]);
+const $c1054 = $made(Entry, $c871, ["method", $c1067, false, "", "", "method", ""]);
+const $c1069 = $made(Text, $c874, [2000, true]);
+const $c1068 = $made(Rows, $c910, [$c1069, 0, 50]);
+const $c1055 = $made(Entry, $c871, ["misfit", $c1068, false, "", "", "misfit", ""]);
+const $c1070 = $made(Text, $c874, [500, false]);
+const $c1056 = $made(Entry, $c871, ["misfit_accepted", $c1070, false, "", "", "misfit_accepted", ""]);
+const $c1046 = [$c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056];
+const $c1047 = new Map([["parameters", $c1048], ["values", $c1049], ["covariance", $c1050], ["residual_noise", $c1051], ["coverage_factor", $c1052], ["date", $c1053], ["method", $c1054], ["misfit", $c1055], ["misfit_accepted", $c1056]]);
+const $c87 = $made(tables$Table, $c856, [Fit, $c1046, $c1047]);
+const $c1030 = $made(Entry, $c871, ["fit", $c87, false, "", "", "fit", ""]);
+const $c1073 = ["lagging shear", "cover shear"];
+const $c1072 = $made(Choice, $c894, [$c1073]);
+const $c1071 = $made(Rows, $c910, [$c1072, 0, 2]);
+const $c1031 = $made(Entry, $c871, ["slip_includes", $c1071, false, "", "", "slip_includes", ""]);
+const $c1080 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1079 = $made(Quantity, $c142, ["speed", $c1080]);
+const $c1078 = $made(Rows, $c910, [$c1079, 2, 100]);
+const $c1076 = $made(Entry, $c871, ["slip_speed", $c1078, true, "", "", "at", ""]);
+const $c1081 = $made(Rows, $c910, [$c1014, 2, 100]);
+const $c1077 = $made(Entry, $c871, ["factor", $c1081, true, "", "", "factor", ""]);
+const $c1074 = [$c1076, $c1077, $c1012];
+const $c1075 = new Map([["slip_speed", $c1076], ["factor", $c1077], ["provenance", $c1012]]);
+const $c85 = $made(tables$Table, $c856, [FrictionFactor, $c1074, $c1075]);
+const $c1032 = $made(Entry, $c871, ["slip_speed_factor", $c85, false, "", "", "slip_speed_factor", ""]);
+const $c1087 = $made(Limit, $c877, ["temperature", 0.0, Infinity, false, false]);
+const $c1086 = $made(Quantity, $c142, ["temperature", $c1087]);
+const $c1085 = $made(Rows, $c910, [$c1086, 2, 100]);
+const $c1084 = $made(Entry, $c871, ["temperature", $c1085, true, "", "", "at", ""]);
+const $c1082 = [$c1084, $c1077, $c1012];
+const $c1083 = new Map([["temperature", $c1084], ["factor", $c1077], ["provenance", $c1012]]);
+const $c86 = $made(tables$Table, $c856, [FrictionFactor, $c1082, $c1083]);
+const $c1033 = $made(Entry, $c871, ["temperature_factor", $c86, false, "", "", "temperature_factor", ""]);
+const $c1034 = $made(Entry, $c871, ["notes", $c1068, false, "", "", "notes", ""]);
+const $c1090 = $made(Limit, $c877, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1089 = $made(Quantity, $c142, ["pressure", $c1090]);
+const $c1088 = $made(Rows, $c910, [$c1089, 2, 2]);
+const $c1035 = $made(Entry, $c871, ["tested_pressure", $c1088, false, "", "", "tested_pressure", ""]);
+const $c1092 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c1091 = $made(Quantity, $c142, ["length", $c1092]);
+const $c1036 = $made(Entry, $c871, ["tested_slip", $c1091, false, "", "", "tested_slip", ""]);
+const $c1094 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1093 = $made(Quantity, $c142, ["speed", $c1094]);
+const $c1037 = $made(Entry, $c871, ["tested_slip_speed", $c1093, false, "", "", "tested_slip_speed", ""]);
+const $c1099 = $made(Entry, $c871, ["pressure", $c1089, true, "", "", "pressure", ""]);
+const $c1105 = $made(Limit, $c877, ["number", 0.0, 5.0, true, false]);
+const $c1104 = $made(Quantity, $c142, ["number", $c1105]);
+const $c1100 = $made(Entry, $c871, ["peak_friction", $c1104, true, "", "", "peak_friction", ""]);
+const $c1101 = $made(Entry, $c871, ["peak_slip", $c1091, true, "", "", "peak_slip", ""]);
+const $c1107 = $made(Limit, $c877, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1106 = $made(Quantity, $c142, ["per_length", $c1107]);
+const $c1102 = $made(Entry, $c871, ["post_peak_slope", $c1106, false, "", "", "post_peak_slope", ""]);
+const $c1103 = $made(Entry, $c871, ["residual_friction", $c1104, false, "", "", "residual_friction", ""]);
+const $c1097 = [$c1099, $c1100, $c1101, $c1102, $c1103];
+const $c1098 = new Map([["pressure", $c1099], ["peak_friction", $c1100], ["peak_slip", $c1101], ["post_peak_slope", $c1102], ["residual_friction", $c1103]]);
+const $c1096 = $made(tables$Table, $c856, [null, $c1097, $c1098]);
+const $c1095 = $made(Rows, $c910, [$c1096, 1, 200]);
+const $c1038 = $made(Entry, $c871, ["knots", $c1095, false, "", "", "knots", ""]);
+const $c1112 = $made(Entry, $c871, ["from", $c1089, true, "", "", "from", ""]);
+const $c1113 = $made(Entry, $c871, ["to", $c1089, true, "", "", "to", ""]);
+const $c1118 = $made(Text, $c874, [300, false]);
+const $c1114 = $made(Entry, $c871, ["A", $c1118, true, "", "", "A", ""]);
+const $c1115 = $made(Entry, $c871, ["b", $c1118, true, "", "", "b", ""]);
+const $c1116 = $made(Entry, $c871, ["post_peak_slope", $c1118, false, "", "", "post_peak_slope", ""]);
+const $c1117 = $made(Entry, $c871, ["residual_friction", $c1118, false, "", "", "residual_friction", ""]);
+const $c1110 = [$c1112, $c1113, $c1114, $c1115, $c1116, $c1117];
+const $c1111 = new Map([["from", $c1112], ["to", $c1113], ["A", $c1114], ["b", $c1115], ["post_peak_slope", $c1116], ["residual_friction", $c1117]]);
+const $c1109 = $made(tables$Table, $c856, [null, $c1110, $c1111]);
+const $c1108 = $made(Rows, $c910, [$c1109, 1, 50]);
+const $c1039 = $made(Entry, $c871, ["pieces", $c1108, false, "", "", "pieces", ""]);
+const $c1119 = $made(Text, $c874, [20, false]);
+const $c1040 = $made(Entry, $c871, ["slip_unit", $c1119, false, "", "", "slip_unit", ""]);
+const $c1120 = $made(Text, $c874, [20, false]);
+const $c1041 = $made(Entry, $c871, ["pressure_unit", $c1120, false, "", "", "pressure_unit", ""]);
+const $c1122 = $made(Limit, $c877, ["number", 0.0, 0.5, false, false]);
+const $c1121 = $made(Quantity, $c142, ["number", $c1122]);
+const $c1042 = $made(Entry, $c871, ["continuity", $c1121, false, "", "", "continuity", ""]);
+const $c1024 = [$c1026, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042];
+const $c1025 = new Map([["kind", $c1026], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["knots", $c1038], ["pieces", $c1039], ["slip_unit", $c1040], ["pressure_unit", $c1041], ["continuity", $c1042]]);
+const $c1019 = $made(tables$Table, $c856, [IntegralLog, $c1024, $c1025]);
+const $c1128 = ["constant"];
+const $c1127 = $made(Choice, $c894, [$c1128]);
+const $c1125 = $made(Entry, $c871, ["kind", $c1127, true, "", "", "kind", ""]);
+const $c1126 = $made(Entry, $c871, ["friction", $c1104, true, "", "", "friction_coefficient", ""]);
+const $c1123 = [$c1125, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1126];
+const $c1124 = new Map([["kind", $c1125], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["friction", $c1126]]);
+const $c1020 = $made(tables$Table, $c856, [Constant, $c1123, $c1124]);
+const $c1134 = ["elastic-plastic"];
+const $c1133 = $made(Choice, $c894, [$c1134]);
+const $c1131 = $made(Entry, $c871, ["kind", $c1133, true, "", "", "kind", ""]);
+const $c1136 = $made(Limit, $c877, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1135 = $made(Quantity, $c142, ["pressure_per_length", $c1136]);
+const $c1132 = $made(Entry, $c871, ["stiffness", $c1135, true, "", "", "stiffness", ""]);
+const $c1129 = [$c1131, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1132, $c1126];
+const $c1130 = new Map([["kind", $c1131], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["stiffness", $c1132], ["friction", $c1126]]);
+const $c1021 = $made(tables$Table, $c856, [ElasticPlastic, $c1129, $c1130]);
+const $c1144 = ["power"];
+const $c1143 = $made(Choice, $c894, [$c1144]);
+const $c1139 = $made(Entry, $c871, ["kind", $c1143, true, "", "", "kind", ""]);
+const $c1140 = $made(Entry, $c871, ["friction", $c1104, true, "", "", "friction_coefficient", ""]);
+const $c1141 = $made(Entry, $c871, ["reference_pressure", $c1089, true, "", "", "reference_pressure", ""]);
+const $c1142 = $made(Entry, $c871, ["exponent", $c1002, true, "", "", "exponent", ""]);
+const $c1137 = [$c1139, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1140, $c1141, $c1142];
+const $c1138 = new Map([["kind", $c1139], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["friction", $c1140], ["reference_pressure", $c1141], ["exponent", $c1142]]);
+const $c1022 = $made(tables$Table, $c856, [PressurePower, $c1137, $c1138]);
+const $c1151 = ["table"];
+const $c1150 = $made(Choice, $c894, [$c1151]);
+const $c1147 = $made(Entry, $c871, ["kind", $c1150, true, "", "", "kind", ""]);
+const $c1154 = $made(Limit, $c877, ["length", 0.0, 1.0, false, false]);
+const $c1153 = $made(Quantity, $c142, ["length", $c1154]);
+const $c1152 = $made(Rows, $c910, [$c1153, 2, 1000]);
+const $c1148 = $made(Entry, $c871, ["slip", $c1152, true, "", "", "slip", ""]);
+const $c1159 = $made(Entry, $c871, ["pressure", $c1089, true, "", "", "pressure", ""]);
+const $c1163 = $made(Limit, $c877, ["number", 0.0, 5.0, false, false]);
+const $c1162 = $made(Quantity, $c142, ["number", $c1163]);
+const $c1161 = $made(Rows, $c910, [$c1162, 2, 1000]);
+const $c1160 = $made(Entry, $c871, ["friction", $c1161, true, "", "", "values", ""]);
+const $c1157 = [$c1159, $c1160];
+const $c1158 = new Map([["pressure", $c1159], ["friction", $c1160]]);
+const $c1156 = $made(tables$Table, $c856, [null, $c1157, $c1158]);
+const $c1155 = $made(Rows, $c910, [$c1156, 1, 200]);
+const $c1149 = $made(Entry, $c871, ["rows", $c1155, true, "", "", "rows", ""]);
+const $c1145 = [$c1147, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1148, $c1149];
+const $c1146 = new Map([["kind", $c1147], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["slip", $c1148], ["rows", $c1149]]);
+const $c1023 = $made(tables$Table, $c856, [MeasuredTable, $c1145, $c1146]);
+const $c1018 = new Map([["integral-log", $c1019], ["constant", $c1020], ["elastic-plastic", $c1021], ["power", $c1022], ["table", $c1023]]);
+const $c83 = $made(Variant, $c1017, ["kind", $c1018]);
+const $c1016 = $made(OneOrMore, $c879, [$c83, 50]);
+const $c954 = $made(Entry, $c871, ["law", $c1016, false, "", "", "law", ""]);
+const $c955 = $made(Entry, $c871, ["notes", $c1068, false, "", "", "notes", ""]);
+const $c934 = [$c936, $c937, $c938, $c939, $c940, $c941, $c942, $c943, $c944, $c945, $c946, $c947, $c948, $c949, $c950, $c951, $c952, $c953, $c954, $c135, $c136, $c955];
+const $c935 = new Map([["preset", $c936], ["name", $c937], ["title", $c938], ["description", $c939], ["surface", $c940], ["thickness", $c941], ["elastic_modulus", $c942], ["shear_modulus", $c943], ["compression_modulus", $c944], ["block", $c945], ["wear_coefficient", $c946], ["belt_energy_share", $c947], ["bond_strength", $c948], ["fatigue_limit", $c949], ["cost", $c950], ["slip_speed", $c951], ["temperature", $c952], ["condition_factor", $c953], ["law", $c954], ["provenance", $c135], ["sources", $c136], ["notes", $c955]]);
+const $c933 = $made(tables$Table, $c856, [Lagging, $c934, $c935]);
+const $c202 = $made(TextOr, $c880, [$c932, $c933]);
+const $c182 = $made(Entry, $c871, ["lagging", $c202, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c183 = $made(Entry, $c871, ["condition", $c203, false, "", "", "condition", ""]);
+const $c205 = $made(Limit, $c877, ["force", 0.1, 1000000000.0, false, false]);
+const $c204 = $made(Quantity, $c142, ["force", $c205]);
+const $c184 = $made(Entry, $c871, ["entry_tension", $c204, false, "", "", "entry_tension", ""]);
+const $c185 = $made(Entry, $c871, ["exit_tension", $c204, false, "", "", "exit_tension", ""]);
+const $c206 = $made(Quantity, $c142, ["force", null]);
+const $c186 = $made(Entry, $c871, ["effective_tension", $c206, false, "", "", "effective_tension", ""]);
+const $c207 = $made(Quantity, $c142, ["torque", null]);
+const $c187 = $made(Entry, $c871, ["torque", $c207, false, "", "", "torque", ""]);
+const $c208 = $made(Quantity, $c142, ["power", null]);
+const $c188 = $made(Entry, $c871, ["power", $c208, false, "", "", "power", ""]);
+const $c211 = $made(Limit, $c877, ["length", -1.0, 1.0, false, false]);
+const $c210 = $made(Quantity, $c142, ["length", $c211]);
+const $c209 = $made(WordOr, $c908, ["formula", $c210, null]);
+const $c189 = $made(Entry, $c871, ["overrun", $c209, false, "", "", "overrun", ""]);
+const $c212 = $made(Flag, [], []);
+const $c190 = $made(Entry, $c871, ["recovery", $c212, false, "", "", "recovery", ""]);
+const $c214 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c213 = $made(Quantity, $c142, ["length", $c214]);
+const $c191 = $made(Entry, $c871, ["creep_limit", $c213, false, "", "", "creep_limit", ""]);
+const $c841 = ["pulley", "carry"];
+const $c215 = $made(Choice, $c894, [$c841]);
+const $c192 = $made(Entry, $c871, ["side", $c215, false, "", "", "side", ""]);
+const $c217 = $made(Limit, $c877, ["mass", 0.0, 1000000.0, true, false]);
+const $c216 = $made(Quantity, $c142, ["mass", $c217]);
+const $c193 = $made(Entry, $c871, ["mass", $c216, false, "", "", "mass", ""]);
+const $c1498 = ["dimension", "diameters", "rows", "within"];
+const $c1502 = ["kinds"];
+const $c1504 = $made(Quantity, $c142, ["length", null]);
+const $c1505 = $made(Quantity, $c142, ["length", null]);
+const $c1503 = [$c1504, $c1505];
+const $c1501 = $made(_Pair, $c1502, [$c1503]);
+const $c1499 = $made(Rows, $c910, [$c1501, 0, 500]);
+const $c1509 = $made(Entry, $c871, ["rows", $c1499, false, "", "", "rows", ""]);
+const $c1514 = $made(Quantity, $c142, ["length", null]);
+const $c1510 = $made(Entry, $c871, ["crown", $c1514, false, "", "", "crown", ""]);
+const $c1516 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1515 = $made(Quantity, $c142, ["number", $c1516]);
+const $c1511 = $made(Entry, $c871, ["factor", $c1515, false, "", "", "factor", ""]);
+const $c1518 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1517 = $made(Quantity, $c142, ["length", $c1518]);
+const $c1512 = $made(Entry, $c871, ["uncertainty", $c1517, false, "", "", "uncertainty", ""]);
+const $c1520 = ["radius", "diameter"];
+const $c1519 = $made(Choice, $c894, [$c1520]);
+const $c1513 = $made(Entry, $c871, ["on", $c1519, false, "", "", "on", ""]);
+const $c1507 = [$c1509, $c1510, $c1511, $c1512, $c1513];
+const $c1508 = new Map([["rows", $c1509], ["crown", $c1510], ["factor", $c1511], ["uncertainty", $c1512], ["on", $c1513]]);
+const $c1506 = $made(tables$Table, $c856, [null, $c1507, $c1508]);
+const $c1500 = $made(TextOr, $c880, [$c1499, $c1506]);
+const $c1175 = $made(Profile, $c1498, ["length", true, $c1499, $c1500]);
+const $c1166 = $made(Entry, $c871, ["shell_profile", $c1175, false, "", "", "shell_profile", ""]);
+const $c1525 = $made(Quantity, $c142, ["length", null]);
+const $c1526 = $made(Quantity, $c142, ["length", null]);
+const $c1524 = [$c1525, $c1526];
+const $c1523 = $made(_Pair, $c1502, [$c1524]);
+const $c1521 = $made(Rows, $c910, [$c1523, 0, 500]);
+const $c1530 = $made(Entry, $c871, ["rows", $c1521, false, "", "", "rows", ""]);
+const $c1535 = $made(Quantity, $c142, ["length", null]);
+const $c1531 = $made(Entry, $c871, ["crown", $c1535, false, "", "", "crown", ""]);
+const $c1537 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1536 = $made(Quantity, $c142, ["number", $c1537]);
+const $c1532 = $made(Entry, $c871, ["factor", $c1536, false, "", "", "factor", ""]);
+const $c1539 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1538 = $made(Quantity, $c142, ["length", $c1539]);
+const $c1533 = $made(Entry, $c871, ["uncertainty", $c1538, false, "", "", "uncertainty", ""]);
+const $c1540 = $made(Choice, $c894, [$c1520]);
+const $c1534 = $made(Entry, $c871, ["on", $c1540, false, "", "", "on", ""]);
+const $c1528 = [$c1530, $c1531, $c1532, $c1533, $c1534];
+const $c1529 = new Map([["rows", $c1530], ["crown", $c1531], ["factor", $c1532], ["uncertainty", $c1533], ["on", $c1534]]);
+const $c1527 = $made(tables$Table, $c856, [null, $c1528, $c1529]);
+const $c1522 = $made(TextOr, $c880, [$c1521, $c1527]);
+const $c1176 = $made(Profile, $c1498, ["length", true, $c1521, $c1522]);
+const $c1167 = $made(Entry, $c871, ["worn_depth", $c1176, false, "", "", "worn_depth", ""]);
+const $c1545 = $made(Quantity, $c142, ["length", null]);
+const $c1546 = $made(Quantity, $c142, ["length", null]);
+const $c1544 = [$c1545, $c1546];
+const $c1543 = $made(_Pair, $c1502, [$c1544]);
+const $c1541 = $made(Rows, $c910, [$c1543, 0, 500]);
+const $c1550 = $made(Entry, $c871, ["rows", $c1541, false, "", "", "rows", ""]);
+const $c1555 = $made(Quantity, $c142, ["length", null]);
+const $c1551 = $made(Entry, $c871, ["crown", $c1555, false, "", "", "crown", ""]);
+const $c1557 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1556 = $made(Quantity, $c142, ["number", $c1557]);
+const $c1552 = $made(Entry, $c871, ["factor", $c1556, false, "", "", "factor", ""]);
+const $c1559 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1558 = $made(Quantity, $c142, ["length", $c1559]);
+const $c1553 = $made(Entry, $c871, ["uncertainty", $c1558, false, "", "", "uncertainty", ""]);
+const $c1560 = $made(Choice, $c894, [$c1520]);
+const $c1554 = $made(Entry, $c871, ["on", $c1560, false, "", "", "on", ""]);
+const $c1548 = [$c1550, $c1551, $c1552, $c1553, $c1554];
+const $c1549 = new Map([["rows", $c1550], ["crown", $c1551], ["factor", $c1552], ["uncertainty", $c1553], ["on", $c1554]]);
+const $c1547 = $made(tables$Table, $c856, [null, $c1548, $c1549]);
+const $c1542 = $made(TextOr, $c880, [$c1541, $c1547]);
+const $c1177 = $made(Profile, $c1498, ["length", true, $c1541, $c1542]);
+const $c1168 = $made(Entry, $c871, ["build_up", $c1177, false, "", "", "build_up", ""]);
+const $c1179 = $made(Limit, $c877, ["number", -0.1, 0.1, false, false]);
+const $c1178 = $made(Quantity, $c142, ["number", $c1179]);
+const $c1169 = $made(Entry, $c871, ["misalignment", $c1178, false, "", "", "misalignment", ""]);
+const $c1181 = $made(Limit, $c877, ["length", -0.1, 0.1, false, false]);
+const $c1180 = $made(Quantity, $c142, ["length", $c1181]);
+const $c1170 = $made(Entry, $c871, ["deflection", $c1180, false, "", "", "deflection", ""]);
+const $c1565 = $made(Quantity, $c142, ["length", null]);
+const $c1566 = $made(Quantity, $c142, ["force_per_width", null]);
+const $c1564 = [$c1565, $c1566];
+const $c1563 = $made(_Pair, $c1502, [$c1564]);
+const $c1561 = $made(Rows, $c910, [$c1563, 0, 500]);
+const $c1570 = $made(Entry, $c871, ["rows", $c1561, false, "", "", "rows", ""]);
+const $c1574 = $made(Quantity, $c142, ["force_per_width", null]);
+const $c1571 = $made(Entry, $c871, ["crown", $c1574, false, "", "", "crown", ""]);
+const $c1576 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1575 = $made(Quantity, $c142, ["number", $c1576]);
+const $c1572 = $made(Entry, $c871, ["factor", $c1575, false, "", "", "factor", ""]);
+const $c1578 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1577 = $made(Quantity, $c142, ["force_per_width", $c1578]);
+const $c1573 = $made(Entry, $c871, ["uncertainty", $c1577, false, "", "", "uncertainty", ""]);
+const $c1568 = [$c1570, $c1571, $c1572, $c1573];
+const $c1569 = new Map([["rows", $c1570], ["crown", $c1571], ["factor", $c1572], ["uncertainty", $c1573]]);
+const $c1567 = $made(tables$Table, $c856, [null, $c1568, $c1569]);
+const $c1562 = $made(TextOr, $c880, [$c1561, $c1567]);
+const $c1182 = $made(Profile, $c1498, ["force_per_width", false, $c1561, $c1562]);
+const $c1171 = $made(Entry, $c871, ["entry_profile", $c1182, false, "", "", "entry_profile", ""]);
+const $c1192 = ["pulley"];
+const $c1191 = $made(Choice, $c894, [$c1192]);
+const $c1189 = $made(Entry, $c871, ["kind", $c1191, true, "", "", "kind", ""]);
+const $c1194 = $made(Limit, $c877, ["length", 0.0, 100000.0, true, false]);
+const $c1193 = $made(Quantity, $c142, ["length", $c1194]);
+const $c1190 = $made(Entry, $c871, ["distance", $c1193, true, "", "", "distance", ""]);
+const $c1187 = [$c1189, $c1190];
+const $c1188 = new Map([["kind", $c1189], ["distance", $c1190]]);
+const $c1185 = $made(tables$Table, $c856, [GrippingPulley, $c1187, $c1188]);
+const $c1203 = ["transition"];
+const $c1202 = $made(Choice, $c894, [$c1203]);
+const $c1197 = $made(Entry, $c871, ["kind", $c1202, true, "", "", "kind", ""]);
+const $c1205 = $made(Limit, $c877, ["length", 0.0, 1000.0, true, false]);
+const $c1204 = $made(Quantity, $c142, ["length", $c1205]);
+const $c1198 = $made(Entry, $c871, ["length", $c1204, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1207 = $made(Limit, $c877, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1206 = $made(Quantity, $c142, ["angle", $c1207]);
+const $c1199 = $made(Entry, $c871, ["trough_angle", $c1206, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1209 = $made(Limit, $c877, ["length", 0.0, 100.0, false, false]);
+const $c1208 = $made(Quantity, $c142, ["length", $c1209]);
+const $c1200 = $made(Entry, $c871, ["centre_roll", $c1208, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1211 = ["full", "half"];
+const $c1210 = $made(Choice, $c894, [$c1211]);
+const $c1201 = $made(Entry, $c871, ["depth", $c1210, false, "", "", "depth", ""]);
+const $c1195 = [$c1197, $c1198, $c1199, $c1200, $c1201];
+const $c1196 = new Map([["kind", $c1197], ["length", $c1198], ["trough_angle", $c1199], ["centre_roll", $c1200], ["depth", $c1201]]);
+const $c1186 = $made(tables$Table, $c856, [Transition, $c1195, $c1196]);
+const $c1184 = new Map([["pulley", $c1185], ["transition", $c1186]]);
+const $c28 = $made(Variant, $c1017, ["kind", $c1184]);
+const $c1183 = $made(WordOr, $c908, ["far", $c28, null]);
+const $c1172 = $made(Entry, $c871, ["before", $c1183, false, "", "", "before", ""]);
+const $c1219 = ["pulley"];
+const $c1218 = $made(Choice, $c894, [$c1219]);
+const $c1217 = $made(Entry, $c871, ["kind", $c1218, true, "", "", "kind", ""]);
+const $c1215 = [$c1217, $c1190];
+const $c1216 = new Map([["kind", $c1217], ["distance", $c1190]]);
+const $c1214 = $made(tables$Table, $c856, [GrippingPulley, $c1215, $c1216]);
+const $c1213 = new Map([["pulley", $c1214]]);
+const $c29 = $made(Variant, $c1017, ["kind", $c1213]);
+const $c1212 = $made(WordOr, $c908, ["far", $c29, null]);
+const $c1173 = $made(Entry, $c871, ["after", $c1212, false, "", "", "after", ""]);
+const $c1221 = ["least", "most"];
+const $c1220 = $made(Count, $c1221, [4, 128]);
+const $c1174 = $made(Entry, $c871, ["strips", $c1220, false, "", "", "strips", ""]);
+const $c1164 = [$c1166, $c1167, $c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1174];
+const $c1165 = new Map([["shell_profile", $c1166], ["worn_depth", $c1167], ["build_up", $c1168], ["misalignment", $c1169], ["deflection", $c1170], ["entry_profile", $c1171], ["before", $c1172], ["after", $c1173], ["strips", $c1174]]);
+const $c30 = $made(tables$Table, $c856, [Across, $c1164, $c1165]);
+const $c194 = $made(Entry, $c871, ["across", $c30, false, "", "", "across", ""]);
+const $c218 = $made(ByName, $c879, [$c2, 200]);
+const $c195 = $made(Entry, $c871, ["sources", $c218, false, "", "", "sources", ""]);
+const $c9 = [$c178, $c179, $c180, $c181, $c182, $c183, $c184, $c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195];
+const $c911 = new Map([["name", $c178], ["diameter", $c179], ["wrap_angle", $c180], ["belt_path", $c181], ["lagging", $c182], ["condition", $c183], ["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188], ["overrun", $c189], ["recovery", $c190], ["creep_limit", $c191], ["side", $c192], ["mass", $c193], ["across", $c194], ["sources", $c195]]);
+const $c31 = $made(tables$Table, $c856, [Pulley, $c9, $c911]);
+const $c909 = $made(Rows, $c910, [$c31, 1, 10]);
+const $c865 = $made(Entry, $c871, ["pulley", $c909, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1222 = $made(ByName, $c879, [$c933, 200]);
+const $c866 = $made(Entry, $c871, ["lagging", $c1222, false, "", "", "lagging", ""]);
+const $c1233 = $made(Name, $c882, [60]);
+const $c1227 = $made(Entry, $c871, ["name", $c1233, true, "", "name = \"start\"", "name", ""]);
+const $c1234 = $made(Text, $c874, [1000, true]);
+const $c1228 = $made(Entry, $c871, ["description", $c1234, false, "", "", "description", ""]);
+const $c92 = ["running", "starting", "braking"];
+const $c1235 = $made(Choice, $c894, [$c92]);
+const $c1229 = $made(Entry, $c871, ["kind", $c1235, false, "", "", "kind", ""]);
+const $c1230 = $made(Entry, $c871, ["condition", $c203, false, "", "", "condition", ""]);
+const $c1238 = [$c184, $c185, $c186, $c187, $c188];
+const $c1239 = new Map([["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188]]);
+const $c1237 = $made(tables$Table, $c856, [null, $c1238, $c1239]);
+const $c1236 = $made(ByName, $c879, [$c1237, 200]);
+const $c1231 = $made(Entry, $c871, ["pulley", $c1236, false, "", "", "pulley", ""]);
+const $c1240 = $made(Elsewhere, [], []);
+const $c1232 = $made(Entry, $c871, ["train", $c1240, false, "", "", "train", ""]);
+const $c1225 = [$c1227, $c1228, $c1229, $c1230, $c1231, $c1232];
+const $c1226 = new Map([["name", $c1227], ["description", $c1228], ["kind", $c1229], ["condition", $c1230], ["pulley", $c1231], ["train", $c1232]]);
+const $c1224 = $made(tables$Table, $c856, [null, $c1225, $c1226]);
+const $c1223 = $made(Rows, $c910, [$c1224, 1, 1000]);
+const $c867 = $made(Entry, $c871, ["load_case", $c1223, false, "", "", "load_case", ""]);
+const $c749 = $made(Limit, $c877, ["length", 0.0, 100000.0, true, false]);
+const $c1262 = $made(Quantity, $c142, ["length", $c749]);
+const $c1243 = $made(Entry, $c871, ["length", $c1262, true, "", "length = \"600 m\"", "length", ""]);
+const $c750 = $made(Limit, $c877, ["length", -5000.0, 5000.0, false, false]);
+const $c1263 = $made(Quantity, $c142, ["length", $c750]);
+const $c1244 = $made(Entry, $c871, ["lift", $c1263, false, "", "", "lift", ""]);
+const $c751 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1264 = $made(Quantity, $c142, ["mass_per_length", $c751]);
+const $c1245 = $made(Entry, $c871, ["belt_mass", $c1264, true, "", "", "belt_mass", ""]);
+const $c752 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1265 = $made(Quantity, $c142, ["mass_per_length", $c752]);
+const $c1246 = $made(Entry, $c871, ["carry_idler_mass", $c1265, true, "", "", "carry_idler_mass", ""]);
+const $c753 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1266 = $made(Quantity, $c142, ["mass_per_length", $c753]);
+const $c1247 = $made(Entry, $c871, ["return_idler_mass", $c1266, true, "", "", "return_idler_mass", ""]);
+const $c1267 = $made(Quantity, $c142, ["mass_per_length", $c751]);
+const $c1248 = $made(Entry, $c871, ["material_mass", $c1267, false, "", "", "material_mass", ""]);
+const $c754 = $made(Limit, $c877, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1268 = $made(Quantity, $c142, ["mass_flow", $c754]);
+const $c1249 = $made(Entry, $c871, ["capacity", $c1268, false, "", "", "capacity", ""]);
+const $c755 = $made(Limit, $c877, ["number", 0.005, 0.1, false, false]);
+const $c1269 = $made(Quantity, $c142, ["number", $c755]);
+const $c1250 = $made(Entry, $c871, ["friction_factor", $c1269, false, "", "", "friction_factor", ""]);
+const $c756 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c1270 = $made(Quantity, $c142, ["number", $c756]);
+const $c1251 = $made(Entry, $c871, ["length_coefficient", $c1270, false, "", "", "length_coefficient", ""]);
+const $c757 = $made(Limit, $c877, ["force", 0.0, 100000000.0, false, false]);
+const $c1271 = $made(Quantity, $c142, ["force", $c757]);
+const $c1252 = $made(Entry, $c871, ["secondary_resistance", $c1271, false, "", "", "secondary_resistance", ""]);
+const $c1272 = $made(Quantity, $c142, ["force", $c757]);
+const $c1253 = $made(Entry, $c871, ["special_resistance", $c1272, false, "", "", "special_resistance", ""]);
+const $c758 = $made(Limit, $c877, ["number", 0.0, 1.0, false, false]);
+const $c1273 = $made(Quantity, $c142, ["number", $c758]);
+const $c1254 = $made(Entry, $c871, ["return_share", $c1273, false, "", "", "return_share", ""]);
+const $c759 = $made(Limit, $c877, ["number", 1.0, 5.0, false, false]);
+const $c1274 = $made(Quantity, $c142, ["number", $c759]);
+const $c1255 = $made(Entry, $c871, ["start_factor", $c1274, false, "", "", "start_factor", ""]);
+const $c760 = $made(Limit, $c877, ["time", 0.0, 3600.0, true, false]);
+const $c1275 = $made(Quantity, $c142, ["time", $c760]);
+const $c1256 = $made(Entry, $c871, ["start_time", $c1275, false, "", "", "start_time", ""]);
+const $c1276 = $made(Quantity, $c142, ["time", $c760]);
+const $c1257 = $made(Entry, $c871, ["stop_time", $c1276, false, "", "", "stop_time", ""]);
+const $c761 = $made(Limit, $c877, ["force", 0.0, 100000000.0, true, false]);
+const $c1277 = $made(Quantity, $c142, ["force", $c761]);
+const $c1258 = $made(Entry, $c871, ["take_up_tension", $c1277, false, "", "", "take_up_tension", ""]);
+const $c762 = $made(Limit, $c877, ["mass", 0.0, 10000000.0, true, false]);
+const $c1278 = $made(Quantity, $c142, ["mass", $c762]);
+const $c1259 = $made(Entry, $c871, ["counterweight", $c1278, false, "", "", "counterweight", ""]);
+const $c763 = $made(Limit, $c877, ["length", 0.0, 100000.0, false, false]);
+const $c1279 = $made(Quantity, $c142, ["length", $c763]);
+const $c1260 = $made(Entry, $c871, ["take_up_distance", $c1279, false, "", "", "take_up_distance", ""]);
+const $c842 = ["head", "tail"];
+const $c1280 = $made(Choice, $c894, [$c842]);
+const $c1261 = $made(Entry, $c871, ["drive_at", $c1280, false, "", "", "drive_at", ""]);
+const $c1241 = [$c1243, $c1244, $c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261];
+const $c1242 = new Map([["length", $c1243], ["lift", $c1244], ["belt_mass", $c1245], ["carry_idler_mass", $c1246], ["return_idler_mass", $c1247], ["material_mass", $c1248], ["capacity", $c1249], ["friction_factor", $c1250], ["length_coefficient", $c1251], ["secondary_resistance", $c1252], ["special_resistance", $c1253], ["return_share", $c1254], ["start_factor", $c1255], ["start_time", $c1256], ["stop_time", $c1257], ["take_up_tension", $c1258], ["counterweight", $c1259], ["take_up_distance", $c1260], ["drive_at", $c1261]]);
+const $c35 = $made(tables$Table, $c856, [Conveyor, $c1241, $c1242]);
+const $c868 = $made(Entry, $c871, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c835 = ["gravity", "winch", "fixed"];
+const $c1286 = $made(Choice, $c894, [$c835]);
+const $c1283 = $made(Entry, $c871, ["kind", $c1286, false, "", "", "kind", ""]);
+const $c826 = $made(Limit, $c877, ["number", 0.01, 100.0, false, false]);
+const $c1287 = $made(Quantity, $c142, ["number", $c826]);
+const $c1284 = $made(Entry, $c871, ["sheave_ratio", $c1287, false, "", "", "sheave_ratio", ""]);
+const $c1288 = $made(Name, $c882, [60]);
+const $c1285 = $made(Entry, $c871, ["after", $c1288, false, "", "", "after", ""]);
+const $c1281 = [$c1283, $c1284, $c1285];
+const $c1282 = new Map([["kind", $c1283], ["sheave_ratio", $c1284], ["after", $c1285]]);
+const $c548 = $made(tables$Table, $c856, [TakeUp, $c1281, $c1282]);
+const $c544 = $made(Entry, $c871, ["take_up", $c548, false, "", "", "take_up", ""]);
+const $c836 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1296 = $made(Choice, $c894, [$c836]);
+const $c1291 = $made(Entry, $c871, ["name", $c1296, false, "", "", "name", ""]);
+const $c837 = ["dry", "wet", "wet and dirty"];
+const $c1297 = $made(Choice, $c894, [$c837]);
+const $c1292 = $made(Entry, $c871, ["condition", $c1297, false, "", "", "condition", ""]);
+const $c827 = $made(Limit, $c877, ["number", 0.01, 2.0, false, false]);
+const $c1298 = $made(Quantity, $c142, ["number", $c827]);
+const $c1293 = $made(Entry, $c871, ["friction", $c1298, false, "", "", "friction", ""]);
+const $c828 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c1299 = $made(Quantity, $c142, ["number", $c828]);
+const $c1294 = $made(Entry, $c871, ["start_factor", $c1299, false, "", "", "start_factor", ""]);
+const $c1300 = $made(Flag, [], []);
+const $c1295 = $made(Entry, $c871, ["binding", $c1300, false, "", "", "binding", ""]);
+const $c1289 = [$c1291, $c1292, $c1293, $c1294, $c1295];
+const $c1290 = new Map([["name", $c1291], ["condition", $c1292], ["friction", $c1293], ["start_factor", $c1294], ["binding", $c1295]]);
+const $c549 = $made(tables$Table, $c856, [DesignStandard, $c1289, $c1290]);
+const $c545 = $made(Entry, $c871, ["design_standard", $c549, false, "", "", "standard", ""]);
+const $c1307 = $made(Quantity, $c142, ["number", $c828]);
+const $c1303 = $made(Entry, $c871, ["running", $c1307, false, "", "", "running", ""]);
+const $c1308 = $made(Quantity, $c142, ["number", $c828]);
+const $c1304 = $made(Entry, $c871, ["starting", $c1308, false, "", "", "starting", ""]);
+const $c1309 = $made(Quantity, $c142, ["number", $c828]);
+const $c1305 = $made(Entry, $c871, ["braking", $c1309, false, "", "", "braking", ""]);
+const $c1310 = $made(Text, $c874, [500, false]);
+const $c1306 = $made(Entry, $c871, ["source", $c1310, false, "", "", "source", ""]);
+const $c1301 = [$c1303, $c1304, $c1305, $c1306];
+const $c1302 = new Map([["running", $c1303], ["starting", $c1304], ["braking", $c1305], ["source", $c1306]]);
+const $c550 = $made(tables$Table, $c856, [SafetyFactors, $c1301, $c1302]);
+const $c546 = $made(Entry, $c871, ["safety_factor", $c550, false, "", "", "safety", ""]);
+const $c1317 = $made(Limit, $c877, ["length", 0.0, 100.0, true, false]);
+const $c1316 = $made(Quantity, $c142, ["length", $c1317]);
+const $c1313 = $made(Entry, $c871, ["idler_spacing", $c1316, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1319 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1318 = $made(Quantity, $c142, ["mass_per_length", $c1319]);
+const $c1314 = $made(Entry, $c871, ["line_mass", $c1318, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1321 = $made(Limit, $c877, ["number", 0.0, 0.1, true, false]);
+const $c1320 = $made(Quantity, $c142, ["number", $c1321]);
+const $c1315 = $made(Entry, $c871, ["share", $c1320, false, "", "", "share", ""]);
+const $c1311 = [$c1313, $c1314, $c1315];
+const $c1312 = new Map([["idler_spacing", $c1313], ["line_mass", $c1314], ["share", $c1315]]);
+const $c551 = $made(tables$Table, $c856, [Sag, $c1311, $c1312]);
+const $c547 = $made(Entry, $c871, ["sag", $c551, false, "", "", "sag", ""]);
+const $c1322 = $made(Elsewhere, [], []);
+const $c869 = $made(Entry, $c871, ["train", $c1322, false, "", "", "train", ""]);
+const $c1323 = $made(Elsewhere, [], []);
+const $c870 = $made(Entry, $c871, ["motion", $c1323, false, "", "", "motion", ""]);
+const $c857 = [$c859, $c860, $c861, $c862, $c863, $c864, $c865, $c866, $c867, $c868, $c544, $c545, $c546, $c547, $c869, $c870];
+const $c858 = new Map([["format", $c859], ["title", $c860], ["description", $c861], ["creep_limit", $c862], ["condition", $c863], ["belt", $c864], ["pulley", $c865], ["lagging", $c866], ["load_case", $c867], ["conveyor", $c868], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c869], ["motion", $c870]]);
+const $c0 = $made(tables$Table, $c856, [Drive, $c857, $c858]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c130], ["modulus", $c135], ["rating", $c137], ["strength", $c139], ["speed", $c141], ["momentary_factor", $c143], ["least_pulley_diameter", $c145], ["largest_wrap_pressure", $c147], ["in_plane_shear_stiffness", $c149], ["pulley_cover", $c151], ["carry_cover", $c153], ["carcass", $c155], ["thickness", $c157], ["cover_shear_modulus", $c160], ["mass", $c162]]);
+const $c4 = new Map([["width", $c143], ["modulus", $c148], ["rating", $c150], ["strength", $c152], ["speed", $c154], ["momentary_factor", $c156], ["least_pulley_diameter", $c158], ["largest_wrap_pressure", $c160], ["in_plane_shear_stiffness", $c162], ["pulley_cover", $c164], ["carry_cover", $c166], ["carcass", $c168], ["thickness", $c170], ["cover_shear_modulus", $c173], ["mass", $c175]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c231 = [10000, "m"];
-const $c230 = [$c231];
-const $c208 = ["mm", $c230];
-const $c209 = ["kN", []];
-const $c210 = ["kN/m", []];
-const $c233 = [10000, "MPa"];
-const $c232 = [$c233];
-const $c211 = ["kPa", $c232];
-const $c212 = ["kPa/mm", []];
-const $c213 = ["m/s", []];
-const $c214 = ["deg", []];
-const $c215 = ["kW", []];
-const $c216 = ["kN m", []];
-const $c217 = ["m2", []];
-const $c218 = ["s", []];
-const $c219 = ["degC", []];
-const $c220 = ["1/mm", []];
-const $c221 = ["mm3/J", []];
-const $c222 = ["J/m2", []];
-const $c235 = [10000, "kW/m2"];
-const $c234 = [$c235];
-const $c223 = ["W/m2", $c234];
-const $c224 = ["rpm", []];
-const $c225 = ["kg", []];
-const $c226 = ["kg/m", []];
-const $c227 = ["t/h", []];
-const $c228 = ["kg m2", []];
-const $c229 = ["", []];
-const $c206 = new Map([["length", $c208], ["force", $c209], ["force_per_width", $c210], ["spring_rate", $c210], ["pressure", $c211], ["pressure_per_length", $c212], ["speed", $c213], ["angle", $c214], ["power", $c215], ["torque", $c216], ["area", $c217], ["time", $c218], ["temperature", $c219], ["per_length", $c220], ["wear_coefficient", $c221], ["energy_per_area", $c222], ["power_per_area", $c223], ["rotation_speed", $c224], ["mass", $c225], ["mass_per_length", $c226], ["mass_flow", $c227], ["moment_of_inertia", $c228], ["number", $c229]]);
-const $c256 = [400, "ft"];
-const $c255 = [$c256];
-const $c236 = ["in", $c255];
-const $c237 = ["lbf", []];
-const $c238 = ["PIW", []];
-const $c239 = ["lbf/in", []];
-const $c258 = [10000, "ksi"];
-const $c257 = [$c258];
-const $c240 = ["psi", $c257];
-const $c241 = ["psi/in", []];
-const $c242 = ["fpm", []];
-const $c243 = ["hp", []];
-const $c244 = ["lbf ft", []];
-const $c245 = ["in2", []];
-const $c246 = ["degF", []];
-const $c247 = ["1/in", []];
-const $c248 = ["in3/(ft lbf)", []];
-const $c249 = ["ft lbf/ft2", []];
-const $c250 = ["hp/ft2", []];
-const $c251 = ["lbm", []];
-const $c252 = ["lbm/ft", []];
-const $c253 = ["lbm/h", []];
-const $c254 = ["lbm ft2", []];
-const $c207 = new Map([["length", $c236], ["force", $c237], ["force_per_width", $c238], ["spring_rate", $c239], ["pressure", $c240], ["pressure_per_length", $c241], ["speed", $c242], ["angle", $c214], ["power", $c243], ["torque", $c244], ["area", $c245], ["time", $c218], ["temperature", $c246], ["per_length", $c247], ["wear_coefficient", $c248], ["energy_per_area", $c249], ["power_per_area", $c250], ["rotation_speed", $c224], ["mass", $c251], ["mass_per_length", $c252], ["mass_flow", $c253], ["moment_of_inertia", $c254], ["number", $c229]]);
-const $c11 = new Map([["si", $c206], ["us", $c207]]);
-const $c259 = new DimensionText("m", "a length", "1200 mm");
-const $c260 = new DimensionText("N", "a force", "150 kN");
-const $c261 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c262 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c263 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c264 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c265 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c266 = new DimensionText("rad", "an angle", "180 deg");
-const $c267 = new DimensionText("W", "a power", "250 kW");
-const $c268 = new DimensionText("N m", "a torque", "40 kN m");
-const $c269 = new DimensionText("m2", "an area", "2500 mm2");
-const $c270 = new DimensionText("s", "a time", "10 s");
-const $c271 = new DimensionText("K", "a temperature", "20 degC");
-const $c272 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c273 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c274 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c275 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c276 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c277 = new DimensionText("kg", "a mass", "500 kg");
-const $c278 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c279 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c280 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c281 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c259], ["force", $c260], ["force_per_width", $c261], ["spring_rate", $c262], ["pressure", $c263], ["pressure_per_length", $c264], ["speed", $c265], ["angle", $c266], ["power", $c267], ["torque", $c268], ["area", $c269], ["time", $c270], ["temperature", $c271], ["per_length", $c272], ["wear_coefficient", $c273], ["energy_per_area", $c274], ["power_per_area", $c275], ["rotation_speed", $c276], ["mass", $c277], ["mass_per_length", $c278], ["mass_flow", $c279], ["moment_of_inertia", $c280], ["number", $c281]]);
+const $c244 = [10000, "m"];
+const $c243 = [$c244];
+const $c221 = ["mm", $c243];
+const $c222 = ["kN", []];
+const $c223 = ["kN/m", []];
+const $c246 = [10000, "MPa"];
+const $c245 = [$c246];
+const $c224 = ["kPa", $c245];
+const $c225 = ["kPa/mm", []];
+const $c226 = ["m/s", []];
+const $c227 = ["deg", []];
+const $c228 = ["kW", []];
+const $c229 = ["kN m", []];
+const $c230 = ["m2", []];
+const $c231 = ["s", []];
+const $c232 = ["degC", []];
+const $c233 = ["1/mm", []];
+const $c234 = ["mm3/J", []];
+const $c235 = ["J/m2", []];
+const $c248 = [10000, "kW/m2"];
+const $c247 = [$c248];
+const $c236 = ["W/m2", $c247];
+const $c237 = ["rpm", []];
+const $c238 = ["kg", []];
+const $c239 = ["kg/m", []];
+const $c240 = ["t/h", []];
+const $c241 = ["kg m2", []];
+const $c242 = ["", []];
+const $c219 = new Map([["length", $c221], ["force", $c222], ["force_per_width", $c223], ["spring_rate", $c223], ["pressure", $c224], ["pressure_per_length", $c225], ["speed", $c226], ["angle", $c227], ["power", $c228], ["torque", $c229], ["area", $c230], ["time", $c231], ["temperature", $c232], ["per_length", $c233], ["wear_coefficient", $c234], ["energy_per_area", $c235], ["power_per_area", $c236], ["rotation_speed", $c237], ["mass", $c238], ["mass_per_length", $c239], ["mass_flow", $c240], ["moment_of_inertia", $c241], ["number", $c242]]);
+const $c269 = [400, "ft"];
+const $c268 = [$c269];
+const $c249 = ["in", $c268];
+const $c250 = ["lbf", []];
+const $c251 = ["PIW", []];
+const $c252 = ["lbf/in", []];
+const $c271 = [10000, "ksi"];
+const $c270 = [$c271];
+const $c253 = ["psi", $c270];
+const $c254 = ["psi/in", []];
+const $c255 = ["fpm", []];
+const $c256 = ["hp", []];
+const $c257 = ["lbf ft", []];
+const $c258 = ["in2", []];
+const $c259 = ["degF", []];
+const $c260 = ["1/in", []];
+const $c261 = ["in3/(ft lbf)", []];
+const $c262 = ["ft lbf/ft2", []];
+const $c263 = ["hp/ft2", []];
+const $c264 = ["lbm", []];
+const $c265 = ["lbm/ft", []];
+const $c266 = ["lbm/h", []];
+const $c267 = ["lbm ft2", []];
+const $c220 = new Map([["length", $c249], ["force", $c250], ["force_per_width", $c251], ["spring_rate", $c252], ["pressure", $c253], ["pressure_per_length", $c254], ["speed", $c255], ["angle", $c227], ["power", $c256], ["torque", $c257], ["area", $c258], ["time", $c231], ["temperature", $c259], ["per_length", $c260], ["wear_coefficient", $c261], ["energy_per_area", $c262], ["power_per_area", $c263], ["rotation_speed", $c237], ["mass", $c264], ["mass_per_length", $c265], ["mass_flow", $c266], ["moment_of_inertia", $c267], ["number", $c242]]);
+const $c11 = new Map([["si", $c219], ["us", $c220]]);
+const $c272 = new DimensionText("m", "a length", "1200 mm");
+const $c273 = new DimensionText("N", "a force", "150 kN");
+const $c274 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c275 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c276 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c277 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c278 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c279 = new DimensionText("rad", "an angle", "180 deg");
+const $c280 = new DimensionText("W", "a power", "250 kW");
+const $c281 = new DimensionText("N m", "a torque", "40 kN m");
+const $c282 = new DimensionText("m2", "an area", "2500 mm2");
+const $c283 = new DimensionText("s", "a time", "10 s");
+const $c284 = new DimensionText("K", "a temperature", "20 degC");
+const $c285 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c286 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c287 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c288 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c289 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c290 = new DimensionText("kg", "a mass", "500 kg");
+const $c291 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c292 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c293 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c294 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c272], ["force", $c273], ["force_per_width", $c274], ["spring_rate", $c275], ["pressure", $c276], ["pressure_per_length", $c277], ["speed", $c278], ["angle", $c279], ["power", $c280], ["torque", $c281], ["area", $c282], ["time", $c283], ["temperature", $c284], ["per_length", $c285], ["wear_coefficient", $c286], ["energy_per_area", $c287], ["power_per_area", $c288], ["rotation_speed", $c289], ["mass", $c290], ["mass_per_length", $c291], ["mass_flow", $c292], ["moment_of_inertia", $c293], ["number", $c294]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -7462,940 +7621,925 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c344 = ["meter", "meters", "metre", "metres"];
-const $c345 = $Decimal.of("1");
-const $c346 = $Decimal.of("0");
-const $c282 = new Definition($c344, $c345, "m", $c346);
-const $c347 = ["km"];
-const $c348 = $Decimal.of("1000");
-const $c349 = $Decimal.of("0");
-const $c283 = new Definition($c347, $c348, "m", $c349);
-const $c350 = ["dm"];
-const $c351 = $Decimal.of("0.1");
-const $c352 = $Decimal.of("0");
-const $c284 = new Definition($c350, $c351, "m", $c352);
-const $c353 = ["cm"];
-const $c354 = $Decimal.of("0.01");
-const $c355 = $Decimal.of("0");
-const $c285 = new Definition($c353, $c354, "m", $c355);
-const $c356 = ["mm"];
-const $c357 = $Decimal.of("0.001");
-const $c358 = $Decimal.of("0");
-const $c286 = new Definition($c356, $c357, "m", $c358);
-const $c359 = ["um", "micron", "microns"];
-const $c360 = $Decimal.of("0.000001");
-const $c361 = $Decimal.of("0");
-const $c287 = new Definition($c359, $c360, "m", $c361);
-const $c362 = ["in", "inch", "inches", "\""];
-const $c363 = $Decimal.of("0.0254");
-const $c364 = $Decimal.of("0");
-const $c288 = new Definition($c362, $c363, "m", $c364);
-const $c365 = ["ft", "foot", "feet"];
-const $c366 = $Decimal.of("12");
-const $c367 = $Decimal.of("0");
-const $c289 = new Definition($c365, $c366, "in", $c367);
-const $c368 = ["yd"];
-const $c369 = $Decimal.of("3");
-const $c370 = $Decimal.of("0");
-const $c290 = new Definition($c368, $c369, "ft", $c370);
-const $c371 = ["mi", "mile", "miles"];
-const $c372 = $Decimal.of("5280");
-const $c373 = $Decimal.of("0");
-const $c291 = new Definition($c371, $c372, "ft", $c373);
-const $c374 = ["thou"];
-const $c375 = $Decimal.of("0.001");
-const $c376 = $Decimal.of("0");
-const $c292 = new Definition($c374, $c375, "in", $c376);
-const $c377 = ["g"];
-const $c378 = $Decimal.of("0.001");
-const $c379 = $Decimal.of("0");
-const $c293 = new Definition($c377, $c378, "kg", $c379);
-const $c380 = ["t", "tonne", "tonnes"];
-const $c381 = $Decimal.of("1000");
-const $c382 = $Decimal.of("0");
-const $c294 = new Definition($c380, $c381, "kg", $c382);
-const $c383 = ["lbm"];
-const $c384 = $Decimal.of("0.45359237");
-const $c385 = $Decimal.of("0");
-const $c295 = new Definition($c383, $c384, "kg", $c385);
-const $c386 = ["sec", "second", "seconds"];
-const $c387 = $Decimal.of("1");
-const $c388 = $Decimal.of("0");
-const $c296 = new Definition($c386, $c387, "s", $c388);
-const $c389 = ["ms"];
-const $c390 = $Decimal.of("0.001");
-const $c391 = $Decimal.of("0");
-const $c297 = new Definition($c389, $c390, "s", $c391);
-const $c392 = ["min", "minute", "minutes"];
-const $c393 = $Decimal.of("60");
-const $c394 = $Decimal.of("0");
-const $c298 = new Definition($c392, $c393, "s", $c394);
-const $c395 = ["h", "hr", "hour", "hours"];
-const $c396 = $Decimal.of("60");
-const $c397 = $Decimal.of("0");
-const $c299 = new Definition($c395, $c396, "min", $c397);
-const $c398 = ["d", "day", "days"];
-const $c399 = $Decimal.of("24");
-const $c400 = $Decimal.of("0");
-const $c300 = new Definition($c398, $c399, "h", $c400);
-const $c401 = ["N", "newton", "newtons"];
-const $c402 = $Decimal.of("1");
-const $c403 = $Decimal.of("0");
-const $c301 = new Definition($c401, $c402, "kg m/s2", $c403);
-const $c404 = ["mN"];
-const $c405 = $Decimal.of("0.001");
-const $c406 = $Decimal.of("0");
-const $c302 = new Definition($c404, $c405, "N", $c406);
-const $c407 = ["daN"];
-const $c408 = $Decimal.of("10");
-const $c409 = $Decimal.of("0");
-const $c303 = new Definition($c407, $c408, "N", $c409);
-const $c410 = ["kN"];
-const $c411 = $Decimal.of("1000");
-const $c412 = $Decimal.of("0");
-const $c304 = new Definition($c410, $c411, "N", $c412);
-const $c413 = ["MN"];
-const $c414 = $Decimal.of("1E+6");
-const $c415 = $Decimal.of("0");
-const $c305 = new Definition($c413, $c414, "N", $c415);
-const $c416 = ["kgf", "kp"];
-const $c417 = $Decimal.of("9.80665");
-const $c418 = $Decimal.of("0");
-const $c306 = new Definition($c416, $c417, "N", $c418);
-const $c419 = ["gf"];
-const $c420 = $Decimal.of("0.001");
-const $c421 = $Decimal.of("0");
-const $c307 = new Definition($c419, $c420, "kgf", $c421);
-const $c422 = ["tf"];
-const $c423 = $Decimal.of("1000");
-const $c424 = $Decimal.of("0");
-const $c308 = new Definition($c422, $c423, "kgf", $c424);
-const $c425 = ["lbf", "lb", "lbs"];
-const $c426 = $Decimal.of("4.4482216152605");
-const $c427 = $Decimal.of("0");
-const $c309 = new Definition($c425, $c426, "N", $c427);
-const $c428 = ["klbf", "kip", "kips"];
-const $c429 = $Decimal.of("1000");
-const $c430 = $Decimal.of("0");
-const $c310 = new Definition($c428, $c429, "lbf", $c430);
-const $c431 = ["PIW", "piw", "PLI", "pli"];
-const $c432 = $Decimal.of("1");
-const $c433 = $Decimal.of("0");
-const $c311 = new Definition($c431, $c432, "lbf/in", $c433);
-const $c434 = ["Pa"];
-const $c435 = $Decimal.of("1");
-const $c436 = $Decimal.of("0");
-const $c312 = new Definition($c434, $c435, "N/m2", $c436);
-const $c437 = ["hPa"];
-const $c438 = $Decimal.of("100");
-const $c439 = $Decimal.of("0");
-const $c313 = new Definition($c437, $c438, "Pa", $c439);
-const $c440 = ["kPa"];
-const $c441 = $Decimal.of("1000");
-const $c442 = $Decimal.of("0");
-const $c314 = new Definition($c440, $c441, "Pa", $c442);
-const $c443 = ["MPa"];
-const $c444 = $Decimal.of("1E+6");
-const $c445 = $Decimal.of("0");
-const $c315 = new Definition($c443, $c444, "Pa", $c445);
-const $c446 = ["GPa"];
-const $c447 = $Decimal.of("1E+9");
-const $c448 = $Decimal.of("0");
-const $c316 = new Definition($c446, $c447, "Pa", $c448);
-const $c449 = ["bar"];
-const $c450 = $Decimal.of("1E+5");
-const $c451 = $Decimal.of("0");
-const $c317 = new Definition($c449, $c450, "Pa", $c451);
-const $c452 = ["mbar"];
-const $c453 = $Decimal.of("100");
-const $c454 = $Decimal.of("0");
-const $c318 = new Definition($c452, $c453, "Pa", $c454);
-const $c455 = ["psi", "PSI"];
-const $c456 = $Decimal.of("1");
-const $c457 = $Decimal.of("0");
-const $c319 = new Definition($c455, $c456, "lbf/in2", $c457);
-const $c458 = ["ksi"];
-const $c459 = $Decimal.of("1000");
-const $c460 = $Decimal.of("0");
-const $c320 = new Definition($c458, $c459, "psi", $c460);
-const $c461 = ["J", "joule"];
-const $c462 = $Decimal.of("1");
-const $c463 = $Decimal.of("0");
-const $c321 = new Definition($c461, $c462, "N m", $c463);
-const $c464 = ["mJ"];
-const $c465 = $Decimal.of("0.001");
-const $c466 = $Decimal.of("0");
-const $c322 = new Definition($c464, $c465, "J", $c466);
-const $c467 = ["kJ"];
-const $c468 = $Decimal.of("1000");
-const $c469 = $Decimal.of("0");
-const $c323 = new Definition($c467, $c468, "J", $c469);
-const $c470 = ["MJ"];
-const $c471 = $Decimal.of("1E+6");
-const $c472 = $Decimal.of("0");
-const $c324 = new Definition($c470, $c471, "J", $c472);
-const $c473 = ["Nm"];
-const $c474 = $Decimal.of("1");
-const $c475 = $Decimal.of("0");
-const $c325 = new Definition($c473, $c474, "N m", $c475);
-const $c476 = ["kNm"];
-const $c477 = $Decimal.of("1000");
-const $c478 = $Decimal.of("0");
-const $c326 = new Definition($c476, $c477, "N m", $c478);
-const $c479 = ["MNm"];
-const $c480 = $Decimal.of("1E+6");
-const $c481 = $Decimal.of("0");
-const $c327 = new Definition($c479, $c480, "N m", $c481);
-const $c482 = ["W", "watt", "watts"];
-const $c483 = $Decimal.of("1");
-const $c484 = $Decimal.of("0");
-const $c328 = new Definition($c482, $c483, "J/s", $c484);
-const $c485 = ["kW"];
-const $c486 = $Decimal.of("1000");
-const $c487 = $Decimal.of("0");
-const $c329 = new Definition($c485, $c486, "W", $c487);
-const $c488 = ["MW"];
-const $c489 = $Decimal.of("1E+6");
-const $c490 = $Decimal.of("0");
-const $c330 = new Definition($c488, $c489, "W", $c490);
-const $c491 = ["hp", "HP", "bhp", "BHP"];
-const $c492 = $Decimal.of("550");
-const $c493 = $Decimal.of("0");
-const $c331 = new Definition($c491, $c492, "ft lbf/s", $c493);
-const $c494 = ["PS", "cv", "CV", "hp(metric)"];
-const $c495 = $Decimal.of("75");
-const $c496 = $Decimal.of("0");
-const $c332 = new Definition($c494, $c495, "kgf m/s", $c496);
-const $c497 = ["fpm", "FPM"];
-const $c498 = $Decimal.of("1");
-const $c499 = $Decimal.of("0");
-const $c333 = new Definition($c497, $c498, "ft/min", $c499);
-const $c500 = ["fps"];
-const $c501 = $Decimal.of("1");
-const $c502 = $Decimal.of("0");
-const $c334 = new Definition($c500, $c501, "ft/s", $c502);
-const $c503 = ["kph", "kmh"];
-const $c504 = $Decimal.of("1");
-const $c505 = $Decimal.of("0");
-const $c335 = new Definition($c503, $c504, "km/h", $c505);
-const $c506 = ["mph"];
-const $c507 = $Decimal.of("1");
-const $c508 = $Decimal.of("0");
-const $c336 = new Definition($c506, $c507, "mi/h", $c508);
-const $c509 = ["mrad"];
-const $c510 = $Decimal.of("0.001");
-const $c511 = $Decimal.of("0");
-const $c337 = new Definition($c509, $c510, "rad", $c511);
-const $c512 = ["deg", "degree", "degrees", "°"];
-const $c513 = $Decimal.of("0.01745329251994329576923690768");
-const $c514 = $Decimal.of("0");
-const $c338 = new Definition($c512, $c513, "rad", $c514);
-const $c515 = ["rev", "turn", "turns"];
-const $c516 = $Decimal.of("360");
-const $c517 = $Decimal.of("0");
-const $c339 = new Definition($c515, $c516, "deg", $c517);
-const $c518 = ["rpm", "RPM"];
-const $c519 = $Decimal.of("1");
-const $c520 = $Decimal.of("0");
-const $c340 = new Definition($c518, $c519, "rev/min", $c520);
-const $c521 = ["degC", "°C"];
-const $c522 = $Decimal.of("1");
-const $c523 = $Decimal.of("-273.15");
-const $c341 = new Definition($c521, $c522, "K", $c523);
-const $c524 = ["degF", "°F"];
-const $c525 = $Decimal.of("0.5555555555555555555555555556");
-const $c526 = $Decimal.of("-459.67");
-const $c342 = new Definition($c524, $c525, "K", $c526);
-const $c527 = ["%", "percent"];
-const $c528 = $Decimal.of("0.01");
-const $c529 = $Decimal.of("0");
-const $c343 = new Definition($c527, $c528, "", $c529);
-const $c22 = [$c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343];
+const $c357 = ["meter", "meters", "metre", "metres"];
+const $c358 = $Decimal.of("1");
+const $c359 = $Decimal.of("0");
+const $c295 = new Definition($c357, $c358, "m", $c359);
+const $c360 = ["km"];
+const $c361 = $Decimal.of("1000");
+const $c362 = $Decimal.of("0");
+const $c296 = new Definition($c360, $c361, "m", $c362);
+const $c363 = ["dm"];
+const $c364 = $Decimal.of("0.1");
+const $c365 = $Decimal.of("0");
+const $c297 = new Definition($c363, $c364, "m", $c365);
+const $c366 = ["cm"];
+const $c367 = $Decimal.of("0.01");
+const $c368 = $Decimal.of("0");
+const $c298 = new Definition($c366, $c367, "m", $c368);
+const $c369 = ["mm"];
+const $c370 = $Decimal.of("0.001");
+const $c371 = $Decimal.of("0");
+const $c299 = new Definition($c369, $c370, "m", $c371);
+const $c372 = ["um", "micron", "microns"];
+const $c373 = $Decimal.of("0.000001");
+const $c374 = $Decimal.of("0");
+const $c300 = new Definition($c372, $c373, "m", $c374);
+const $c375 = ["in", "inch", "inches", "\""];
+const $c376 = $Decimal.of("0.0254");
+const $c377 = $Decimal.of("0");
+const $c301 = new Definition($c375, $c376, "m", $c377);
+const $c378 = ["ft", "foot", "feet"];
+const $c379 = $Decimal.of("12");
+const $c380 = $Decimal.of("0");
+const $c302 = new Definition($c378, $c379, "in", $c380);
+const $c381 = ["yd"];
+const $c382 = $Decimal.of("3");
+const $c383 = $Decimal.of("0");
+const $c303 = new Definition($c381, $c382, "ft", $c383);
+const $c384 = ["mi", "mile", "miles"];
+const $c385 = $Decimal.of("5280");
+const $c386 = $Decimal.of("0");
+const $c304 = new Definition($c384, $c385, "ft", $c386);
+const $c387 = ["thou"];
+const $c388 = $Decimal.of("0.001");
+const $c389 = $Decimal.of("0");
+const $c305 = new Definition($c387, $c388, "in", $c389);
+const $c390 = ["g"];
+const $c391 = $Decimal.of("0.001");
+const $c392 = $Decimal.of("0");
+const $c306 = new Definition($c390, $c391, "kg", $c392);
+const $c393 = ["t", "tonne", "tonnes"];
+const $c394 = $Decimal.of("1000");
+const $c395 = $Decimal.of("0");
+const $c307 = new Definition($c393, $c394, "kg", $c395);
+const $c396 = ["lbm"];
+const $c397 = $Decimal.of("0.45359237");
+const $c398 = $Decimal.of("0");
+const $c308 = new Definition($c396, $c397, "kg", $c398);
+const $c399 = ["sec", "second", "seconds"];
+const $c400 = $Decimal.of("1");
+const $c401 = $Decimal.of("0");
+const $c309 = new Definition($c399, $c400, "s", $c401);
+const $c402 = ["ms"];
+const $c403 = $Decimal.of("0.001");
+const $c404 = $Decimal.of("0");
+const $c310 = new Definition($c402, $c403, "s", $c404);
+const $c405 = ["min", "minute", "minutes"];
+const $c406 = $Decimal.of("60");
+const $c407 = $Decimal.of("0");
+const $c311 = new Definition($c405, $c406, "s", $c407);
+const $c408 = ["h", "hr", "hour", "hours"];
+const $c409 = $Decimal.of("60");
+const $c410 = $Decimal.of("0");
+const $c312 = new Definition($c408, $c409, "min", $c410);
+const $c411 = ["d", "day", "days"];
+const $c412 = $Decimal.of("24");
+const $c413 = $Decimal.of("0");
+const $c313 = new Definition($c411, $c412, "h", $c413);
+const $c414 = ["N", "newton", "newtons"];
+const $c415 = $Decimal.of("1");
+const $c416 = $Decimal.of("0");
+const $c314 = new Definition($c414, $c415, "kg m/s2", $c416);
+const $c417 = ["mN"];
+const $c418 = $Decimal.of("0.001");
+const $c419 = $Decimal.of("0");
+const $c315 = new Definition($c417, $c418, "N", $c419);
+const $c420 = ["daN"];
+const $c421 = $Decimal.of("10");
+const $c422 = $Decimal.of("0");
+const $c316 = new Definition($c420, $c421, "N", $c422);
+const $c423 = ["kN"];
+const $c424 = $Decimal.of("1000");
+const $c425 = $Decimal.of("0");
+const $c317 = new Definition($c423, $c424, "N", $c425);
+const $c426 = ["MN"];
+const $c427 = $Decimal.of("1E+6");
+const $c428 = $Decimal.of("0");
+const $c318 = new Definition($c426, $c427, "N", $c428);
+const $c429 = ["kgf", "kp"];
+const $c430 = $Decimal.of("9.80665");
+const $c431 = $Decimal.of("0");
+const $c319 = new Definition($c429, $c430, "N", $c431);
+const $c432 = ["gf"];
+const $c433 = $Decimal.of("0.001");
+const $c434 = $Decimal.of("0");
+const $c320 = new Definition($c432, $c433, "kgf", $c434);
+const $c435 = ["tf"];
+const $c436 = $Decimal.of("1000");
+const $c437 = $Decimal.of("0");
+const $c321 = new Definition($c435, $c436, "kgf", $c437);
+const $c438 = ["lbf", "lb", "lbs"];
+const $c439 = $Decimal.of("4.4482216152605");
+const $c440 = $Decimal.of("0");
+const $c322 = new Definition($c438, $c439, "N", $c440);
+const $c441 = ["klbf", "kip", "kips"];
+const $c442 = $Decimal.of("1000");
+const $c443 = $Decimal.of("0");
+const $c323 = new Definition($c441, $c442, "lbf", $c443);
+const $c444 = ["PIW", "piw", "PLI", "pli"];
+const $c445 = $Decimal.of("1");
+const $c446 = $Decimal.of("0");
+const $c324 = new Definition($c444, $c445, "lbf/in", $c446);
+const $c447 = ["Pa"];
+const $c448 = $Decimal.of("1");
+const $c449 = $Decimal.of("0");
+const $c325 = new Definition($c447, $c448, "N/m2", $c449);
+const $c450 = ["hPa"];
+const $c451 = $Decimal.of("100");
+const $c452 = $Decimal.of("0");
+const $c326 = new Definition($c450, $c451, "Pa", $c452);
+const $c453 = ["kPa"];
+const $c454 = $Decimal.of("1000");
+const $c455 = $Decimal.of("0");
+const $c327 = new Definition($c453, $c454, "Pa", $c455);
+const $c456 = ["MPa"];
+const $c457 = $Decimal.of("1E+6");
+const $c458 = $Decimal.of("0");
+const $c328 = new Definition($c456, $c457, "Pa", $c458);
+const $c459 = ["GPa"];
+const $c460 = $Decimal.of("1E+9");
+const $c461 = $Decimal.of("0");
+const $c329 = new Definition($c459, $c460, "Pa", $c461);
+const $c462 = ["bar"];
+const $c463 = $Decimal.of("1E+5");
+const $c464 = $Decimal.of("0");
+const $c330 = new Definition($c462, $c463, "Pa", $c464);
+const $c465 = ["mbar"];
+const $c466 = $Decimal.of("100");
+const $c467 = $Decimal.of("0");
+const $c331 = new Definition($c465, $c466, "Pa", $c467);
+const $c468 = ["psi", "PSI"];
+const $c469 = $Decimal.of("1");
+const $c470 = $Decimal.of("0");
+const $c332 = new Definition($c468, $c469, "lbf/in2", $c470);
+const $c471 = ["ksi"];
+const $c472 = $Decimal.of("1000");
+const $c473 = $Decimal.of("0");
+const $c333 = new Definition($c471, $c472, "psi", $c473);
+const $c474 = ["J", "joule"];
+const $c475 = $Decimal.of("1");
+const $c476 = $Decimal.of("0");
+const $c334 = new Definition($c474, $c475, "N m", $c476);
+const $c477 = ["mJ"];
+const $c478 = $Decimal.of("0.001");
+const $c479 = $Decimal.of("0");
+const $c335 = new Definition($c477, $c478, "J", $c479);
+const $c480 = ["kJ"];
+const $c481 = $Decimal.of("1000");
+const $c482 = $Decimal.of("0");
+const $c336 = new Definition($c480, $c481, "J", $c482);
+const $c483 = ["MJ"];
+const $c484 = $Decimal.of("1E+6");
+const $c485 = $Decimal.of("0");
+const $c337 = new Definition($c483, $c484, "J", $c485);
+const $c486 = ["Nm"];
+const $c487 = $Decimal.of("1");
+const $c488 = $Decimal.of("0");
+const $c338 = new Definition($c486, $c487, "N m", $c488);
+const $c489 = ["kNm"];
+const $c490 = $Decimal.of("1000");
+const $c491 = $Decimal.of("0");
+const $c339 = new Definition($c489, $c490, "N m", $c491);
+const $c492 = ["MNm"];
+const $c493 = $Decimal.of("1E+6");
+const $c494 = $Decimal.of("0");
+const $c340 = new Definition($c492, $c493, "N m", $c494);
+const $c495 = ["W", "watt", "watts"];
+const $c496 = $Decimal.of("1");
+const $c497 = $Decimal.of("0");
+const $c341 = new Definition($c495, $c496, "J/s", $c497);
+const $c498 = ["kW"];
+const $c499 = $Decimal.of("1000");
+const $c500 = $Decimal.of("0");
+const $c342 = new Definition($c498, $c499, "W", $c500);
+const $c501 = ["MW"];
+const $c502 = $Decimal.of("1E+6");
+const $c503 = $Decimal.of("0");
+const $c343 = new Definition($c501, $c502, "W", $c503);
+const $c504 = ["hp", "HP", "bhp", "BHP"];
+const $c505 = $Decimal.of("550");
+const $c506 = $Decimal.of("0");
+const $c344 = new Definition($c504, $c505, "ft lbf/s", $c506);
+const $c507 = ["PS", "cv", "CV", "hp(metric)"];
+const $c508 = $Decimal.of("75");
+const $c509 = $Decimal.of("0");
+const $c345 = new Definition($c507, $c508, "kgf m/s", $c509);
+const $c510 = ["fpm", "FPM"];
+const $c511 = $Decimal.of("1");
+const $c512 = $Decimal.of("0");
+const $c346 = new Definition($c510, $c511, "ft/min", $c512);
+const $c513 = ["fps"];
+const $c514 = $Decimal.of("1");
+const $c515 = $Decimal.of("0");
+const $c347 = new Definition($c513, $c514, "ft/s", $c515);
+const $c516 = ["kph", "kmh"];
+const $c517 = $Decimal.of("1");
+const $c518 = $Decimal.of("0");
+const $c348 = new Definition($c516, $c517, "km/h", $c518);
+const $c519 = ["mph"];
+const $c520 = $Decimal.of("1");
+const $c521 = $Decimal.of("0");
+const $c349 = new Definition($c519, $c520, "mi/h", $c521);
+const $c522 = ["mrad"];
+const $c523 = $Decimal.of("0.001");
+const $c524 = $Decimal.of("0");
+const $c350 = new Definition($c522, $c523, "rad", $c524);
+const $c525 = ["deg", "degree", "degrees", "°"];
+const $c526 = $Decimal.of("0.01745329251994329576923690768");
+const $c527 = $Decimal.of("0");
+const $c351 = new Definition($c525, $c526, "rad", $c527);
+const $c528 = ["rev", "turn", "turns"];
+const $c529 = $Decimal.of("360");
+const $c530 = $Decimal.of("0");
+const $c352 = new Definition($c528, $c529, "deg", $c530);
+const $c531 = ["rpm", "RPM"];
+const $c532 = $Decimal.of("1");
+const $c533 = $Decimal.of("0");
+const $c353 = new Definition($c531, $c532, "rev/min", $c533);
+const $c534 = ["degC", "°C"];
+const $c535 = $Decimal.of("1");
+const $c536 = $Decimal.of("-273.15");
+const $c354 = new Definition($c534, $c535, "K", $c536);
+const $c537 = ["degF", "°F"];
+const $c538 = $Decimal.of("0.5555555555555555555555555556");
+const $c539 = $Decimal.of("-459.67");
+const $c355 = new Definition($c537, $c538, "K", $c539);
+const $c540 = ["%", "percent"];
+const $c541 = $Decimal.of("0.01");
+const $c542 = $Decimal.of("0");
+const $c356 = new Definition($c540, $c541, "", $c542);
+const $c22 = [$c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c530 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c530, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c531, $c532, $c533, $c534];
+const $c543 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c543, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c544, $c545, $c546, $c547];
 const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c539 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c540 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c541 = ["length_coefficient", "secondary_resistance", ""];
-const $c542 = ["start_factor", "start_time", ""];
-const $c36 = [$c539, $c540, $c541, $c542];
+const $c552 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c553 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c554 = ["length_coefficient", "secondary_resistance", ""];
+const $c555 = ["start_factor", "start_time", ""];
+const $c36 = [$c552, $c553, $c554, $c555];
 const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1246 = $made(Quantity, $c129, ["force", $c192]);
-const $c1239 = $made(Entry, $c759, ["entry_tension", $c1246, false, "", "", "entry_tension", ""]);
-const $c1240 = $made(Entry, $c759, ["exit_tension", $c1246, false, "", "", "exit_tension", ""]);
-const $c1247 = $made(Quantity, $c129, ["force", null]);
-const $c1241 = $made(Entry, $c759, ["effective_tension", $c1247, false, "", "", "effective_tension", ""]);
-const $c1248 = $made(Quantity, $c129, ["power", null]);
-const $c1242 = $made(Entry, $c759, ["power", $c1248, false, "", "", "power", ""]);
-const $c1250 = $made(Quantity, $c129, ["force", null]);
-const $c1249 = $made(ByName, $c767, [$c1250, 200]);
-const $c1243 = $made(Entry, $c759, ["run", $c1249, false, "", "", "run", ""]);
-const $c1473 = ["first", "second", "words"];
-const $c1476 = $made(Limit, $c765, ["number", -100.0, 100.0, false, false]);
-const $c1474 = $made(Quantity, $c129, ["number", $c1476]);
-const $c1475 = $made(Quantity, $c129, ["power", null]);
-const $c1252 = $made(Either, $c1473, [$c1474, $c1475, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1251 = $made(Rows, $c798, [$c1252, 1, 10]);
-const $c1244 = $made(Entry, $c759, ["share", $c1251, false, "", "", "share", ""]);
-const $c1253 = $made(SpeedList, [], []);
-const $c1245 = $made(Entry, $c759, ["speeds", $c1253, false, "", "", "speeds", ""]);
-const $c1237 = [$c1239, $c1240, $c1241, $c1242, $c1243, $c1244, $c1245];
-const $c1238 = new Map([["entry_tension", $c1239], ["exit_tension", $c1240], ["effective_tension", $c1241], ["power", $c1242], ["run", $c1243], ["share", $c1244], ["speeds", $c1245]]);
-const $c1236 = $made(tables$Table, $c744, [null, $c1237, $c1238]);
-const $c1235 = $made(Entry, $c759, ["train", $c1236, false, "", "", "train", ""]);
-const $c1233 = [$c1115, $c1116, $c1117, $c1118, $c1119, $c1235];
-const $c1234 = new Map([["name", $c1115], ["description", $c1116], ["kind", $c1117], ["condition", $c1118], ["pulley", $c1119], ["train", $c1235]]);
-const $c1232 = $made(tables$Table, $c744, [null, $c1233, $c1234]);
-const $c1231 = $made(Rows, $c798, [$c1232, 1, 1000]);
-const $c1229 = $made(Entry, $c759, ["load_case", $c1231, false, "", "", "load_case", ""]);
-const $c1260 = $made(Quantity, $c129, ["length", $c185]);
-const $c1259 = $made(Rows, $c798, [$c1260, 1, 10]);
-const $c1257 = $made(Entry, $c759, ["diameters", $c1259, false, "", "", "diameters", ""]);
-const $c1276 = ["converter"];
-const $c1275 = $made(Choice, $c782, [$c1276]);
-const $c1264 = $made(Entry, $c759, ["kind", $c1275, true, "", "", "kind", ""]);
-const $c697 = $made(Limit, $c765, ["power", 0.0, 1000000000.0, true, false]);
-const $c1277 = $made(Quantity, $c129, ["power", $c697]);
-const $c1265 = $made(Entry, $c759, ["rated_power", $c1277, true, "", "", "rated_power", ""]);
-const $c698 = $made(Limit, $c765, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1278 = $made(Quantity, $c129, ["rotation_speed", $c698]);
-const $c1266 = $made(Entry, $c759, ["rated_speed", $c1278, true, "", "", "rated_speed", ""]);
-const $c699 = $made(Limit, $c765, ["number", 0.0, 10000.0, true, false]);
-const $c1279 = $made(Quantity, $c129, ["number", $c699]);
-const $c1267 = $made(Entry, $c759, ["gear_ratio", $c1279, false, "", "", "gear_ratio", ""]);
-const $c700 = $made(Limit, $c765, ["number", 0.05, 1.0, false, false]);
-const $c1280 = $made(Quantity, $c129, ["number", $c700]);
-const $c1268 = $made(Entry, $c759, ["gear_efficiency", $c1280, false, "", "", "gear_efficiency", ""]);
-const $c701 = $made(Limit, $c765, ["number", 0.05, 1.0, false, false]);
-const $c1281 = $made(Quantity, $c129, ["number", $c701]);
-const $c1269 = $made(Entry, $c759, ["motor_efficiency", $c1281, false, "", "", "motor_efficiency", ""]);
-const $c1282 = $made(Count, $c1109, [1, 8]);
-const $c1270 = $made(Entry, $c759, ["count", $c1282, false, "", "", "count", ""]);
-const $c1283 = $made(Flag, [], []);
-const $c1271 = $made(Entry, $c759, ["brakes", $c1283, false, "", "", "brakes", ""]);
-const $c1285 = $made(Limit, $c765, ["number", 0.01, 3.0, false, false]);
-const $c1284 = $made(Quantity, $c129, ["number", $c1285]);
-const $c1272 = $made(Entry, $c759, ["setting", $c1284, false, "", "", "setting", ""]);
-const $c1287 = $made(Limit, $c765, ["number", 0.0, 0.5, false, false]);
-const $c1286 = $made(Quantity, $c129, ["number", $c1287]);
-const $c1273 = $made(Entry, $c759, ["droop", $c1286, false, "", "", "droop", ""]);
-const $c1290 = $made(Limit, $c765, ["number", 0.0, Infinity, true, true]);
-const $c1289 = $made(Quantity, $c129, ["number", $c1290]);
-const $c1288 = $made(WordOr, $c796, ["rigid", $c1289, Infinity]);
-const $c1274 = $made(Entry, $c759, ["torque_limit", $c1288, false, "", "", "torque_limit", ""]);
-const $c1262 = [$c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271, $c1272, $c1273, $c1274];
-const $c1263 = new Map([["kind", $c1264], ["rated_power", $c1265], ["rated_speed", $c1266], ["gear_ratio", $c1267], ["gear_efficiency", $c1268], ["motor_efficiency", $c1269], ["count", $c1270], ["brakes", $c1271], ["setting", $c1272], ["droop", $c1273], ["torque_limit", $c1274]]);
-const $c684 = $made(tables$Table, $c744, [VariableSpeed, $c1262, $c1263]);
-const $c1303 = ["induction"];
-const $c1302 = $made(Choice, $c782, [$c1303]);
-const $c1293 = $made(Entry, $c759, ["kind", $c1302, true, "", "", "kind", ""]);
-const $c1304 = $made(Quantity, $c129, ["power", $c697]);
-const $c1294 = $made(Entry, $c759, ["rated_power", $c1304, true, "", "", "rated_power", ""]);
-const $c1305 = $made(Quantity, $c129, ["rotation_speed", $c698]);
-const $c1295 = $made(Entry, $c759, ["rated_speed", $c1305, true, "", "", "rated_speed", ""]);
-const $c1306 = $made(Quantity, $c129, ["number", $c699]);
-const $c1296 = $made(Entry, $c759, ["gear_ratio", $c1306, false, "", "", "gear_ratio", ""]);
-const $c1307 = $made(Quantity, $c129, ["number", $c700]);
-const $c1297 = $made(Entry, $c759, ["gear_efficiency", $c1307, false, "", "", "gear_efficiency", ""]);
-const $c1308 = $made(Quantity, $c129, ["number", $c701]);
-const $c1298 = $made(Entry, $c759, ["motor_efficiency", $c1308, false, "", "", "motor_efficiency", ""]);
-const $c1309 = $made(Flag, [], []);
-const $c1299 = $made(Entry, $c759, ["brakes", $c1309, false, "", "", "brakes", ""]);
-const $c1311 = $made(Limit, $c765, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1310 = $made(Quantity, $c129, ["rotation_speed", $c1311]);
-const $c1300 = $made(Entry, $c759, ["synchronous_speed", $c1310, true, "", "", "synchronous_speed", ""]);
-const $c1313 = $made(Limit, $c765, ["number", 1.1, 10.0, false, false]);
-const $c1312 = $made(Quantity, $c129, ["number", $c1313]);
-const $c1301 = $made(Entry, $c759, ["breakdown_ratio", $c1312, false, "", "", "breakdown_ratio", ""]);
-const $c1291 = [$c1293, $c1294, $c1295, $c1296, $c1297, $c1298, $c1270, $c1299, $c1300, $c1301];
-const $c1292 = new Map([["kind", $c1293], ["rated_power", $c1294], ["rated_speed", $c1295], ["gear_ratio", $c1296], ["gear_efficiency", $c1297], ["motor_efficiency", $c1298], ["count", $c1270], ["brakes", $c1299], ["synchronous_speed", $c1300], ["breakdown_ratio", $c1301]]);
-const $c685 = $made(tables$Table, $c744, [Induction, $c1291, $c1292]);
-const $c1328 = ["fluid-coupling"];
-const $c1327 = $made(Choice, $c782, [$c1328]);
-const $c1316 = $made(Entry, $c759, ["kind", $c1327, true, "", "", "kind", ""]);
-const $c1329 = $made(Quantity, $c129, ["power", $c697]);
-const $c1317 = $made(Entry, $c759, ["rated_power", $c1329, true, "", "", "rated_power", ""]);
-const $c1330 = $made(Quantity, $c129, ["rotation_speed", $c698]);
-const $c1318 = $made(Entry, $c759, ["rated_speed", $c1330, true, "", "", "rated_speed", ""]);
-const $c1331 = $made(Quantity, $c129, ["number", $c699]);
-const $c1319 = $made(Entry, $c759, ["gear_ratio", $c1331, false, "", "", "gear_ratio", ""]);
-const $c1332 = $made(Quantity, $c129, ["number", $c700]);
-const $c1320 = $made(Entry, $c759, ["gear_efficiency", $c1332, false, "", "", "gear_efficiency", ""]);
-const $c1333 = $made(Quantity, $c129, ["number", $c701]);
-const $c1321 = $made(Entry, $c759, ["motor_efficiency", $c1333, false, "", "", "motor_efficiency", ""]);
-const $c1334 = $made(Flag, [], []);
-const $c1322 = $made(Entry, $c759, ["brakes", $c1334, false, "", "", "brakes", ""]);
-const $c1335 = $made(Quantity, $c129, ["rotation_speed", $c1311]);
-const $c1323 = $made(Entry, $c759, ["synchronous_speed", $c1335, true, "", "", "synchronous_speed", ""]);
-const $c1336 = $made(Quantity, $c129, ["number", $c1313]);
-const $c1324 = $made(Entry, $c759, ["breakdown_ratio", $c1336, false, "", "", "breakdown_ratio", ""]);
-const $c1339 = $made(Limit, $c765, ["number", 0.0, 10.0, false, false]);
-const $c1338 = $made(Quantity, $c129, ["number", $c1339]);
-const $c1337 = $made(Rows, $c798, [$c1338, 2, 200]);
-const $c1325 = $made(Entry, $c759, ["coupling_load", $c1337, true, "", "", "coupling_load", ""]);
-const $c1326 = $made(Entry, $c759, ["coupling_slip", $c1337, true, "", "", "coupling_slip", ""]);
-const $c1314 = [$c1316, $c1317, $c1318, $c1319, $c1320, $c1321, $c1270, $c1322, $c1323, $c1324, $c1325, $c1326];
-const $c1315 = new Map([["kind", $c1316], ["rated_power", $c1317], ["rated_speed", $c1318], ["gear_ratio", $c1319], ["gear_efficiency", $c1320], ["motor_efficiency", $c1321], ["count", $c1270], ["brakes", $c1322], ["synchronous_speed", $c1323], ["breakdown_ratio", $c1324], ["coupling_load", $c1325], ["coupling_slip", $c1326]]);
-const $c686 = $made(tables$Table, $c744, [FluidCoupling, $c1314, $c1315]);
-const $c1346 = ["follower"];
-const $c1345 = $made(Choice, $c782, [$c1346]);
-const $c1342 = $made(Entry, $c759, ["kind", $c1345, true, "", "", "kind", ""]);
-const $c1347 = $made(Name, $c770, [60]);
-const $c1343 = $made(Entry, $c759, ["master", $c1347, true, "", "", "master", ""]);
-const $c711 = $made(Limit, $c765, ["number", -10.0, 10.0, false, false]);
-const $c1348 = $made(Quantity, $c129, ["number", $c711]);
-const $c1344 = $made(Entry, $c759, ["ratio", $c1348, false, "", "", "ratio", ""]);
-const $c1340 = [$c1342, $c1343, $c1344];
-const $c1341 = new Map([["kind", $c1342], ["master", $c1343], ["ratio", $c1344]]);
-const $c687 = $made(tables$Table, $c744, [TorqueFollower, $c1340, $c1341]);
-const $c82 = new Map([["converter", $c684], ["induction", $c685], ["fluid-coupling", $c686], ["follower", $c687]]);
-const $c83 = $made(Variant, $c905, ["kind", $c82]);
-const $c1261 = $made(ByName, $c767, [$c83, 200]);
-const $c1258 = $made(Entry, $c759, ["motor", $c1261, false, "", "", "motor", ""]);
-const $c1255 = [$c1239, $c1240, $c1241, $c1242, $c1243, $c1244, $c1245, $c1257, $c1258];
-const $c1256 = new Map([["entry_tension", $c1239], ["exit_tension", $c1240], ["effective_tension", $c1241], ["power", $c1242], ["run", $c1243], ["share", $c1244], ["speeds", $c1245], ["diameters", $c1257], ["motor", $c1258]]);
-const $c1254 = $made(tables$Table, $c744, [null, $c1255, $c1256]);
-const $c1230 = $made(Entry, $c759, ["train", $c1254, false, "", "", "train", ""]);
-const $c1227 = [$c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c1229, $c756, $c531, $c532, $c533, $c534, $c1230, $c758];
-const $c1228 = new Map([["format", $c747], ["title", $c748], ["description", $c749], ["creep_limit", $c750], ["condition", $c751], ["belt", $c752], ["pulley", $c753], ["lagging", $c754], ["load_case", $c1229], ["conveyor", $c756], ["take_up", $c531], ["design_standard", $c532], ["safety_factor", $c533], ["sag", $c534], ["train", $c1230], ["motion", $c758]]);
-const $c38 = $made(tables$Table, $c744, [Drive, $c1227, $c1228]);
+const $c1343 = $made(Quantity, $c142, ["force", $c205]);
+const $c1336 = $made(Entry, $c871, ["entry_tension", $c1343, false, "", "", "entry_tension", ""]);
+const $c1337 = $made(Entry, $c871, ["exit_tension", $c1343, false, "", "", "exit_tension", ""]);
+const $c1344 = $made(Quantity, $c142, ["force", null]);
+const $c1338 = $made(Entry, $c871, ["effective_tension", $c1344, false, "", "", "effective_tension", ""]);
+const $c1345 = $made(Quantity, $c142, ["power", null]);
+const $c1339 = $made(Entry, $c871, ["power", $c1345, false, "", "", "power", ""]);
+const $c1347 = $made(Quantity, $c142, ["force", null]);
+const $c1346 = $made(ByName, $c879, [$c1347, 200]);
+const $c1340 = $made(Entry, $c871, ["run", $c1346, false, "", "", "run", ""]);
+const $c1579 = ["first", "second", "words"];
+const $c1582 = $made(Limit, $c877, ["number", -100.0, 100.0, false, false]);
+const $c1580 = $made(Quantity, $c142, ["number", $c1582]);
+const $c1581 = $made(Quantity, $c142, ["power", null]);
+const $c1349 = $made(Either, $c1579, [$c1580, $c1581, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1348 = $made(Rows, $c910, [$c1349, 1, 10]);
+const $c1341 = $made(Entry, $c871, ["share", $c1348, false, "", "", "share", ""]);
+const $c1351 = $made(SpeedList, [], []);
+const $c1342 = $made(Entry, $c871, ["speeds", $c1351, false, "", "", "speeds", ""]);
+const $c1334 = [$c1336, $c1337, $c1338, $c1339, $c1340, $c1341, $c1342];
+const $c1335 = new Map([["entry_tension", $c1336], ["exit_tension", $c1337], ["effective_tension", $c1338], ["power", $c1339], ["run", $c1340], ["share", $c1341], ["speeds", $c1342]]);
+const $c1333 = $made(tables$Table, $c856, [null, $c1334, $c1335]);
+const $c1332 = $made(Entry, $c871, ["train", $c1333, false, "", "", "train", ""]);
+const $c1330 = [$c1227, $c1228, $c1229, $c1230, $c1231, $c1332];
+const $c1331 = new Map([["name", $c1227], ["description", $c1228], ["kind", $c1229], ["condition", $c1230], ["pulley", $c1231], ["train", $c1332]]);
+const $c1329 = $made(tables$Table, $c856, [null, $c1330, $c1331]);
+const $c1328 = $made(Rows, $c910, [$c1329, 1, 1000]);
+const $c1326 = $made(Entry, $c871, ["load_case", $c1328, false, "", "", "load_case", ""]);
+const $c1358 = $made(Quantity, $c142, ["length", $c198]);
+const $c1357 = $made(Rows, $c910, [$c1358, 1, 10]);
+const $c1355 = $made(Entry, $c871, ["diameters", $c1357, false, "", "", "diameters", ""]);
+const $c1374 = ["converter"];
+const $c1373 = $made(Choice, $c894, [$c1374]);
+const $c1362 = $made(Entry, $c871, ["kind", $c1373, true, "", "", "kind", ""]);
+const $c808 = $made(Limit, $c877, ["power", 0.0, 1000000000.0, true, false]);
+const $c1375 = $made(Quantity, $c142, ["power", $c808]);
+const $c1363 = $made(Entry, $c871, ["rated_power", $c1375, true, "", "", "rated_power", ""]);
+const $c809 = $made(Limit, $c877, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1376 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1364 = $made(Entry, $c871, ["rated_speed", $c1376, true, "", "", "rated_speed", ""]);
+const $c810 = $made(Limit, $c877, ["number", 0.0, 10000.0, true, false]);
+const $c1377 = $made(Quantity, $c142, ["number", $c810]);
+const $c1365 = $made(Entry, $c871, ["gear_ratio", $c1377, false, "", "", "gear_ratio", ""]);
+const $c811 = $made(Limit, $c877, ["number", 0.05, 1.0, false, false]);
+const $c1378 = $made(Quantity, $c142, ["number", $c811]);
+const $c1366 = $made(Entry, $c871, ["gear_efficiency", $c1378, false, "", "", "gear_efficiency", ""]);
+const $c812 = $made(Limit, $c877, ["number", 0.05, 1.0, false, false]);
+const $c1379 = $made(Quantity, $c142, ["number", $c812]);
+const $c1367 = $made(Entry, $c871, ["motor_efficiency", $c1379, false, "", "", "motor_efficiency", ""]);
+const $c1380 = $made(Count, $c1221, [1, 8]);
+const $c1368 = $made(Entry, $c871, ["count", $c1380, false, "", "", "count", ""]);
+const $c1381 = $made(Flag, [], []);
+const $c1369 = $made(Entry, $c871, ["brakes", $c1381, false, "", "", "brakes", ""]);
+const $c814 = $made(Limit, $c877, ["number", 0.01, 3.0, false, false]);
+const $c1382 = $made(Quantity, $c142, ["number", $c814]);
+const $c1370 = $made(Entry, $c871, ["setting", $c1382, false, "", "", "setting", ""]);
+const $c815 = $made(Limit, $c877, ["number", 0.0, 0.5, false, false]);
+const $c1383 = $made(Quantity, $c142, ["number", $c815]);
+const $c1371 = $made(Entry, $c871, ["droop", $c1383, false, "", "", "droop", ""]);
+const $c816 = $made(Limit, $c877, ["number", 0.0, Infinity, true, true]);
+const $c1385 = $made(Quantity, $c142, ["number", $c816]);
+const $c1384 = $made(WordOr, $c908, ["rigid", $c1385, Infinity]);
+const $c1372 = $made(Entry, $c871, ["torque_limit", $c1384, false, "", "", "torque_limit", ""]);
+const $c1360 = [$c1362, $c1363, $c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372];
+const $c1361 = new Map([["kind", $c1362], ["rated_power", $c1363], ["rated_speed", $c1364], ["gear_ratio", $c1365], ["gear_efficiency", $c1366], ["motor_efficiency", $c1367], ["count", $c1368], ["brakes", $c1369], ["setting", $c1370], ["droop", $c1371], ["torque_limit", $c1372]]);
+const $c795 = $made(tables$Table, $c856, [VariableSpeed, $c1360, $c1361]);
+const $c1398 = ["induction"];
+const $c1397 = $made(Choice, $c894, [$c1398]);
+const $c1388 = $made(Entry, $c871, ["kind", $c1397, true, "", "", "kind", ""]);
+const $c1399 = $made(Quantity, $c142, ["power", $c808]);
+const $c1389 = $made(Entry, $c871, ["rated_power", $c1399, true, "", "", "rated_power", ""]);
+const $c1400 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1390 = $made(Entry, $c871, ["rated_speed", $c1400, true, "", "", "rated_speed", ""]);
+const $c1401 = $made(Quantity, $c142, ["number", $c810]);
+const $c1391 = $made(Entry, $c871, ["gear_ratio", $c1401, false, "", "", "gear_ratio", ""]);
+const $c1402 = $made(Quantity, $c142, ["number", $c811]);
+const $c1392 = $made(Entry, $c871, ["gear_efficiency", $c1402, false, "", "", "gear_efficiency", ""]);
+const $c1403 = $made(Quantity, $c142, ["number", $c812]);
+const $c1393 = $made(Entry, $c871, ["motor_efficiency", $c1403, false, "", "", "motor_efficiency", ""]);
+const $c1404 = $made(Flag, [], []);
+const $c1394 = $made(Entry, $c871, ["brakes", $c1404, false, "", "", "brakes", ""]);
+const $c1406 = $made(Limit, $c877, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1405 = $made(Quantity, $c142, ["rotation_speed", $c1406]);
+const $c1395 = $made(Entry, $c871, ["synchronous_speed", $c1405, true, "", "", "synchronous_speed", ""]);
+const $c1408 = $made(Limit, $c877, ["number", 1.1, 10.0, false, false]);
+const $c1407 = $made(Quantity, $c142, ["number", $c1408]);
+const $c1396 = $made(Entry, $c871, ["breakdown_ratio", $c1407, false, "", "", "breakdown_ratio", ""]);
+const $c1386 = [$c1388, $c1389, $c1390, $c1391, $c1392, $c1393, $c1368, $c1394, $c1395, $c1396];
+const $c1387 = new Map([["kind", $c1388], ["rated_power", $c1389], ["rated_speed", $c1390], ["gear_ratio", $c1391], ["gear_efficiency", $c1392], ["motor_efficiency", $c1393], ["count", $c1368], ["brakes", $c1394], ["synchronous_speed", $c1395], ["breakdown_ratio", $c1396]]);
+const $c796 = $made(tables$Table, $c856, [Induction, $c1386, $c1387]);
+const $c1423 = ["fluid-coupling"];
+const $c1422 = $made(Choice, $c894, [$c1423]);
+const $c1411 = $made(Entry, $c871, ["kind", $c1422, true, "", "", "kind", ""]);
+const $c1424 = $made(Quantity, $c142, ["power", $c808]);
+const $c1412 = $made(Entry, $c871, ["rated_power", $c1424, true, "", "", "rated_power", ""]);
+const $c1425 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1413 = $made(Entry, $c871, ["rated_speed", $c1425, true, "", "", "rated_speed", ""]);
+const $c1426 = $made(Quantity, $c142, ["number", $c810]);
+const $c1414 = $made(Entry, $c871, ["gear_ratio", $c1426, false, "", "", "gear_ratio", ""]);
+const $c1427 = $made(Quantity, $c142, ["number", $c811]);
+const $c1415 = $made(Entry, $c871, ["gear_efficiency", $c1427, false, "", "", "gear_efficiency", ""]);
+const $c1428 = $made(Quantity, $c142, ["number", $c812]);
+const $c1416 = $made(Entry, $c871, ["motor_efficiency", $c1428, false, "", "", "motor_efficiency", ""]);
+const $c1429 = $made(Flag, [], []);
+const $c1417 = $made(Entry, $c871, ["brakes", $c1429, false, "", "", "brakes", ""]);
+const $c1430 = $made(Quantity, $c142, ["rotation_speed", $c1406]);
+const $c1418 = $made(Entry, $c871, ["synchronous_speed", $c1430, true, "", "", "synchronous_speed", ""]);
+const $c1431 = $made(Quantity, $c142, ["number", $c1408]);
+const $c1419 = $made(Entry, $c871, ["breakdown_ratio", $c1431, false, "", "", "breakdown_ratio", ""]);
+const $c1434 = $made(Limit, $c877, ["number", 0.0, 10.0, false, false]);
+const $c1433 = $made(Quantity, $c142, ["number", $c1434]);
+const $c1432 = $made(Rows, $c910, [$c1433, 2, 200]);
+const $c1420 = $made(Entry, $c871, ["coupling_load", $c1432, true, "", "", "coupling_load", ""]);
+const $c1421 = $made(Entry, $c871, ["coupling_slip", $c1432, true, "", "", "coupling_slip", ""]);
+const $c1409 = [$c1411, $c1412, $c1413, $c1414, $c1415, $c1416, $c1368, $c1417, $c1418, $c1419, $c1420, $c1421];
+const $c1410 = new Map([["kind", $c1411], ["rated_power", $c1412], ["rated_speed", $c1413], ["gear_ratio", $c1414], ["gear_efficiency", $c1415], ["motor_efficiency", $c1416], ["count", $c1368], ["brakes", $c1417], ["synchronous_speed", $c1418], ["breakdown_ratio", $c1419], ["coupling_load", $c1420], ["coupling_slip", $c1421]]);
+const $c797 = $made(tables$Table, $c856, [FluidCoupling, $c1409, $c1410]);
+const $c1441 = ["follower"];
+const $c1440 = $made(Choice, $c894, [$c1441]);
+const $c1437 = $made(Entry, $c871, ["kind", $c1440, true, "", "", "kind", ""]);
+const $c1442 = $made(Name, $c882, [60]);
+const $c1438 = $made(Entry, $c871, ["master", $c1442, true, "", "", "master", ""]);
+const $c825 = $made(Limit, $c877, ["number", -10.0, 10.0, false, false]);
+const $c1443 = $made(Quantity, $c142, ["number", $c825]);
+const $c1439 = $made(Entry, $c871, ["ratio", $c1443, false, "", "", "ratio", ""]);
+const $c1435 = [$c1437, $c1438, $c1439];
+const $c1436 = new Map([["kind", $c1437], ["master", $c1438], ["ratio", $c1439]]);
+const $c798 = $made(tables$Table, $c856, [TorqueFollower, $c1435, $c1436]);
+const $c95 = new Map([["converter", $c795], ["induction", $c796], ["fluid-coupling", $c797], ["follower", $c798]]);
+const $c96 = $made(Variant, $c1017, ["kind", $c95]);
+const $c1359 = $made(ByName, $c879, [$c96, 200]);
+const $c1356 = $made(Entry, $c871, ["motor", $c1359, false, "", "", "motor", ""]);
+const $c1353 = [$c1336, $c1337, $c1338, $c1339, $c1340, $c1341, $c1342, $c1355, $c1356];
+const $c1354 = new Map([["entry_tension", $c1336], ["exit_tension", $c1337], ["effective_tension", $c1338], ["power", $c1339], ["run", $c1340], ["share", $c1341], ["speeds", $c1342], ["diameters", $c1355], ["motor", $c1356]]);
+const $c1352 = $made(tables$Table, $c856, [null, $c1353, $c1354]);
+const $c1327 = $made(Entry, $c871, ["train", $c1352, false, "", "", "train", ""]);
+const $c1324 = [$c859, $c860, $c861, $c862, $c863, $c864, $c865, $c866, $c1326, $c868, $c544, $c545, $c546, $c547, $c1327, $c870];
+const $c1325 = new Map([["format", $c859], ["title", $c860], ["description", $c861], ["creep_limit", $c862], ["condition", $c863], ["belt", $c864], ["pulley", $c865], ["lagging", $c866], ["load_case", $c1326], ["conveyor", $c868], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c1327], ["motion", $c870]]);
+const $c38 = $made(tables$Table, $c856, [Drive, $c1324, $c1325]);
 const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c42 = ["illustrative", "calibrated", "estimated"];
-const $c543 = [0.2, 4.0];
-const $c544 = [100000.0, 1000000000.0];
-const $c545 = [0.05, 15.0];
-const $c546 = [0.15, 3.0];
-const $c547 = [0.17453292519943295, 4.71238898038469];
-const $c548 = [2.0943951023931953, 4.71238898038469];
-const $c549 = [5e-05, 0.061];
-const $c550 = [-0.002, 0.002];
-const $c551 = [0.0, 0.06];
-const $c552 = [100000.0, 50000000.0];
-const $c553 = [100000.0, 5000000000.0];
-const $c554 = [5000.0, 2000000.0];
-const $c555 = [10000.0, 50000000.0];
-const $c556 = [50000.0, 10000000.0];
-const $c557 = [0.1, 3.0];
-const $c558 = [500.0, 10000000.0];
-const $c559 = [15.0, 1000.0];
-const $c560 = [3.0, 20.0];
-const $c561 = [0.0, 1600000.0];
-const $c562 = [250.0, 20000000.0];
-const $c563 = [1.0, 130.0];
-const $c43 = [$c543, $c544, $c545, $c546, $c547, $c548, $c549, $c550, $c551, $c552, $c553, $c554, $c555, $c555, $c556, $c557, $c558, $c559, $c560, $c561, $c558, $c558, $c562, $c563];
-const $c44 = ["force", "mass_per_length"];
-const $c564 = ["mm", "m", "cm", "in", "ft"];
-const $c565 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c566 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c567 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c568 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c569 = ["deg", "rad"];
-const $c570 = ["kW", "W", "hp", "MW"];
-const $c571 = ["t", "kg", "g"];
-const $c572 = ["kg/m", "g/m", "t/m"];
-const $c573 = ["t/h", "kg/s", "kg/h"];
-const $c574 = ["kg m2", "t m2", "kg cm2"];
-const $c575 = ["kN m", "N m", "MN m"];
-const $c576 = ["s", "min", "ms", "h"];
-const $c45 = new Map([["length", $c564], ["force", $c565], ["force_per_width", $c566], ["pressure", $c567], ["speed", $c568], ["angle", $c569], ["power", $c570], ["mass", $c571], ["mass_per_length", $c572], ["mass_flow", $c573], ["moment_of_inertia", $c574], ["torque", $c575], ["time", $c576]]);
-const $c603 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
-const $c577 = $made(Rule, $c603, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
-const $c578 = $made(Rule, $c603, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
-const $c579 = $made(Rule, $c603, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
-const $c580 = $made(Rule, $c603, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
-const $c581 = $made(Rule, $c603, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
-const $c582 = $made(Rule, $c603, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
-const $c583 = $made(Rule, $c603, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
-const $c584 = $made(Rule, $c603, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
-const $c585 = $made(Rule, $c603, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
-const $c586 = $made(Rule, $c603, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c587 = $made(Rule, $c603, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c588 = $made(Rule, $c603, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
-const $c589 = $made(Rule, $c603, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
-const $c590 = $made(Rule, $c603, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
-const $c591 = $made(Rule, $c603, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
-const $c592 = $made(Rule, $c603, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
-const $c593 = $made(Rule, $c603, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
-const $c594 = $made(Rule, $c603, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c595 = $made(Rule, $c603, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
-const $c596 = $made(Rule, $c603, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
-const $c597 = $made(Rule, $c603, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
-const $c598 = $made(Rule, $c603, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
-const $c599 = $made(Rule, $c603, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
-const $c600 = $made(Rule, $c603, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
-const $c601 = $made(Rule, $c603, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
-const $c602 = $made(Rule, $c603, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c46 = new Map([["gross_slip", $c577], ["design_standard", $c578], ["creep", $c579], ["cover_creep", $c580], ["creep_interval", $c581], ["belt_tension", $c582], ["momentary_tension", $c583], ["belt_safety", $c584], ["face_pressure", $c585], ["bond_stress", $c586], ["fatigue_stress", $c587], ["tested_pressure_max", $c588], ["tested_pressure_min", $c589], ["condition", $c590], ["fit", $c591], ["tested_slip", $c592], ["tested_slip_speed", $c593], ["balance", $c594], ["sag", $c595], ["pulley_diameter", $c596], ["belt_thickness", $c597], ["usual_sizes", $c598], ["motor_load", $c599], ["momentary_load", $c600], ["motor_heat", $c601], ["train_balance", $c602]]);
-const $c47 = new WeakMap();
-const $c48 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c604 = ["by creep", "The belt slides (creep of {slides})"];
-const $c605 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
-const $c606 = ["by the largest friction", "The friction of the whole wrap is used up"];
-const $c49 = new Map([[0, $c604], [1, $c605], [2, $c606]]);
-const $c609 = [180.0, 1.2];
-const $c610 = [200.0, 1.0];
-const $c611 = [210.0, 1.0];
-const $c612 = [220.0, 0.9];
-const $c613 = [240.0, 0.8];
-const $c607 = [$c609, $c610, $c611, $c612, $c613];
-const $c614 = [180.0, 0.8];
-const $c615 = [200.0, 0.7];
-const $c616 = [210.0, 0.7];
-const $c617 = [220.0, 0.6];
-const $c618 = [240.0, 0.6];
-const $c608 = [$c614, $c615, $c616, $c617, $c618];
-const $c50 = new Map([["bare", $c607], ["lagged", $c608]]);
-const $c640 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c641 = [0.25, 0.25];
-const $c642 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c619 = $made(DesignFriction, $c640, ["CEMA", "bare", "", $c641, $c642]);
-const $c643 = [0.35, 0.35];
-const $c644 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c620 = $made(DesignFriction, $c640, ["CEMA", "rubber", "", $c643, $c644]);
-const $c645 = [0.5, 0.5];
-const $c646 = $made(Provenance, $c530, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c621 = $made(DesignFriction, $c640, ["CEMA", "ceramic", "", $c645, $c646]);
-const $c647 = [0.35, 0.4];
-const $c648 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c622 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "dry", $c647, $c648]);
-const $c649 = [0.1, 0.1];
-const $c650 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c623 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "wet", $c649, $c650]);
-const $c651 = [0.05, 0.1];
-const $c652 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c624 = $made(DesignFriction, $c640, ["DIN 22101", "bare", "wet and dirty", $c651, $c652]);
-const $c653 = [0.4, 0.45];
-const $c654 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c625 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "dry", $c653, $c654]);
-const $c655 = [0.35, 0.35];
-const $c656 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c626 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "wet", $c655, $c656]);
-const $c657 = [0.25, 0.3];
-const $c658 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c627 = $made(DesignFriction, $c640, ["DIN 22101", "rubber", "wet and dirty", $c657, $c658]);
-const $c659 = [0.35, 0.4];
-const $c660 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c628 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "dry", $c659, $c660]);
-const $c661 = [0.35, 0.35];
-const $c662 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c629 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "wet", $c661, $c662]);
-const $c663 = [0.2, 0.2];
-const $c664 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c630 = $made(DesignFriction, $c640, ["DIN 22101", "polyurethane", "wet and dirty", $c663, $c664]);
-const $c665 = [0.4, 0.45];
-const $c666 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c631 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "dry", $c665, $c666]);
-const $c667 = [0.35, 0.4];
-const $c668 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c632 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "wet", $c667, $c668]);
-const $c669 = [0.35, 0.35];
-const $c670 = $made(Provenance, $c530, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c633 = $made(DesignFriction, $c640, ["DIN 22101", "ceramic", "wet and dirty", $c669, $c670]);
-const $c671 = [0.35, 0.35];
-const $c672 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c634 = $made(DesignFriction, $c640, ["practice", "rubber", "dry", $c671, $c672]);
-const $c673 = [0.35, 0.35];
-const $c674 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c635 = $made(DesignFriction, $c640, ["practice", "rubber", "wet", $c673, $c674]);
-const $c675 = [0.3, 0.3];
-const $c676 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c636 = $made(DesignFriction, $c640, ["practice", "rubber", "wet and dirty", $c675, $c676]);
-const $c677 = [0.8, 0.8];
-const $c678 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c637 = $made(DesignFriction, $c640, ["practice", "ceramic", "dry", $c677, $c678]);
-const $c679 = [0.45, 0.45];
-const $c680 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c638 = $made(DesignFriction, $c640, ["practice", "ceramic", "wet", $c679, $c680]);
-const $c681 = [0.35, 0.35];
-const $c682 = $made(Provenance, $c530, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c639 = $made(DesignFriction, $c640, ["practice", "ceramic", "wet and dirty", $c681, $c682]);
-const $c51 = [$c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c633, $c634, $c635, $c636, $c637, $c638, $c639];
-const $c52 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $c53 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $c54 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c55 = new WeakMap();
-const $c56 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
-const $c57 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c58 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c59 = new WeakMap();
-const $c60 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c61 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c62 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c64 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c65 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c68 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c69 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c71 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1360 = $made(Name, $c770, [60]);
-const $c1351 = $made(Entry, $c759, ["name", $c1360, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1361 = $made(Quantity, $c129, ["length", $c703]);
-const $c1352 = $made(Entry, $c759, ["thickness", $c1361, false, "", "", "thickness", ""]);
-const $c1362 = $made(Quantity, $c129, ["pressure", $c706]);
-const $c1353 = $made(Entry, $c759, ["elastic_modulus", $c1362, false, "", "", "elastic_modulus", ""]);
-const $c1364 = $made(Quantity, $c129, ["pressure", $c704]);
-const $c1363 = $made(WordOr, $c796, ["rigid", $c1364, Infinity]);
-const $c1354 = $made(Entry, $c759, ["shear_modulus", $c1363, false, "", "", "shear_modulus", ""]);
-const $c1366 = $made(Quantity, $c129, ["pressure", $c705]);
-const $c1365 = $made(WordOr, $c796, ["rigid", $c1366, Infinity]);
-const $c1355 = $made(Entry, $c759, ["compression_modulus", $c1365, false, "", "", "compression_modulus", ""]);
-const $c1367 = $made(Quantity, $c129, ["wear_coefficient", $c707]);
-const $c1356 = $made(Entry, $c759, ["wear_coefficient", $c1367, false, "", "", "wear_coefficient", ""]);
-const $c1368 = $made(Quantity, $c129, ["number", $c708]);
-const $c1357 = $made(Entry, $c759, ["belt_energy_share", $c1368, false, "", "", "belt_energy_share", ""]);
-const $c1369 = $made(Quantity, $c129, ["pressure", $c709]);
-const $c1358 = $made(Entry, $c759, ["bond_strength", $c1369, false, "", "", "bond_strength", ""]);
-const $c1370 = $made(Quantity, $c129, ["pressure", $c710]);
-const $c1359 = $made(Entry, $c759, ["fatigue_limit", $c1370, false, "", "", "fatigue_limit", ""]);
-const $c1349 = [$c747, $c1351, $c826, $c827, $c828, $c1352, $c1353, $c1354, $c1355, $c833, $c1356, $c1357, $c1358, $c1359, $c838, $c839, $c840, $c841, $c842, $c122, $c123, $c843];
-const $c1350 = new Map([["format", $c747], ["name", $c1351], ["title", $c826], ["description", $c827], ["surface", $c828], ["thickness", $c1352], ["elastic_modulus", $c1353], ["shear_modulus", $c1354], ["compression_modulus", $c1355], ["block", $c833], ["wear_coefficient", $c1356], ["belt_energy_share", $c1357], ["bond_strength", $c1358], ["fatigue_limit", $c1359], ["cost", $c838], ["slip_speed", $c839], ["temperature", $c840], ["condition_factor", $c841], ["law", $c842], ["provenance", $c122], ["sources", $c123], ["notes", $c843]]);
-const $c75 = $made(tables$Table, $c744, [Lagging, $c1349, $c1350]);
-const $c683 = ["compression_modulus", "block"];
-const $c76 = [$c683];
-const $c77 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c78 = new RunsGain(0.0, 0.0);
-const $c80 = ["effective_tension", "torque", "power"];
-const $c81 = ["share", "speeds", "motor"];
-const $c84 = ["data", "sense"];
-const $c85 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c86 = $Decimal.of("0");
-const $c87 = new Place("", "", "");
-const $c88 = [""];
-const $c688 = ["form", "coefficients", "sign"];
-const $c689 = [0.0];
-const $c89 = $made(Trend, $c688, ["polynomial", $c689, 1]);
-const $c690 = [1000000000.0];
-const $c90 = $made(Trend, $c688, ["polynomial", $c690, 1]);
-const $c91 = new Map([["factor", $c691]]);
-const $c92 = new Map([["x", $c692], ["y", $c692], ["diameter", $c693]]);
-const $c694 = $made(Limit, $c765, ["force", 0.1, 1000000000.0, false, false]);
-const $c93 = new Map([["entry", $c192], ["exit", $c694]]);
-const $c94 = new Map([["creep_limit", $c695]]);
-const $c696 = $made(Limit, $c765, ["length", 0.0, Infinity, true, false]);
-const $c95 = new Map([["creep_limit", $c696]]);
-const $c702 = $made(Limit, $c765, ["number", 1, 8, false, false]);
-const $c96 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702]]);
-const $c97 = new Map([["thickness", $c703], ["shear_modulus", $c704], ["compression_modulus", $c705], ["elastic_modulus", $c706], ["wear_coefficient", $c707], ["belt_energy_share", $c708], ["bond_strength", $c709], ["fatigue_limit", $c710]]);
-const $c98 = new Map([["ratio", $c711]]);
-const $c99 = new Map([["entry_tension", $c192], ["exit_tension", $c694]]);
-const $c100 = new Map([["sheave_ratio", $c712]]);
-const $c101 = new Map([["friction", $c713], ["start_factor", $c714]]);
-const $c102 = new Map([["running", $c714], ["starting", $c714], ["braking", $c714]]);
-const $c103 = ["of"];
-const $c124 = ["key", "kind", "example", "attribute"];
-const $c131 = ["dimension"];
-const $c133 = ["word", "kind"];
-const $c164 = ["kind"];
-const $c715 = ["balance", "train_balance", "across_balance"];
-const $c716 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c717 = ["gross_slip", "operating_point"];
-const $c718 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1371 = [false, false];
-const $c1372 = [true, false];
-const $c1373 = [true, true];
-const $c1374 = [false, true];
-const $c719 = new Map([["polynomial", $c1371], ["logarithmic", $c1372], ["power", $c1373], ["exponential", $c1374]]);
-const $c724 = $made(_OfClass, [], []);
-const $c725 = new Map([[10, null], [9, null]]);
-const $c726 = $re("ST[ -]?(\\d{3,5})\\b", "");
-const $c1375 = [80.0, 1.92];
-const $c1376 = [90.0, 1.86];
-const $c1377 = [100.0, 1.78];
-const $c1378 = [120.0, 1.7];
-const $c1379 = [140.0, 1.63];
-const $c1380 = [160.0, 1.56];
-const $c1381 = [180.0, 1.5];
-const $c1382 = [200.0, 1.45];
-const $c1383 = [250.0, 1.38];
-const $c1384 = [300.0, 1.31];
-const $c1385 = [350.0, 1.27];
-const $c1386 = [400.0, 1.25];
-const $c1387 = [450.0, 1.22];
-const $c1388 = [500.0, 1.2];
-const $c1389 = [550.0, 1.18];
-const $c1390 = [600.0, 1.17];
-const $c1391 = [700.0, 1.14];
-const $c1392 = [800.0, 1.12];
-const $c1393 = [900.0, 1.1];
-const $c1394 = [1000.0, 1.09];
-const $c1395 = [1500.0, 1.06];
-const $c1396 = [2000.0, 1.05];
-const $c729 = [$c1375, $c1376, $c1377, $c1378, $c1379, $c1380, $c1381, $c1382, $c1383, $c1384, $c1385, $c1386, $c1387, $c1388, $c1389, $c1390, $c1391, $c1392, $c1393, $c1394, $c1395, $c1396];
-const $c1397 = $made(Limit, $c765, ["number", 0.0, Infinity, false, false]);
-const $c1398 = $made(Limit, $c765, ["number", 1.0, Infinity, false, false]);
-const $c731 = new Map([["residual_noise", $c1397], ["coverage_factor", $c1398]]);
-const $c732 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c733 = $Decimal.of("0");
-const $c734 = new Map([["misalignment", $c1067], ["deflection", $c1069]]);
-const $c735 = new Map([["diameter", $c185], ["wrap_angle", $c187], ["overrun", $c198], ["creep_limit", $c201], ["mass", $c204]]);
-const $c736 = new Map([["spacing", $c1220], ["line_mass", $c1222], ["share", $c1224]]);
-const $c1399 = $made(Limit, $c765, ["speed", 0.0, Infinity, true, false]);
-const $c1400 = $made(Limit, $c765, ["number", 0.01, 100.0, false, false]);
-const $c737 = new Map([["length", $c1151], ["lift", $c1153], ["belt_mass", $c1155], ["carry_idler_mass", $c1157], ["return_idler_mass", $c1159], ["material_mass", $c1155], ["capacity", $c1162], ["friction_factor", $c1164], ["length_coefficient", $c1166], ["secondary_resistance", $c1168], ["special_resistance", $c1168], ["return_share", $c1171], ["start_factor", $c1173], ["start_time", $c1175], ["stop_time", $c1175], ["take_up_tension", $c1178], ["counterweight", $c1180], ["take_up_distance", $c1182], ["speed", $c1399], ["sheave_ratio", $c1400]]);
-const $c738 = new Map([["material", $c883], ["installation", $c885], ["area", $c888]]);
-const $c739 = new Map([["width", $c864], ["height", $c866], ["stiffening", $c868], ["contact_fraction", $c870]]);
-const $c1401 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
-const $c740 = new Map([["factor", $c1401]]);
-const $c741 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702], ["setting", $c1285], ["droop", $c1287], ["torque_limit", $c1290]]);
-const $c742 = new Map([["rated_power", $c697], ["rated_speed", $c698], ["gear_ratio", $c699], ["gear_efficiency", $c700], ["motor_efficiency", $c701], ["count", $c702], ["synchronous_speed", $c1311], ["breakdown_ratio", $c1313]]);
-const $c743 = new Map([["length", $c1093], ["trough_angle", $c1095], ["centre_roll", $c1097]]);
-const $c1402 = [0.016, 0.03];
-const $c1403 = new Map([["distance", $c1082]]);
-const $c1480 = $made(Limit, $c765, ["number", 0.0, 10.0, true, false]);
-const $c1478 = $made(Quantity, $c129, ["number", $c1480]);
-const $c1481 = $made(Limit, $c765, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1479 = $made(Quantity, $c129, ["rotation_speed", $c1481]);
-const $c1477 = $made(Either, $c1473, [$c1478, $c1479, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1404 = $made(Rows, $c798, [$c1477, 1, 10]);
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
+const $c43 = new WeakMap();
+const $c582 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+const $c556 = $made(Rule, $c582, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
+const $c557 = $made(Rule, $c582, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
+const $c558 = $made(Rule, $c582, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
+const $c559 = $made(Rule, $c582, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
+const $c560 = $made(Rule, $c582, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
+const $c561 = $made(Rule, $c582, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
+const $c562 = $made(Rule, $c582, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
+const $c563 = $made(Rule, $c582, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
+const $c564 = $made(Rule, $c582, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
+const $c565 = $made(Rule, $c582, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c566 = $made(Rule, $c582, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c567 = $made(Rule, $c582, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
+const $c568 = $made(Rule, $c582, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
+const $c569 = $made(Rule, $c582, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
+const $c570 = $made(Rule, $c582, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
+const $c571 = $made(Rule, $c582, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
+const $c572 = $made(Rule, $c582, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
+const $c573 = $made(Rule, $c582, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c574 = $made(Rule, $c582, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
+const $c575 = $made(Rule, $c582, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
+const $c576 = $made(Rule, $c582, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
+const $c577 = $made(Rule, $c582, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
+const $c578 = $made(Rule, $c582, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
+const $c579 = $made(Rule, $c582, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
+const $c580 = $made(Rule, $c582, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
+const $c581 = $made(Rule, $c582, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c44 = new Map([["gross_slip", $c556], ["design_standard", $c557], ["creep", $c558], ["cover_creep", $c559], ["creep_interval", $c560], ["belt_tension", $c561], ["momentary_tension", $c562], ["belt_safety", $c563], ["face_pressure", $c564], ["bond_stress", $c565], ["fatigue_stress", $c566], ["tested_pressure_max", $c567], ["tested_pressure_min", $c568], ["condition", $c569], ["fit", $c570], ["tested_slip", $c571], ["tested_slip_speed", $c572], ["balance", $c573], ["sag", $c574], ["pulley_diameter", $c575], ["belt_thickness", $c576], ["usual_sizes", $c577], ["motor_load", $c578], ["momentary_load", $c579], ["motor_heat", $c580], ["train_balance", $c581]]);
+const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c46 = ["Speed"];
+const $c47 = ["Motor"];
+const $c583 = ["by creep", "The belt slides (creep of {slides})"];
+const $c584 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c585 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c48 = new Map([[0, $c583], [1, $c584], [2, $c585]]);
+const $c588 = [180.0, 1.2];
+const $c589 = [200.0, 1.0];
+const $c590 = [210.0, 1.0];
+const $c591 = [220.0, 0.9];
+const $c592 = [240.0, 0.8];
+const $c586 = [$c588, $c589, $c590, $c591, $c592];
+const $c593 = [180.0, 0.8];
+const $c594 = [200.0, 0.7];
+const $c595 = [210.0, 0.7];
+const $c596 = [220.0, 0.6];
+const $c597 = [240.0, 0.6];
+const $c587 = [$c593, $c594, $c595, $c596, $c597];
+const $c49 = new Map([["bare", $c586], ["lagged", $c587]]);
+const $c619 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c620 = [0.25, 0.25];
+const $c621 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c598 = $made(DesignFriction, $c619, ["CEMA", "bare", "", $c620, $c621]);
+const $c622 = [0.35, 0.35];
+const $c623 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c599 = $made(DesignFriction, $c619, ["CEMA", "rubber", "", $c622, $c623]);
+const $c624 = [0.5, 0.5];
+const $c625 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c600 = $made(DesignFriction, $c619, ["CEMA", "ceramic", "", $c624, $c625]);
+const $c626 = [0.35, 0.4];
+const $c627 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c601 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "dry", $c626, $c627]);
+const $c628 = [0.1, 0.1];
+const $c629 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c602 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "wet", $c628, $c629]);
+const $c630 = [0.05, 0.1];
+const $c631 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c603 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "wet and dirty", $c630, $c631]);
+const $c632 = [0.4, 0.45];
+const $c633 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c604 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "dry", $c632, $c633]);
+const $c634 = [0.35, 0.35];
+const $c635 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c605 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "wet", $c634, $c635]);
+const $c636 = [0.25, 0.3];
+const $c637 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c606 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "wet and dirty", $c636, $c637]);
+const $c638 = [0.35, 0.4];
+const $c639 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c607 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "dry", $c638, $c639]);
+const $c640 = [0.35, 0.35];
+const $c641 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c608 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "wet", $c640, $c641]);
+const $c642 = [0.2, 0.2];
+const $c643 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c609 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "wet and dirty", $c642, $c643]);
+const $c644 = [0.4, 0.45];
+const $c645 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c610 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "dry", $c644, $c645]);
+const $c646 = [0.35, 0.4];
+const $c647 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c611 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "wet", $c646, $c647]);
+const $c648 = [0.35, 0.35];
+const $c649 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c612 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "wet and dirty", $c648, $c649]);
+const $c650 = [0.35, 0.35];
+const $c651 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c613 = $made(DesignFriction, $c619, ["practice", "rubber", "dry", $c650, $c651]);
+const $c652 = [0.35, 0.35];
+const $c653 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c614 = $made(DesignFriction, $c619, ["practice", "rubber", "wet", $c652, $c653]);
+const $c654 = [0.3, 0.3];
+const $c655 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c615 = $made(DesignFriction, $c619, ["practice", "rubber", "wet and dirty", $c654, $c655]);
+const $c656 = [0.8, 0.8];
+const $c657 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c616 = $made(DesignFriction, $c619, ["practice", "ceramic", "dry", $c656, $c657]);
+const $c658 = [0.45, 0.45];
+const $c659 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c617 = $made(DesignFriction, $c619, ["practice", "ceramic", "wet", $c658, $c659]);
+const $c660 = [0.35, 0.35];
+const $c661 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c618 = $made(DesignFriction, $c619, ["practice", "ceramic", "wet and dirty", $c660, $c661]);
+const $c50 = [$c598, $c599, $c600, $c601, $c602, $c603, $c604, $c605, $c606, $c607, $c608, $c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618];
+const $c51 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c52 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c53 = ["Transition", "GrippingPulley"];
+const $c677 = [1.0, 2.0];
+const $c678 = [5000.0, 5000000.0];
+const $c679 = [0.0004, 0.025];
+const $c680 = [0.0004, 0.035];
+const $c681 = [0.0004, 0.03];
+const $c682 = [0.0015, 0.06];
+const $c683 = [300000.0, 5000000.0];
+const $c662 = new Map([["momentary_factor", $c677], ["in_plane_shear_stiffness", $c678], ["pulley_cover", $c679], ["carry_cover", $c680], ["carcass", $c681], ["thickness", $c682], ["cover_shear_modulus", $c683]]);
+const $c684 = [0.2, 8.0];
+const $c663 = new Map([["sheave_ratio", $c684]]);
+const $c685 = [0.1, 0.9];
+const $c686 = [1.0, 2.5];
+const $c664 = new Map([["friction", $c685], ["start_factor", $c686]]);
+const $c687 = [1.05, 6.0];
+const $c688 = [1.0, 4.0];
+const $c665 = new Map([["running", $c687], ["starting", $c688], ["braking", $c688]]);
+const $c689 = [0.3, 8.0];
+const $c690 = [1.0, 3000.0];
+const $c691 = [0.002, 0.05];
+const $c666 = new Map([["spacing", $c689], ["line_mass", $c690], ["share", $c691]]);
+const $c692 = [1.0, 9.5];
+const $c693 = [1.05, 2.5];
+const $c667 = new Map([["length_coefficient", $c692], ["start_factor", $c693]]);
+const $c694 = [300000.0, 100000000.0];
+const $c695 = [1e-13, 1e-08];
+const $c696 = [0.01, 1.0];
+const $c668 = new Map([["elastic_modulus", $c694], ["wear_coefficient", $c695], ["belt_energy_share", $c696]]);
+const $c697 = [0.002, 0.5];
+const $c698 = [0.0005, 0.06];
+const $c699 = [0.1, 4.0];
+const $c700 = [0.15, 1.0];
+const $c669 = new Map([["width", $c697], ["height", $c698], ["stiffening", $c699], ["contact_fraction", $c700]]);
+const $c701 = [0.05, 200.0];
+const $c670 = new Map([["area", $c701]]);
+const $c702 = [0.05, 1.3];
+const $c671 = new Map([["factor", $c702]]);
+const $c703 = [0.3, 500.0];
+const $c672 = new Map([["distance", $c703]]);
+const $c704 = [0.2, 20.0];
+const $c705 = [0.08726646259971647, 1.2217304763960306];
+const $c706 = [0.05, 2.0];
+const $c673 = new Map([["length", $c704], ["trough_angle", $c705], ["centre_roll", $c706]]);
+const $c707 = [-0.01, 0.01];
+const $c708 = [-0.005, 0.005];
+const $c674 = new Map([["misalignment", $c707], ["deflection", $c708]]);
+const $c709 = [1.0, 250.0];
+const $c710 = [0.6, 1.0];
+const $c711 = [0.5, 1.0];
+const $c712 = [0.001, 0.15];
+const $c713 = [0.8, 4.0];
+const $c714 = [1.5, 5.0];
+const $c675 = new Map([["gear_ratio", $c709], ["gear_efficiency", $c710], ["motor_efficiency", $c711], ["droop", $c712], ["torque_limit", $c713], ["breakdown_ratio", $c714]]);
+const $c715 = [0.1, 5.0];
+const $c676 = new Map([["ratio", $c715]]);
+const $c54 = new Map([["Belt", $c662], ["TakeUp", $c663], ["DesignStandard", $c664], ["SafetyFactors", $c665], ["Sag", $c666], ["Conveyor", $c667], ["Lagging", $c668], ["Block", $c669], ["Cost", $c670], ["ConditionFactor", $c671], ["GrippingPulley", $c672], ["Transition", $c673], ["Across", $c674], ["Motor", $c675], ["TorqueFollower", $c676]]);
+const $c716 = ["mm", "m", "cm", "in", "ft"];
+const $c717 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c718 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c719 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c720 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c721 = ["deg", "rad"];
+const $c722 = ["kW", "W", "hp", "MW"];
+const $c723 = ["t", "kg", "g"];
+const $c724 = ["kg/m", "g/m", "t/m"];
+const $c725 = ["t/h", "kg/s", "kg/h"];
+const $c726 = ["kg m2", "t m2", "kg cm2"];
+const $c727 = ["kN m", "N m", "MN m"];
+const $c728 = ["s", "min", "ms", "h"];
+const $c55 = new Map([["length", $c716], ["force", $c717], ["force_per_width", $c718], ["pressure", $c719], ["speed", $c720], ["angle", $c721], ["power", $c722], ["mass", $c723], ["mass_per_length", $c724], ["mass_flow", $c725], ["moment_of_inertia", $c726], ["torque", $c727], ["time", $c728]]);
+const $c56 = new Place("", "", "");
+const $c57 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
+const $c729 = ["rated power of the motor", "power"];
+const $c730 = ["rated speed of the motor", "rotation_speed"];
+const $c731 = ["speed of the drum over that of the belt", "number"];
+const $c58 = [$c729, $c730, $c731];
+const $c732 = [250.0, 20000000.0];
+const $c733 = [10.0, 400.0];
+const $c734 = [0.6, 1.7];
+const $c59 = [$c732, $c733, $c734];
+const $c735 = ["length", 3.0, 30000.0];
+const $c736 = ["lift", -1500.0, 1500.0];
+const $c737 = ["belt_mass", 3.0, 100.0];
+const $c738 = ["carry_idler_mass", 2.0, 60.0];
+const $c739 = ["return_idler_mass", 0.7, 30.0];
+const $c740 = ["material_mass", 0.5, 4000.0];
+const $c741 = ["capacity", 0.1, 15000.0];
+const $c742 = ["friction_factor", 0.01, 0.04];
+const $c743 = ["secondary_resistance", 10.0, 500000.0];
+const $c744 = ["special_resistance", 10.0, 200000.0];
+const $c745 = ["start_time", 1.0, 600.0];
+const $c746 = ["stop_time", 1.0, 600.0];
+const $c747 = ["take_up_tension", 300.0, 2000000.0];
+const $c748 = ["counterweight", 30.0, 200000.0];
+const $c60 = [$c735, $c736, $c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748];
+const $c61 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
+const $c764 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c765 = $made(Limit, $c877, ["number", 0.01, 100.0, false, false]);
+const $c62 = new Map([["length", $c749], ["lift", $c750], ["belt_mass", $c751], ["carry_idler_mass", $c752], ["return_idler_mass", $c753], ["material_mass", $c751], ["capacity", $c754], ["friction_factor", $c755], ["length_coefficient", $c756], ["secondary_resistance", $c757], ["special_resistance", $c757], ["return_share", $c758], ["start_factor", $c759], ["start_time", $c760], ["stop_time", $c760], ["take_up_tension", $c761], ["counterweight", $c762], ["take_up_distance", $c763], ["speed", $c764], ["sheave_ratio", $c765]]);
+const $c766 = [0.2, 4.0];
+const $c767 = [100000.0, 1000000000.0];
+const $c768 = [0.05, 15.0];
+const $c769 = [0.15, 3.0];
+const $c770 = [0.17453292519943295, 4.71238898038469];
+const $c771 = [2.0943951023931953, 4.71238898038469];
+const $c772 = [5e-05, 0.061];
+const $c773 = [-0.002, 0.002];
+const $c774 = [0.0, 0.06];
+const $c775 = [100000.0, 50000000.0];
+const $c776 = [100000.0, 5000000000.0];
+const $c777 = [5000.0, 2000000.0];
+const $c778 = [10000.0, 50000000.0];
+const $c779 = [50000.0, 10000000.0];
+const $c780 = [0.1, 3.0];
+const $c781 = [500.0, 10000000.0];
+const $c782 = [15.0, 1000.0];
+const $c783 = [3.0, 20.0];
+const $c784 = [0.0, 1600000.0];
+const $c785 = [1.0, 130.0];
+const $c63 = [$c766, $c767, $c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c778, $c779, $c780, $c781, $c782, $c783, $c784, $c781, $c781, $c732, $c785];
+const $c790 = [500.0, 2000000.0];
+const $c786 = ["least tested pressure", "pressure", $c790];
+const $c791 = [10000.0, 10000000.0];
+const $c787 = ["largest tested pressure", "pressure", $c791];
+const $c792 = [5e-05, 0.3];
+const $c788 = ["largest tested slip", "length", $c792];
+const $c793 = [2e-06, 0.3];
+const $c789 = ["tested slip speed", "speed", $c793];
+const $c64 = new Map([["pressure_min", $c786], ["pressure_max", $c787], ["slip_max", $c788], ["slip_speed", $c789]]);
+const $c65 = [0.03, 1.9];
+const $c66 = ["force", "mass_per_length"];
+const $c67 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c68 = new WeakMap();
+const $c69 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c70 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c71 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c72 = new WeakMap();
+const $c73 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c74 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c75 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c77 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c78 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c81 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c82 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c84 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1455 = $made(Name, $c882, [60]);
+const $c1446 = $made(Entry, $c871, ["name", $c1455, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1456 = $made(Quantity, $c142, ["length", $c817]);
+const $c1447 = $made(Entry, $c871, ["thickness", $c1456, false, "", "", "thickness", ""]);
+const $c1457 = $made(Quantity, $c142, ["pressure", $c820]);
+const $c1448 = $made(Entry, $c871, ["elastic_modulus", $c1457, false, "", "", "elastic_modulus", ""]);
+const $c1459 = $made(Quantity, $c142, ["pressure", $c818]);
+const $c1458 = $made(WordOr, $c908, ["rigid", $c1459, Infinity]);
+const $c1449 = $made(Entry, $c871, ["shear_modulus", $c1458, false, "", "", "shear_modulus", ""]);
+const $c1461 = $made(Quantity, $c142, ["pressure", $c819]);
+const $c1460 = $made(WordOr, $c908, ["rigid", $c1461, Infinity]);
+const $c1450 = $made(Entry, $c871, ["compression_modulus", $c1460, false, "", "", "compression_modulus", ""]);
+const $c1462 = $made(Quantity, $c142, ["wear_coefficient", $c821]);
+const $c1451 = $made(Entry, $c871, ["wear_coefficient", $c1462, false, "", "", "wear_coefficient", ""]);
+const $c1463 = $made(Quantity, $c142, ["number", $c822]);
+const $c1452 = $made(Entry, $c871, ["belt_energy_share", $c1463, false, "", "", "belt_energy_share", ""]);
+const $c1464 = $made(Quantity, $c142, ["pressure", $c823]);
+const $c1453 = $made(Entry, $c871, ["bond_strength", $c1464, false, "", "", "bond_strength", ""]);
+const $c1465 = $made(Quantity, $c142, ["pressure", $c824]);
+const $c1454 = $made(Entry, $c871, ["fatigue_limit", $c1465, false, "", "", "fatigue_limit", ""]);
+const $c1444 = [$c859, $c1446, $c938, $c939, $c940, $c1447, $c1448, $c1449, $c1450, $c945, $c1451, $c1452, $c1453, $c1454, $c950, $c951, $c952, $c953, $c954, $c135, $c136, $c955];
+const $c1445 = new Map([["format", $c859], ["name", $c1446], ["title", $c938], ["description", $c939], ["surface", $c940], ["thickness", $c1447], ["elastic_modulus", $c1448], ["shear_modulus", $c1449], ["compression_modulus", $c1450], ["block", $c945], ["wear_coefficient", $c1451], ["belt_energy_share", $c1452], ["bond_strength", $c1453], ["fatigue_limit", $c1454], ["cost", $c950], ["slip_speed", $c951], ["temperature", $c952], ["condition_factor", $c953], ["law", $c954], ["provenance", $c135], ["sources", $c136], ["notes", $c955]]);
+const $c88 = $made(tables$Table, $c856, [Lagging, $c1444, $c1445]);
+const $c794 = ["compression_modulus", "block"];
+const $c89 = [$c794];
+const $c90 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c91 = new RunsGain(0.0, 0.0);
+const $c93 = ["effective_tension", "torque", "power"];
+const $c94 = ["share", "speeds", "motor"];
+const $c97 = ["data", "sense"];
+const $c98 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c99 = $Decimal.of("0");
+const $c100 = [""];
+const $c799 = ["form", "coefficients", "sign"];
+const $c800 = [0.0];
+const $c101 = $made(Trend, $c799, ["polynomial", $c800, 1]);
+const $c801 = [1000000000.0];
+const $c102 = $made(Trend, $c799, ["polynomial", $c801, 1]);
+const $c103 = new Map([["factor", $c802]]);
+const $c104 = new Map([["x", $c803], ["y", $c803], ["diameter", $c804]]);
+const $c805 = $made(Limit, $c877, ["force", 0.1, 1000000000.0, false, false]);
+const $c105 = new Map([["entry", $c205], ["exit", $c805]]);
+const $c106 = new Map([["creep_limit", $c806]]);
+const $c807 = $made(Limit, $c877, ["length", 0.0, Infinity, true, false]);
+const $c107 = new Map([["creep_limit", $c807]]);
+const $c813 = $made(Limit, $c877, ["number", 1, 8, false, false]);
+const $c108 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813]]);
+const $c109 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813], ["setting", $c814], ["droop", $c815], ["torque_limit", $c816]]);
+const $c110 = new Map([["thickness", $c817], ["shear_modulus", $c818], ["compression_modulus", $c819], ["elastic_modulus", $c820], ["wear_coefficient", $c821], ["belt_energy_share", $c822], ["bond_strength", $c823], ["fatigue_limit", $c824]]);
+const $c111 = new Map([["ratio", $c825]]);
+const $c112 = new Map([["entry_tension", $c205], ["exit_tension", $c805]]);
+const $c113 = new Map([["sheave_ratio", $c826]]);
+const $c114 = new Map([["friction", $c827], ["start_factor", $c828]]);
+const $c115 = new Map([["running", $c828], ["starting", $c828], ["braking", $c828]]);
+const $c116 = ["of"];
+const $c137 = ["key", "kind", "example", "attribute"];
+const $c144 = ["dimension"];
+const $c146 = ["word", "kind"];
+const $c177 = ["kind"];
+const $c829 = ["balance", "train_balance", "across_balance"];
+const $c830 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c831 = ["gross_slip", "operating_point"];
+const $c832 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1466 = [false, false];
+const $c1467 = [true, false];
+const $c1468 = [true, true];
+const $c1469 = [false, true];
+const $c833 = new Map([["polynomial", $c1466], ["logarithmic", $c1467], ["power", $c1468], ["exponential", $c1469]]);
+const $c838 = $made(_OfClass, [], []);
+const $c839 = new Map([[10, null], [9, null]]);
+const $c840 = $re("ST[ -]?(\\d{3,5})\\b", "");
+const $c1470 = [80.0, 1.92];
+const $c1471 = [90.0, 1.86];
+const $c1472 = [100.0, 1.78];
+const $c1473 = [120.0, 1.7];
+const $c1474 = [140.0, 1.63];
+const $c1475 = [160.0, 1.56];
+const $c1476 = [180.0, 1.5];
+const $c1477 = [200.0, 1.45];
+const $c1478 = [250.0, 1.38];
+const $c1479 = [300.0, 1.31];
+const $c1480 = [350.0, 1.27];
+const $c1481 = [400.0, 1.25];
+const $c1482 = [450.0, 1.22];
+const $c1483 = [500.0, 1.2];
+const $c1484 = [550.0, 1.18];
+const $c1485 = [600.0, 1.17];
+const $c1486 = [700.0, 1.14];
+const $c1487 = [800.0, 1.12];
+const $c1488 = [900.0, 1.1];
+const $c1489 = [1000.0, 1.09];
+const $c1490 = [1500.0, 1.06];
+const $c1491 = [2000.0, 1.05];
+const $c843 = [$c1470, $c1471, $c1472, $c1473, $c1474, $c1475, $c1476, $c1477, $c1478, $c1479, $c1480, $c1481, $c1482, $c1483, $c1484, $c1485, $c1486, $c1487, $c1488, $c1489, $c1490, $c1491];
+const $c1492 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c1493 = $made(Limit, $c877, ["number", 1.0, Infinity, false, false]);
+const $c845 = new Map([["residual_noise", $c1492], ["coverage_factor", $c1493]]);
+const $c846 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c847 = $Decimal.of("0");
+const $c848 = new Map([["misalignment", $c1179], ["deflection", $c1181]]);
+const $c849 = new Map([["diameter", $c198], ["wrap_angle", $c200], ["overrun", $c211], ["creep_limit", $c214], ["mass", $c217]]);
+const $c850 = new Map([["spacing", $c1317], ["line_mass", $c1319], ["share", $c1321]]);
+const $c851 = new Map([["material", $c995], ["installation", $c997], ["area", $c1000]]);
+const $c852 = new Map([["width", $c976], ["height", $c978], ["stiffening", $c980], ["contact_fraction", $c982]]);
+const $c1494 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c853 = new Map([["factor", $c1494]]);
+const $c854 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813], ["synchronous_speed", $c1406], ["breakdown_ratio", $c1408]]);
+const $c855 = new Map([["length", $c1205], ["trough_angle", $c1207], ["centre_roll", $c1209]]);
+const $c1350 = ["words"];
+const $c1495 = [0.016, 0.03];
+const $c1496 = new Map([["distance", $c1194]]);
+const $c1586 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c1584 = $made(Quantity, $c142, ["number", $c1586]);
+const $c1587 = $made(Limit, $c877, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1585 = $made(Quantity, $c142, ["rotation_speed", $c1587]);
+const $c1583 = $made(Either, $c1579, [$c1584, $c1585, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1497 = $made(Rows, $c910, [$c1583, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
 $sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
-$sig(Provenance, ["kind", "source", "date", "note"]);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
-$sig(Condition, ["name", "factor", "factors", "standard", "source"]);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c91;
-$sig(Conditions, ["main", "cases"]);
+Condition.LIMITS = Condition.prototype.LIMITS = $c103;
 Conditions.$compared = Conditions.$names;
-$sig(Point, ["x", "y", "diameter", "turn"]);
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c92;
+Point.LIMITS = Point.prototype.LIMITS = $c104;
 $sig(_UnitTextError, ["message", "remedy"], false);
-$sig(Unit, ["factor", "powers", "zero"]);
 Unit.$compared = Unit.$names;
-$sig(UnitRow, ["unit", "factor", "larger"]);
 UnitRow.$compared = UnitRow.$names;
-$sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
 WidthProfile.$compared = WidthProfile.$names;
-$sig(Criteria, ["take_up", "standard", "safety", "sag"]);
 Criteria.$compared = Criteria.$names;
-$sig(Layers, ["pulley_cover", "carry_cover", "carcass"]);
 Layers.$compared = Layers.$names;
-$sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"]);
 Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
-$sig(NipTensions, ["entry", "exit"]);
 NipTensions.$compared = NipTensions.$names;
-$sig(Tensions, ["entry", "exit", "computed"]);
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c93;
-$sig(LoadCase, ["name", "tensions", "kind", "condition"]);
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c105;
 LoadCase.$compared = LoadCase.$names;
-$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c94;
-$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
+Drive.LIMITS = Drive.prototype.LIMITS = $c106;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c95;
+Train.LIMITS = Train.prototype.LIMITS = $c107;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
-$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
 CatalogueBelt.$compared = CatalogueBelt.$names;
-$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"]);
 WrapArc.$compared = WrapArc.$names;
-$sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"]);
 in_page$Given.$compared = in_page$Given.$names;
-$sig(Rise, ["tight", "slack"]);
 Rise.$compared = Rise.$names;
-$sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"]);
 in_page$Criteria.$compared = in_page$Criteria.$names;
-$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"]);
-$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"]);
-$sig(DriveResult, ["drive", "arcs"]);
-$sig(TrainResult, ["train", "cases"]);
-$sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"]);
-$sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"]);
-$sig(Place, ["pulley", "load_case", "event"]);
 Place.$compared = Place.$names;
-$sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"]);
-Sizes.$compared = Sizes.$names;
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"]);
 Check.$compared = Check.$names;
-$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"]);
 Miss.$compared = Miss.$names;
-$sig(Motors, ["motors"]);
 Motors.$compared = Motors.$names;
-$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c96;
-$sig(Pulls, ["effective_tensions"]);
+Motor.LIMITS = Motor.prototype.LIMITS = $c108;
 Pulls.$compared = Pulls.$names;
-$sig(Speeds, ["rotation_speeds", "absolute"]);
 Speeds.$compared = Speeds.$names;
-$sig(Owner, ["of", "words", "place"]);
 Owner.$compared = Owner.$names;
-$sig(Sliding, ["place", "cause"]);
 Sliding.$compared = Sliding.$names;
-$sig(Asked, ["rule", "wrap_factor", "source", "why_not"]);
 Asked.$compared = Asked.$names;
-$sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"]);
+VariableSpeed.$compared = VariableSpeed.$names;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c109;
+Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
-$sig(LeastTension, ["figures", "given", "counterweight"]);
 LeastTension.$compared = LeastTension.$names;
-$sig(Verdict, ["checks", "wet", "over_wet"]);
 Verdict.$compared = Verdict.$names;
-$sig(Row, ["title", "values", "symbol", "note", "name", "level"]);
 Row.$compared = Row.$names;
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"]);
 Table.$compared = Table.$names;
-$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"]);
 TestedRange.$compared = TestedRange.$names;
-$sig(FrictionLaw, ["slip_includes"]);
 FrictionLaw.$compared = FrictionLaw.$names;
-$sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"]);
 MeasuredTable.$compared = MeasuredTable.$names;
 MeasuredTable.title = MeasuredTable.prototype.title = "measured table";
-$sig(_Term, ["coefficient", "function", "power", "exponent"]);
 _Term.$compared = _Term.$names;
-$sig(Trend, ["form", "coefficients", "sign"]);
 Trend.$compared = Trend.$names;
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"]);
 Piece.$compared = Piece.$names;
-$sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"]);
 CoefficientPieces.$compared = CoefficientPieces.$names;
-$sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"]);
 PressureKnots.$compared = PressureKnots.$names;
-$sig(IntegralLog, ["slip_includes", "coefficients", "tested"]);
 IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
-$sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"]);
 Factors.$compared = Factors.$names;
-$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c97;
-$sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c110;
 LoadGiven.$compared = LoadGiven.$names;
-$sig(DrumAt, ["diameter", "speed"]);
 DrumAt.$compared = DrumAt.$names;
-$sig(Shares, ["fractions"]);
 Shares.$compared = Shares.$names;
-$sig(Pair, ["entry", "exit"]);
 Pair.$compared = Pair.$names;
-$sig(TorqueFollower, ["master", "ratio"]);
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c98;
-$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c111;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c99;
-$sig(RunsGain, ["base", "case"]);
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c112;
 RunsGain.$compared = RunsGain.$names;
-$sig(BehindTakeUp, ["share", "behind", "runs"]);
 BehindTakeUp.$compared = BehindTakeUp.$names;
-$sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"]);
 Description.$compared = Description.$names;
-$sig(TakeUp, ["kind", "sheave_ratio", "after"]);
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c100;
-$sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c113;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c101;
-$sig(SafetyFactors, ["running", "starting", "braking", "source"]);
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c114;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c102;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c115;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, ["title", "of", "on_one_line"], false);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"]);
-$sig(Name, ["longest"]);
-$sig(Text, ["longest", "lines"]);
-$sig(Quantity, ["dimension", "limit"]);
-$sig(Limit, ["dimension", "least", "most", "open", "rigid"]);
 Limit.$compared = Limit.$names;
-$sig(WordOr, ["word", "kind", "meaning"]);
-$sig(ByName, ["kind", "most"]);
-$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"]);
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
-$sig(TextOr, ["text", "table"]);
-$sig(Flag, []);
-$sig(Choice, ["options"]);
-$sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c734;
-$sig(DimensionText, ["si_unit", "name", "example"]);
+Across.LIMITS = Across.prototype.LIMITS = $c848;
 DimensionText.$compared = DimensionText.$names;
-$sig(Definition, ["names", "factor", "unit", "zero"]);
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
-$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c735;
-$sig(Sag, ["spacing", "line_mass", "share"]);
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c849;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c736;
-$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
+Sag.LIMITS = Sag.prototype.LIMITS = $c850;
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c737;
-$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"]);
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c62;
 Rule.$compared = Rule.$names;
-$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
 DesignFriction.$compared = DesignFriction.$names;
-$sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c738;
-$sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
+Cost.LIMITS = Cost.prototype.LIMITS = $c851;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c739;
-$sig(ConditionFactor, ["factor", "source"]);
+Block.LIMITS = Block.prototype.LIMITS = $c852;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c740;
-$sig(FrictionFactor, ["at", "factor", "source"]);
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c853;
 FrictionFactor.$compared = FrictionFactor.$names;
-$sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
 Fit.$compared = Fit.$names;
-$sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
-VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c741;
-$sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c742;
-$sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
+Induction.LIMITS = Induction.prototype.LIMITS = $c854;
 FluidCoupling.$compared = FluidCoupling.$names;
-$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"]);
 Load.$compared = Load.$names;
-$sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c743;
-$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
+Transition.LIMITS = Transition.prototype.LIMITS = $c855;
 State.$compared = State.$names;
-$sig(Resistance, ["name", "carrying", "returning", "source"]);
 Resistance.$compared = Resistance.$names;
-$sig(OneOrMore, ["kind", "most"]);
-$sig(Rows, ["kind", "least", "most"]);
-$sig(Constant, ["slip_includes", "friction_coefficient", "tested"]);
 Constant.$compared = Constant.$names;
 Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
-$sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"]);
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
-$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"]);
 PressurePower.$compared = PressurePower.$names;
 PressurePower.title = PressurePower.prototype.title = "power of pressure";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
-$sig(GrippingPulley, ["distance"]);
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1403;
-$sig(Count, ["least", "most"]);
-$sig(Elsewhere, []);
-$sig(Either, ["first", "second", "words"]);
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1496;
 Either.$compared = Either.$names;
-$sig(SpeedList, []);
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1404;
-$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"]);
+SpeedList.rows = SpeedList.prototype.rows = $c1497;
 CompactLaw.$compared = CompactLaw.$names;
 $sig(_Pair, ["dimension"], false);
 export { drive_file__drive_from_document as readDrive };
@@ -8417,7 +8561,7 @@ export { MemberResult as MemberResult };
 export { in_page_checks__alone as alone };
 export { in_page_checks__remarks_of as remarksOf };
 export { in_page_checks__weak_kinds as weakKinds };
-export { in_page_checks__unjudged as unjudged };
+export { in_page_checks__idle_in as idleIn };
 export { judge__judge as judge };
 export { least_tension__least_tension as leastTension };
 export { least_tension__least_sentence as leastSentence };

@@ -300,9 +300,6 @@ export interface ChartLook {
 export interface Book {
   laggings: Record<string, BookLagging>;
   catalogue: { belts: any[]; laggings: Record<string, any> };
-  sizes: Record<string, Record<string, [number, number]>>;
-  load: [number, number];
-  steepest: number;
   own: Record<string, any>;
 }
 export interface BookLagging {

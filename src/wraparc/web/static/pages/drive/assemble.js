@@ -1,15 +1,7 @@
 // A drive put together in the page: read by the functions of the program, with the numeric form of
 // its laws from the book that the server hands out.
 import { known, read, told } from "../../documents.js";
-import {
-  alone,
-  arcsOf,
-  criteriaOf,
-  givenOf,
-  InputError,
-  unjudged,
-  weakKinds,
-} from "../../reader.js";
+import { alone, arcsOf, criteriaOf, givenOf, InputError, idleIn, weakKinds } from "../../reader.js";
 import { numbersOf } from "./own.js";
 
 /** @import { Assembled, Book, BookLagging, Design, Judging, Problem } from "../../types.d.ts" */
@@ -119,11 +111,10 @@ export function assemble(doc, book, served = []) {
   if (problems.length) return refused(problems);
   const not = found.cases ? "A train is not solved here." : beyond(found);
   if (not) return refused([left(not)]);
-  const odd = oddOf(found, book) ?? lacking(found, doc, book, served);
-  if (odd) return refused([odd]);
+  const unknown = lacking(found, doc, book, served);
+  if (unknown) return refused([unknown]);
   try {
-    const why = unjudged(found);
-    if (why) return refused([{ ...left(NOT_HERE[why], "pulley"), beyond: true }]);
+    if (idleIn(found)) return refused([left(NO_PULL, "pulley")]);
     return { judging: assembled(found, arcsOf(found)), problems: [] };
   } catch (error) {
     if (!(error instanceof InputError)) throw error;
@@ -170,34 +161,6 @@ const lawIn = ({ kind, edges, coefficients, slips, onset_compliance }) => ({
   slips: [...slips].map(Number),
   onset_compliance: +onset_compliance,
 });
-/** A size beside those of the arcs that conveyors do not have; nothing where all are usual.
- * @param {any} drive as read @param {Book} book */
-export function oddOf({ belt, criteria, conveyor, pulleys }, book) {
-  const { take_up, standard, safety, sag } = criteria;
-  const parts = { Belt: belt, TakeUp: take_up, DesignStandard: standard, SafetyFactors: safety };
-  const laggings = pulleys.flatMap((/** @type {any} */ { lagging }) => [
-    ["Lagging", lagging],
-    ["Block", lagging.block],
-  ]);
-  const all = [...Object.entries(parts), ["Sag", sag], ["Conveyor", conveyor], ...laggings];
-  for (const [name, of] of all)
-    for (const [key, [low, high]] of Object.entries(book.sizes[name])) {
-      const over = name === "Conveyor" && /^(belt|.*idler)_mass/.test(key) ? belt.width : 1;
-      const v = of?.[key] / over;
-      if (v && (v < low || (v > high && v < Number.POSITIVE_INFINITY)))
-        return left(NOT_HERE[3], key);
-    }
-  if (!conveyor) return undefined;
-  const [least, most] = book.load.map((/** @type {number} */ v) => v * belt.width ** 2);
-  const heaped = conveyor.material < least || conveyor.material > most;
-  const steep = Math.abs(conveyor.lift) > book.steepest * conveyor.length;
-  return heaped || steep ? left(NOT_HERE[3], heaped ? "capacity" : "lift") : undefined;
-}
-export const NOT_HERE = [
-  "",
-  "no belt carries these tensions, or friction falls too steeply for one answer; " +
-    "wraparc solve says more",
+export const NO_PULL =
   "no pull to carry, both tensions are equal; this page judges drives that pull, " +
-    "wraparc solve does others",
-  "a size or a tension that conveyor drives do not have: check the units; wraparc solve takes it",
-];
+  "wraparc solve does others";

@@ -28,7 +28,8 @@ export function verdictOf(judged, load_case, pulley) {
   };
 }
 /** The answer in a few words; of a whole drive that of the arc that governs.
- * @param {Judged} judged @param {any} verdict @param {string} [load_case] @param {string} [pulley] */
+ * @param {Judged} judged @param {any} verdict @param {string} [load_case]
+ * @param {string} [pulley] */
 function shortOf({ result, arcs }, verdict, load_case, pulley) {
   const place = load_case === undefined ? verdict.governing?.place : { load_case, pulley };
   const all = arcs.map((a, i) => ({ ...a, i }));
@@ -72,5 +73,6 @@ export const barsOf = (judged, load_case, pulley) =>
     });
 /** The checks as a table. @param {Judged} judged */
 export const checkTable = ({ verdict }) => tableOf(tableOfChecks(verdict), "checks");
-/** A table of Python as the page shows one. @param {any} of @param {string} key @returns {Table} */
+/** A table of Python as the page shows one.
+ * @param {any} of @param {string} key @returns {Table} */
 export const tableOf = ({ title, heads, note, rows }, key) => ({ key, title, heads, note, rows });
