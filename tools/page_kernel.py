@@ -18,13 +18,18 @@ from typing import Any
 from javascript import whole
 from javascript.translate import Module, translated
 from wraparc import catalogue, errors
-from wraparc.arc import answer, capacity, profile, wrap_arc
+from wraparc.arc import Status, answer, capacity, profile
 from wraparc.catalogue import loader
-from wraparc.checks import numbers, of_data
+from wraparc.checks import gross_slip, of_arc
+from wraparc.checks.check import Level
+from wraparc.checks.judge import _across, judge
+from wraparc.checks.least_tension import least_tension, least_with_slip
 from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
-from wraparc.present import arc_tables, train_sheet, train_words
+from wraparc.friction import MeasuredTable
+from wraparc.present import arc_tables, checks_table, train_sheet, train_words, words
+from wraparc.present import least_tension as leasts
 from wraparc.present.sheet import term
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
@@ -34,13 +39,16 @@ from wraparc.train import (
     FluidCoupling,
     Induction,
     MemberResult,
+    TrainResult,
+    TrainStatus,
     VariableSpeed,
     turning,
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import display, percent, quantity
-from wraparc.web import in_page, in_page_train
+from wraparc.units import Cell, digits, display, percent, quantity, unit_row
+from wraparc.units.cell import cell_text
+from wraparc.web import in_page, in_page_checks, in_page_train
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
@@ -50,7 +58,6 @@ BIOME = ROOT / "node_modules" / ".bin" / "biome"
 ENTRIES: tuple[Callable[..., object], ...] = (
     in_page.quick,
     in_page.judged,
-    in_page.covered_creep,
     tension_rules.overridden,
     tension_rules.fault_of,
     tension_rules.overdetermined,
@@ -61,15 +68,7 @@ ENTRIES: tuple[Callable[..., object], ...] = (
     tension_rules.families,
     tension_rules.less_runs,
     tension_rules.behind_take_up,
-    in_page.described,
-    in_page.unjudged,
     compression.block_modulus,
-    numbers.beyond,
-    numbers.held_alike,
-    numbers.kept,
-    numbers.margin_of,
-    numbers.times_of,
-    numbers.order_of,
     answer.operating_point,
     capacity.find_capacities,
     profile.read,
@@ -79,7 +78,6 @@ ENTRIES: tuple[Callable[..., object], ...] = (
 TRAIN_FILE = FILE.parents[1] / "one_file" / "train_kernel.js"
 TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.fallen_of,
-    in_page_train.oversized,
     in_page_train.total_of,
     in_page_train.parts_of,
     in_page_train.miss_of,
@@ -88,17 +86,12 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     in_page_train.least_of,
     in_page_train.member_of,
     in_page_train.turned,
-    in_page_train.among,
-    numbers.pull_against,
-    numbers.trim_shift,
     turning.driven,
     turning.surface_of_first,
     in_page_train.belt_of,
     in_page_train.system_of,
     in_page_train.divided,
     in_page_train.told,
-    in_page_train.borne,
-    in_page_train.fits,
     conveyor.choices,
     conveyor.Conveyor,
     belt_path.turned_by,
@@ -116,6 +109,25 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     Induction,
     FluidCoupling,
 )
+#: How numbers are shown.
+CELLS_FILE = FILE.with_name("cells.js")
+CELLS_ENTRIES: tuple[Callable[..., object], ...] = (
+    display,
+    digits.safe,
+    cell_text,
+    quantity,
+    percent,
+)
+#: Functions of Python that are others there: those of `static/base/digits.js` by name.
+OF_DIGITS: dict[Any, Any] = {
+    unit_row: "unitRow",
+    digits.read: "Number",
+    digits.scientific: "scientific",
+    digits.exponent_of: "exponentOf",
+    digits.fixed: "decimal",
+    digits.trimmed: "trimmed",
+    Cell: "cellOf",
+}
 #: What reads documents in the page.
 PYTHON = FILE.with_name("python.js")
 READER_FILE = FILE.with_name("reader.js")
@@ -126,9 +138,45 @@ READER: dict[str, Any] = {
     "CatalogueBelt": loader.CatalogueBelt,
     "Provenance": Provenance,
     "syntaxProblem": source.syntax_problem,
-    "ofBelt": wrap_arc.of_belt,
-    "weakSources": of_data.weak_sources,
+    "arcsOf": in_page_checks.arcs_of,
+    "givenOf": in_page_checks.given_of,
+    "criteriaOf": in_page_checks.criteria_of,
+    "resultsOf": in_page_checks.results_of,
+    "resultOf": in_page_checks.result_of,
+    "trainDrive": in_page_checks.train_drive,
+    "runningAt": in_page_checks.running_at,
+    "TrainResult": TrainResult,
+    "CaseResult": CaseResult,
+    "MemberResult": MemberResult,
+    "alone": in_page_checks.alone,
+    "remarksOf": in_page_checks.remarks_of,
+    "weakKinds": in_page_checks.weak_kinds,
+    "idleIn": in_page_checks.idle_in,
+    "judge": judge,
+    "leastTension": least_tension,
+    "leastSentence": leasts.least_sentence,
+    "leastTable": leasts.least_table,
+    "shownLeast": leasts.shown_least,
+    "checkTable": checks_table.check_table,
+    "short": words.short,
+    "aloneOf": words.alone_of,
 }
+#: Functions of the page in the place of those that solve, and of those that form texts.
+OF_CHECKS: dict[Any, Any] = {
+    gross_slip.sliding: in_page_checks.sliding,
+    gross_slip.lift: in_page_checks.lift,
+    gross_slip.wet: in_page_checks.wet,
+    least_with_slip: in_page_checks.least_with_slip,
+    of_arc.largest_slip: in_page_checks.largest_slip,
+    of_arc.slip_speed: in_page_checks.slip_speed,
+    of_arc.creep_interval: in_page_checks.creep_interval,
+    _across: in_page_checks.across,
+}
+#: What the page reads of verdict, checks and least tension.
+READ = {
+    "lead", "others", "word", "level", "listed", "data", "at", "governing", "place", "share",
+    "reason", "bound", "texts", "tension", "raise_to", "drive_result",
+}  # fmt: skip
 #: What `static/documents.js` has in the place of functions that look into files.
 OF_FILES: dict[Any, str] = {
     catalogue.belts: "belts",
@@ -140,9 +188,10 @@ OF_FILES: dict[Any, str] = {
     drive_file.overridden: "overridden",
     limits.is_number: "isNumber",
     errors.shown: "$shown",
+    term: "term",
 }
-#: Methods of what is read that nothing asks for there.
-UNREAD = ("written", "schema", "rows")
+#: Methods of what is read that nothing asks for there, or that ask for arrays.
+UNREAD = ("written", "schema", "rows", (MeasuredTable, "compact"))
 #: Words for forms and documents.
 UNASKED = ((tables.Entry, "meaning"), (tables.Entry, "title"), (tables.Table, "title"))
 HEAD = """\
@@ -172,18 +221,44 @@ def train_module() -> str:
     return formatted(HEAD + taken + native + text)
 
 
+def cells_module() -> str:
+    """Return the module that shows numbers as it must stand in its file."""
+    found = translated(CELLS_ENTRIES, "wraparc", OF_DIGITS)
+    text = found.text()
+    native = sorted(found.natives - {"Number"})
+    return formatted(f'{HEAD}import {{ {", ".join(native)} }} from "./base/digits.js";\n{text}')
+
+
 def reader_module() -> str:
-    """Return the module that reads documents as it must stand in its file."""
-    frozen = [catalogue.design_friction]
-    module = whole.Module("wraparc", OF_FILES, frozen=frozen, without=UNREAD, unasked=UNASKED)
+    """Return the module that reads and judges documents as it must stand in its file."""
+    kernel = _kernel()
+    kernel.text()
+    cells = {f"cell__{of.__name__}": of for of in (quantity, percent)}
+    module = whole.Module(
+        "wraparc",
+        {**OF_FILES, **OF_CHECKS, Cell: "cellOf"},
+        frozen=[catalogue.design_friction],
+        without=UNREAD,
+        unasked=UNASKED,
+        elsewhere={**kernel.exports, **cells},
+        enums=(Level, Status, TrainStatus),
+    )
+    module.reached |= READ
     for name, value in READER.items():
         module.export(name, value)
     text = module.text()
     known = set(re.findall(r"^export (?:const|class|function) (\$\w+)", PYTHON.read_text(), re.M))
-    used = sorted(known & set(re.findall(r"\$\w+", text)))
-    native = sorted(name for name in module.natives if name not in known)
-    head = f'import {{ {", ".join(native)} }} from "./documents.js";\n'
-    head += f'import {{ {", ".join(used)} }} from "./{PYTHON.name}";\n'
+    parts = {
+        FILE.name: module.taken - cells.keys(),
+        CELLS_FILE.name: module.taken & cells.keys(),
+        "base/digits.js": module.natives & {"cellOf"},
+        "documents.js": module.natives - known - {"cellOf"},
+        PYTHON.name: known & set(re.findall(r"\$\w+", text)),
+    }
+    head = "".join(
+        f'import {{ {", ".join(sorted(names))} }} from "./{file}";\n'
+        for file, names in parts.items()
+    )
     return HEAD + head + text
 
 
@@ -203,6 +278,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
     texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
+    texts[CELLS_FILE] = cells_module()
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)

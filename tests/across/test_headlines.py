@@ -10,6 +10,7 @@ import pytest
 from python_calamine import CalamineWorkbook
 
 from cli.running import wraparc
+from worded import worded
 from wraparc import InputError, Tensions, load_drive, solve
 from wraparc.across import (
     AcrossSolver,
@@ -85,8 +86,8 @@ def test_the_page_says_what_the_command_line_says() -> None:
     drive = load_drive(EXAMPLES / f"{CORD}.toml")
     found = solve_width(AcrossRequest(document=_document(CORD)))
     assert found.verdict.level == "FAILS"
-    assert EDGE in found.verdict.headline.si
-    assert "PIW" in found.verdict.headline.us
+    assert EDGE in worded(found.verdict.headline)
+    assert "PIW" in worded(found.verdict.headline, "us")
     strips = solve_across(drive)
     assert found.numbers["entry_unevenness"] == pytest.approx(strips.entry_unevenness)
     assert found.map is not None
@@ -98,8 +99,8 @@ def test_the_page_wears_and_compares() -> None:
     document = _document(FABRIC)
     worn = wear_width(AcrossWearRequest(document=document, hours=2e4, passes=2e6))
     assert worn.heals
-    assert worn.verdict.headline.si.startswith("Heals: wear evens it out")
-    assert "hours of running" in worn.verdict.sentences[-1].si
+    assert worded(worn.verdict.headline).startswith("Heals: wear evens it out")
+    assert "hours of running" in worded(worn.verdict.sentences[-1])
     with pytest.raises(InputError, match="nothing is worn off yet"):
         wear_width(AcrossWearRequest(document=_document(CORD), hours=2e4))
     with pytest.raises(InputError, match="thicknesses"):
@@ -114,8 +115,8 @@ def test_readings_of_inches_and_of_no_unit() -> None:
         read_profile(table, "gauge.csv", "48 in", "", "")
     found = read_profile(table, "gauge.csv", "48 in", "in", "12 mm")
     assert found.key == "worn_depth"
-    assert "12 readings of thickness from -558.8 mm to 558.8 mm." in found.told[0].si
-    assert "-22 in" in found.told[0].us
+    assert "12 readings of thickness from -558.8 mm to 558.8 mm." in worded(found.told[0])
+    assert "-22 in" in worded(found.told[0], "us")
 
 
 def test_wear_over_passes_is_wear_to_a_depth() -> None:

@@ -18,7 +18,7 @@ from present.drives import BELT
 from wraparc import InputError, Train, load_drive, load_train, solve_train
 from wraparc.checks import judge, least_tension, margins_of
 from wraparc.checks.gross_slip import given_up, rises, rises_of
-from wraparc.checks.numbers import rise_alone
+from wraparc.checks.numbers import rise_among
 from wraparc.drive import Pulley, TakeUp
 from wraparc.files.write import drive_document
 from wraparc.present.sheet import shown
@@ -198,5 +198,5 @@ def test_a_single_pulley_is_a_train_of_one(pull: float, take_up: TakeUp) -> None
     """Other code: the growth of tensions of any number of pulleys."""
     pulls = np.array([[pull]])
     many = rises_of(pulls, 0, given_up(pulls, ["head"], take_up))
-    alone = rise_alone(pull, take_up.fixed, bool(take_up.after))
+    alone = rise_among([pull], 0, take_up.fixed, 0 if take_up.after else -1)
     assert alone == pytest.approx([float(side[0]) for side in many])

@@ -1,6 +1,7 @@
 // What the page itself says first: documents as JSON come in, words of the verdict go out.
 import { readFileSync } from "node:fs";
 import { app } from "../../src/wraparc/web/static/base/design.js";
+import { words } from "../../src/wraparc/web/static/base/units.js";
 import { assemble } from "../../src/wraparc/web/static/pages/drive/assemble.js";
 import { arcsOf, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
@@ -15,10 +16,11 @@ const told = documents.map((doc) => {
   app.doc = doc;
   const { judging, problems } = assemble(doc, book);
   if (!judging) return { first: problems.map((p) => p.message).join(" "), least: null };
-  const judged = judge(judging, doc, numbersOfAll(arcsOf(judging)));
-  const verdict = judged && verdictOf(judged);
-  if (!verdict) return { first: "no answer", least: null };
-  const least = leastTold(judged, { table: { rows: [] } })?.sentence;
-  return { first: `${verdict.told} ${verdict.headline}`, least: least ?? "" };
+  const numbers = numbersOfAll(arcsOf(judging));
+  if (!numbers) return { first: "no answer", least: null };
+  const judged = judge(judging, doc, numbers);
+  const verdict = verdictOf(judged);
+  const least = leastTold(judged)?.sentence;
+  return { first: `${verdict.word} ${words(verdict.headline)}`, least: words(least) };
 });
 process.stdout.write(JSON.stringify(told));

@@ -57,9 +57,10 @@ const { roundStep, ticks, warm } = await import("../../src/wraparc/web/static/pl
 const { chain } = await import("../../src/wraparc/web/static/pages/train/chain.js");
 const { Spreads } = await import("../../src/wraparc/web/static/pages/study/spread.js");
 
-const unit = { si: { unit: "mm", factor: 1e-3 }, us: { unit: "in", factor: 0.0254 } };
+const si = (unit, factor) => ({ si: { unit, factor, larger: [] } });
+const unit = { ...si("mm", 1e-3), us: { unit: "in", factor: 0.0254, larger: [] } };
 app.form = {
-  units: { length: unit, force: { si: { unit: "kN", factor: 1e3 } } },
+  units: { length: unit, force: si("kN", 1e3), number: si("", 1) },
   glossary: { exit_creep: { title: "Creep at exit", dimension: "length" } },
 };
 const of = (e) => ({ tag: e.tag, ...e.attributes, text: e.textContent });

@@ -12,15 +12,19 @@ from starlette.testclient import TestClient
 
 from cli.running import wraparc
 from web.calculators import API, client, document
+from worded import worded
 from wraparc import Distributed, WrapArc, solve, solve_train
 from wraparc.checks import Level, judge, least_tension
 from wraparc.choose.cost import catalogue_price, energy_cost, lagging_cost
 from wraparc.drive.changes import with_lagging
 from wraparc.files import drive_from_document, load_lagging
 from wraparc.train.file import train_from_document
+from wraparc.units import System
 from wraparc.web.examples import examples
 
 pytestmark = pytest.mark.usefixtures("solved_once")
+
+SYSTEMS: tuple[System, ...] = ("si", "us")
 
 
 @pytest.fixture(scope="module")
@@ -46,7 +50,7 @@ def test_solve_has_the_numbers_of_the_command_line(
     _, out, _ = wraparc("solve", str(file), "--method", "both", "--json", "-")
     expected = json.loads(out)
     found = post(api, "/solve", document=document(name))
-    assert found["verdict"]["headline"]["si"]
+    assert worded(found["verdict"]["headline"])
     assert found["solved"] == expected["solved"]
     arcs = [a for a in expected["arcs"] if a["method"] == "distributed"]
     papers = [a for a in expected["arcs"] if a["method"] == "paper"]
@@ -90,7 +94,7 @@ def test_a_breakaway_is_an_answer(api: TestClient) -> None:
     for path in ("/solve/fast", "/solve"):
         found = post(api, path, document=drive)
         assert found["verdict"]["level"] == "FAILS"
-        assert "Gross slip" in found["verdict"]["headline"]["us"]
+        assert "Gross slip" in worded(found["verdict"]["headline"], "us")
 
 
 def test_every_error_comes_at_once_with_the_sentences_of_the_command_line(
@@ -163,14 +167,14 @@ def test_quantities_are_read_as_strictly_as_in_files(api: TestClient) -> None:
     ]
     read = post(api, "/quantities", items=items)["items"]
     assert read[0]["value"] == 150e3
-    assert read[0]["text"] == {"si": "150 kN", "us": "33720 lbf"}
+    assert [worded(read[0]["text"], s) for s in SYSTEMS] == ["150 kN", "33720 lbf"]
     assert read[1]["value"] is None
     assert "comma" in read[1]["problem"]["message"]
     assert read[2]["problem"]
-    assert read[3]["exact"]["us"] == "180 deg"
+    assert worded(read[3]["exact"], "us") == "180 deg"
     assert read[4]["problem"]["value"] == '"colour"'
-    assert read[5]["exact"] == {"si": "1016 mm", "us": "40 in"}
-    texts = [{"text": read[0]["exact"][s], "dimension": "force"} for s in ("si", "us")]
+    assert [worded(read[5]["exact"], s) for s in SYSTEMS] == ["1016 mm", "40 in"]
+    texts = [{"text": worded(read[0]["exact"], s), "dimension": "force"} for s in SYSTEMS]
     again = post(api, "/quantities", items=texts)["items"]
     assert [item["value"] for item in again] == [150e3, 150e3]
 

@@ -1,129 +1,34 @@
 """What the page puts together itself is what the server prepares: every choice of the form."""
 
-import json
-import math
 import random
-import subprocess
 from copy import deepcopy
-from pathlib import Path
 from typing import Any
 
 import pytest
 
 from web.test_in_page import DRIVES
+from web.test_judging import apart, in_node, told
 from wraparc import catalogue
-from wraparc.arc import Distributed, solve
-from wraparc.drive import Drive
 from wraparc.errors import InputError
-from wraparc.web.answers.book import book
 from wraparc.web.answers.documents import read
-from wraparc.web.answers.drives import SolveAnswer
 from wraparc.web.answers.form import form
-from wraparc.web.answers.judging import judging
 
 Data = dict[str, Any]
 #: What only the program itself solves.
 BEYOND = {"uphill-conveyor", "worn-head-drive-fabric", "worn-head-drive-steel-cord"}
 SHIPPED = {name: document for name, document in DRIVES.items() if name not in BEYOND}
-#: What stands for itself in JSON.
-SPECIAL = {"NaN": math.nan, "Infinity": math.inf, "-Infinity": -math.inf}
+DRAWN = 60
 
 
 def assembled(documents: list[Data], *, of: Data | None = None) -> list[Data]:
-    program = Path(__file__).with_name("own_assembled.mjs")
-    told = {
-        "form": json.loads(form().model_dump_json()),
-        "book": json.loads(book(of).model_dump_json()),
-        "documents": documents,
-    }
-    done = subprocess.run(
-        ["node", str(program)], input=json.dumps(told),
-        capture_output=True, text=True, encoding="utf-8", check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    found: list[Data] = json.loads(done.stdout)
-    return found
-
-
-def prepared_by_the_server(document: Data) -> Data | None:
-    """Return what the server prepares; None where it leaves the drive to itself."""
-    drive = read(document)
-    assert isinstance(drive, Drive)
-    result = solve(drive, method=Distributed(points=24), raise_on_failure=False)
-    construct: Any = SolveAnswer.model_construct
-    found: Data | None = json.loads(construct(judging=judging(document, result)).model_dump_json())[
-        "judging"
-    ]
-    if found is not None:
-        for case, arc in zip(found["cases"], result, strict=True):
-            case["tensions"] = [arc.arc.entry_tension, arc.arc.exit_tension]
-    return found
-
-
-def comparable(told: Data) -> Data:
-    """Return what a judging says without what only one of the two has."""
-    return {
-        "qualifier": told["qualifier"],
-        "take_up": told["take_up"],
-        "least_name": told["least_name"],
-        "levels": told["levels"],
-        "counterweight": told["counterweight"],
-        "checks": [_check(c) for c in told["checks"]],
-        "cases": [
-            {
-                "load_case": case["load_case"],
-                "law": case["prepared"]["law"],
-                "given": {
-                    key: value
-                    for key, value in case["prepared"]["given"].items()
-                    if key not in ("entry_tension", "exit_tension", "effective_tension", "torque")
-                    and key != "power"
-                },
-                "tensions": case["tensions"],
-                "tested": case["tested"] and {
-                    key: case["tested"][key] for key in ("pressure_min", "pressure_max", "slip_max")
-                },
-                "criteria": case["criteria"],
-                "checks": [_check(c) for c in case["checks"]],
-                "asks": case["asks"],
-            }
-            for case in told["cases"]
-        ],
-    }  # fmt: skip
-
-
-def _check(check: Data) -> Data:
-    """Return a check without the numbers and words that its value decides on."""
-    if check["miss"]:
-        open_ = ("level", "short", "says", "remedy", "otherwise", "value", "limit")
-        return {key: value for key, value in check.items() if key not in (*open_, "more")}
-    unknown = {key: check[key] == "NaN" for key in ("value", "limit")}
-    return {**{k: v for k, v in check.items() if k != "more"}, **unknown}
-
-
-def differences(ours: Any, theirs: Any, at: str = "") -> list[str]:
-    """Return the places in which two answers are not one, numbers within rounding."""
-    a, b = (SPECIAL.get(x, x) if isinstance(x, str) else x for x in (ours, theirs))
-    if isinstance(a, dict) and isinstance(b, dict):
-        return [
-            d for k in a.keys() | b.keys() for d in differences(a.get(k), b.get(k), f"{at}.{k}")
-        ]
-    if isinstance(a, list) and isinstance(b, list) and len(a) == len(b):
-        pairs = enumerate(zip(a, b, strict=True))
-        return [d for i, (x, y) in pairs for d in differences(x, y, f"{at}[{i}]")]
-    if isinstance(a, int | float) and isinstance(b, int | float):
-        same = a == pytest.approx(b, rel=1e-13, abs=0.0, nan_ok=True)
-        return [] if same else [f"{at}: {a!r} and {b!r}"]
-    return [] if a == b else [f"{at}: {a!r} and {b!r}"]
+    return in_node([{"changed": document} for document in documents], of)
 
 
 @pytest.mark.parametrize("name", SHIPPED)
-def test_every_shipped_drive_is_put_together_as_by_the_server(name: str) -> None:
-    expected = prepared_by_the_server(SHIPPED[name])
-    assert expected is not None
+def test_every_shipped_drive_is_judged_as_by_the_program(name: str) -> None:
     (found,) = assembled([SHIPPED[name]])
     assert found["problems"] == []
-    assert differences(comparable(found["judging"]), comparable(expected)) == []
+    assert apart(told(SHIPPED[name]), found) == {}
 
 
 TENSIONS = ("entry_tension", "exit_tension", "effective_tension", "torque", "power")
@@ -208,31 +113,28 @@ def some_drive(pick: random.Random) -> Data:
     return {"format": 1, "belt": belt, "pulley": [pulley], **some(pick, 0.5, more)}
 
 
-def test_drives_of_any_choice_are_put_together_as_by_the_server() -> None:
-    # expected: the server's own preparation; what it refuses, the page refuses
+def test_drives_of_any_choice_are_judged_as_by_the_program() -> None:
+    # expected: every check of Python's judgement, its text and numbers, or what it refuses
     pick = random.Random(11)  # noqa: S311 - drives to try, no secrets
-    documents = [some_drive(pick) for _ in range(60)]
+    documents = [some_drive(pick) for _ in range(DRAWN)]
     wrong: dict[int, Any] = {}
     judged = refused = 0
     for i, (document, found) in enumerate(zip(documents, assembled(documents), strict=True)):
+        if any(problem.get("beyond") for problem in found["problems"]):
+            continue  # unusual sizes, or no pull
         try:
-            expected = prepared_by_the_server(document)
+            expected = told(document)
         except InputError as error:
             refused += 1
-            if not found["problems"]:
-                wrong[i] = str(error), document
+            if [p["sentence"] for p in found["problems"]] != list(map(str, error.problems)):
+                wrong[i] = str(error), found["problems"]
             continue
-        if expected is None:
-            continue  # unusual sizes, no pull, or a take-up that is contradicted
         judged += 1
-        if found["problems"]:
-            wrong[i] = found["problems"], document
-            continue
-        apart = differences(comparable(found["judging"]), comparable(expected))
-        if apart:
-            wrong[i] = apart[:6]
+        different = found["problems"] or apart(expected, found)
+        if different:
+            wrong[i] = different, document
     assert wrong == {}
-    assert judged > 30
+    assert judged > 0.5 * DRAWN
     assert refused > 3
 
 

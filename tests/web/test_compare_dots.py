@@ -7,6 +7,7 @@ from playwright.sync_api import Page, expect
 
 from web.browser import Visitor
 from web.calculators import API, client, document
+from worded import worded
 
 
 def dots(page: Page) -> dict[str, tuple[float, float]]:
@@ -43,7 +44,7 @@ def test_dots_stand_where_creep_and_cost_are(visitor: Visitor) -> None:
     height = float(re.findall(r"[-\d.]+", limit)[1])
     assert (floor - height) / max(up) == pytest.approx(6.35e-3, rel=1e-6)
     told = page.locator("#compare figure svg").get_attribute("aria-label") or ""
-    assert all(rows[t]["creep"]["si"] in told for t in rows)
+    assert all(worded(rows[t]["creep"]["text"]) in told for t in rows)
     page.get_by_label("US", exact=True).check(force=True)
     expect(page.locator("#compare figure")).to_contain_text("creep limit 0.25 in")
 

@@ -13,7 +13,8 @@ from typing import Any
 
 import pytest
 
-from web.test_assembled import spoilt
+from web.test_assembled import SHIPPED, assembled, spoilt
+from web.test_judging import apart, told
 from wraparc.errors import InputError
 from wraparc.schema.source import parse
 from wraparc.train.file import any_drive_from_document, train_from_document
@@ -250,3 +251,16 @@ def test_what_is_no_toml_is_told_in_the_same_sentence() -> None:
         with pytest.raises(InputError) as refused:
             parse(text, "drive.toml")
         assert said == str(refused.value)
+
+
+@pytest.mark.parametrize("law", LAWS, ids=[law["kind"] for law in LAWS])
+def test_a_law_of_any_kind_is_judged_as_by_the_program(law: Data) -> None:
+    # without statistics, whose interval the page leaves to the program
+    own = {"thickness": "12 mm", "shear_modulus": "2.3 MPa", "surface": "rubber"}
+    document = deepcopy(SHIPPED["head-drive-fabric"])
+    document["pulley"][0]["lagging"] = "ours"
+    plain = {k: v[:1] if k == "pieces" else v for k, v in law.items() if k != "fit"}
+    document["lagging"] = {"ours": {**own, "law": plain}}
+    (found,) = assembled([document], of=document)
+    assert found["problems"] == []
+    assert apart(told(document), found) == {}

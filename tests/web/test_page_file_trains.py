@@ -14,6 +14,7 @@ from judgement.rows import MOTORS
 from web.browser import Visitor, browser
 from web.calculators import wait_for
 from web.firefox import Firefox
+from worded import worded
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 from wraparc.web.answers.trains import train_part
@@ -85,10 +86,6 @@ def answer_of(text: str) -> dict[str, Any]:
     return found
 
 
-def words(text: Any, system: str) -> str:
-    return str(text[system] if isinstance(text, dict) else text)
-
-
 def tables_of(page: Page) -> dict[str, list[list[str]]]:
     """Tables of the page by title: the cells of every row."""
     found: dict[str, list[list[str]]] = page.evaluate(
@@ -126,14 +123,14 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
 def assert_says(page: Page, answer: dict[str, Any], system: str) -> None:
     verdict = answer["verdict"]
     said = page.locator("#train .verdict .headline").first.inner_text()
-    assert said.partition(" ")[2].endswith(words(verdict["headline"], system))
+    assert said.partition(" ")[2].endswith(worded(verdict["headline"], system))
     sentences = page.locator("#train .verdict li").all_inner_texts()
-    assert sentences == [words(s, system) for s in verdict["sentences"]]
+    assert sentences == [worded(s, system) for s in verdict["sentences"]]
     shown = tables_of(page)
     for table in answer["tables"]:
-        title = words(table["title"], system)
+        title = worded(table["title"], system)
         if title.startswith(("Drives", "Checks", "Least")):
-            values = [row["values"][system] for row in table["rows"]]
+            values = [[worded(v, system) for v in row["values"]] for row in table["rows"]]
             cells = [row[-len(values[0]) - 1 : -1] for row in shown[title]]
             assert cells == values, title
 
@@ -277,12 +274,12 @@ def assert_firefox_says(browser: Firefox, folder: Path, name: str) -> None:
     wait_for(lambda: browser.run(SHOWN) is not None)
     shown, answer = browser.run(SHOWN), answer_of(TRAINS[name])
     verdict = answer["verdict"]
-    assert shown["headline"].strip().endswith(words(verdict["headline"], "si"))
-    assert shown["sentences"] == [words(s, "si") for s in verdict["sentences"]]
+    assert shown["headline"].strip().endswith(worded(verdict["headline"], "si"))
+    assert shown["sentences"] == [worded(s, "si") for s in verdict["sentences"]]
     for table in answer["tables"]:
-        title = words(table["title"], "si")
+        title = worded(table["title"], "si")
         if title.startswith("Drives"):
-            values = [row["values"]["si"] for row in table["rows"]]
+            values = [[worded(value) for value in row["values"]] for row in table["rows"]]
             cells = [row[-len(values[0]) - 1 : -1] for row in shown["tables"][title]]
             assert cells == values
 

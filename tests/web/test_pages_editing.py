@@ -10,6 +10,7 @@ from cli.running import wraparc
 from web.browser import LATER, Calculator, Visitor, turn
 from web.calculators import document, wait_for
 from web.test_pages import key_figure
+from worded import worded
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -238,8 +239,10 @@ def test_governing_case_comes_first_and_keeps_its_advice(visitor: Visitor) -> No
         sign = {"OK": "good", "ATTENTION": "warn", "FAILS": "bad"}[arc["level"]]
         expect(chip.locator("svg")).to_have_class(f"g {sign}")
         expect(page.locator("#why")).to_contain_text(f"load case {case}")
-        expect(headline).to_contain_text(answer["verdict"]["headline"]["si"])
-        expect(page.locator(".governing")).to_contain_text(answer["verdict"]["sentences"][0]["si"])
+        expect(headline).to_contain_text(worded(answer["verdict"]["headline"]))
+        expect(page.locator(".governing")).to_contain_text(
+            worded(answer["verdict"]["sentences"][0])
+        )
 
 
 def test_late_word_on_a_load_case_does_not_bring_it_back(visitor: Visitor) -> None:

@@ -17,8 +17,8 @@ const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
 const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
-const NOTHING = new Float64Array(0);
-const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
+const EMPTY = /* @__PURE__ */ new Float64Array(0);
+const zeros = (size) => (size > 0 ? new Float64Array(size) : EMPTY);
 """
 #: The same, where more than numbers are translated.
 _OF_SEQUENCES = """\

@@ -24,6 +24,7 @@ from decimal import Decimal
 from functools import cached_property
 from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType, UnionType
 from typing import Any, cast
+from weakref import WeakKeyDictionary
 
 from javascript.names import Refused, Where, is_named_tuple, literal, local
 
@@ -32,17 +33,19 @@ _BUILT_IN = {
     **{getattr(builtins, name): name for name in (
         "len", "isinstance", "str", "repr", "int", "float", "bool", "list", "tuple", "set", "any",
         "frozenset", "dict", "all", "sum", "abs", "min", "max", "sorted", "zip", "enumerate",
-        "range", "map", "next", "reversed", "iter", "ord", "type", "getattr",
+        "range", "map", "next", "reversed", "iter", "ord", "type", "getattr", "round", "filter",
     )},
     itertools.pairwise: "pairwise", Counter: "Counter", Decimal: "Decimal",
 }  # fmt: skip
 _TYPES = (str, int, float, bool, dict, list, tuple, Mapping, Sequence)
 _ERRORS = {
-    kind: f"${kind.__name__}" for kind in (KeyError, StopIteration, OverflowError, TypeError)
+    kind: f"${kind.__name__}"
+    for kind in (KeyError, StopIteration, OverflowError, TypeError, ValueError)
 }
-_BASES = {dict: "$Dict", Exception: "$Error", ValueError: "$Error", object: "$Object"}
+_BASES = {dict: "$Dict", Exception: "$Error", ValueError: "$ValueError", object: "$Object"}
 _OPERATORS = {
     ast.Add: "$add", ast.Sub: "$sub", ast.Mult: "$mul", ast.Pow: "$pow", ast.BitOr: "$merged",
+    ast.BitAnd: "$common",
 }  # fmt: skip
 _PLAIN = {ast.Div: "/", ast.Mod: "%"}
 _COMPARED = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
@@ -51,10 +54,10 @@ _METHODS = frozenset(
     re.findall(
         r"\w+",
         """
-    strip lstrip rstrip lower upper casefold startswith endswith replace removeprefix removesuffix
-    partition rpartition split join isprintable isdecimal isascii translate get items keys values
-    setdefault pop update append count index isdisjoint match fullmatch search findall sub group
-    end start
+    strip lstrip rstrip lower upper capitalize casefold startswith endswith replace removeprefix
+    removesuffix partition rpartition split join isprintable isdecimal isascii translate get items
+    keys values setdefault pop update append count index isdisjoint match fullmatch search findall
+    sub group end start
 """,
     )
 )
@@ -66,24 +69,33 @@ class Module:
     Attributes
     ----------
     instead
-        Functions in the place of others, by name: JavaScript has them.
+        Functions in the place of others; by name where JavaScript has them.
     frozen
         Functions that always return the same, which is taken as it is.
     without
-        Methods that are left out, by name.
+        Methods that are left out, by name; of one class with it.
     unasked
         Fields of classes that nothing asks a constant for.
+    elsewhere
+        What another module exports, by name: it is imported from there.
+    enums
+        Enumerations whose members have more than their values.
     """
 
     def __init__(
         self,
         package: str,
-        instead: Mapping[Any, str],
+        instead: Mapping[Any, Any],
         frozen: Iterable[Any] = (),
-        without: Iterable[str] = (),
+        without: Iterable[str | tuple[type, str]] = (),
         unasked: Iterable[tuple[type, str]] = (),
+        elsewhere: Mapping[str, object] | None = None,
+        enums: Iterable[type[enum.Enum]] = (),
     ) -> None:
-        self.package, self.instead = package, instead
+        self.package, self.instead, self.elsewhere = package, instead, elsewhere or {}
+        self.taken = set[str]()  # from there
+        self.enums = tuple(enums)
+        self._of_members: dict[str, dict[Any, Any]] = {}
         self.frozen, self.without = frozenset(frozen), frozenset(without)
         self.unasked = frozenset(unasked)
         self.natives = set[str]()
@@ -96,6 +108,7 @@ class Module:
         self._lines: dict[str, str] = {}
         self._named = dict[str, Any]()
         self._made = dict[int, tuple[Any, Any]]()
+        self._alike = dict[tuple[str, ...], tuple[str, ...]]()
 
     def value(self, value: Any, where: Where) -> str:
         """Return how a value of the running program is written."""
@@ -104,7 +117,8 @@ class Module:
         if value is None or isinstance(value, bool | int | float | str):
             return literal(value, where)
         if self._hashable(value) and value in self.instead:
-            return self._native(self.instead[value])
+            other = self.instead[value]
+            return self._native(other) if isinstance(other, str) else self.function(other, where)
         if self._hashable(value) and value in self.frozen:
             return f"(() => {self.value(value(), where)})"
         if self._hashable(value) and value in _BUILT_IN:
@@ -137,6 +151,9 @@ class Module:
         if plain.__module__.partition(".")[0] != self.package:
             where.refuse(f"{plain.__module__}.{plain.__qualname__} is not of the package")
         name = f"{plain.__module__.rpartition('.')[2]}__{plain.__name__}"
+        if self.elsewhere.get(name) is plain:
+            self.taken.add(name)
+            return name
         if name not in self._functions:
             self._functions[name] = (plain, "")
             text = Function(self, plain, name).text()
@@ -171,6 +188,22 @@ class Module:
         """Return the name of a class that is there."""
         return next(name for name, known in self.classes.items() if known is kind)
 
+    def told_of_members(self, attribute: str) -> str:
+        """Return what members of enumerations have under a name, by their values; empty for none.
+
+        In JavaScript a member is its value alone.
+        """
+        if attribute not in self._of_members:
+            found = {
+                member.value: getattr(member, attribute)
+                for kind in self.enums
+                if attribute in {**vars(kind), **vars(next(iter(kind)))}
+                for member in kind
+            }
+            self._of_members[attribute] = found
+        found = self._of_members[attribute]
+        return self._constant(found, Where(attribute, 0)) if found else ""
+
     def _constant(self, value: Any, where: Where) -> str:
         if isinstance(value, tuple | list) and not is_named_tuple(type(value)) and len(value) < 1:
             return "[]"
@@ -184,6 +217,8 @@ class Module:
         def each(values: Iterable[Any]) -> str:
             return ", ".join(self.value(v, where) for v in values)
 
+        if isinstance(value, WeakKeyDictionary):
+            return "new WeakMap()"
         if isinstance(value, Decimal):
             return f'$Decimal.of("{value}")'
         if isinstance(value, re.Pattern):
@@ -200,8 +235,8 @@ class Module:
         found = getattr(value, "__dict__", {})
         own = {k: v for k, v in found.items() if k in self.reached and not _lazy(type(value), k)}
         own = {k: v for k, v in own.items() if (type(value), k) not in self.unasked}
-        parts = ", ".join(f"{k}: {self.value(v, where)}" for k, v in own.items())
-        return f"$made({kind}, {{{parts}}})"
+        names = self._constant(self._alike.setdefault(tuple(own), (*own,)), where)
+        return f"$made({kind}, {names}, [{each(own.values())}])"
 
     def export(self, name: str, value: Any) -> None:
         """Give something under a name."""
@@ -247,7 +282,7 @@ class Module:
         name = self.name_of(kind)
         for attribute, found in [*vars(kind).items()]:
             key = name, attribute
-            always = attribute in ("__init__", "__post_init__", "__str__")
+            always = attribute in ("__init__", "__post_init__", "__str__", "__iter__")
             if key in self._methods or not (always or attribute in self.reached):
                 continue
             if attribute == "__init__" and _generated(kind):
@@ -258,10 +293,12 @@ class Module:
             elif isinstance(found, property | cached_property):
                 how, of = "get ", found.fget if isinstance(found, property) else found.func
             foreign = getattr(of, "__module__", "").partition(".")[0] != self.package
-            left = foreign or attribute in self.without or _abstract(of)
+            left = foreign or {attribute, (kind, attribute)} & self.without or _abstract(of)
             if left or not isinstance(of, FunctionType):
                 continue
             called = "$init" if attribute == "__init__" else attribute
+            if isinstance(found, cached_property):
+                how, called = "", f"$find_{attribute}"
             self._methods[key] = ""
             static = isinstance(found, staticmethod)
             before = [{**known} for known in (self._functions, self.classes, self._constants)]
@@ -274,22 +311,19 @@ class Module:
     def _class_text(self, name: str, kind: Any) -> str:
         bases = [b for b in kind.__bases__ if b in self.classes.values()]
         other = next((_BASES[b] for b in kind.__bases__ if b in _BASES), "$Object")
-        above = self.name_of(bases[0]) if bases else other
-        lines = [f"class {name} extends {above} {{"]
+        above = self.name_of(bases[0]) if bases else "$Tuple" if is_named_tuple(kind) else other
+        lines, end = [f"class {name} extends {above} {{"], "}"
         if _generated(kind):
             named = _fields(kind)
-            given = [
-                local(f) + ("" if d is _ABSENT else f" = {self._default(d)}")
-                for f, d in named.items()
-            ]
-            after = "this.__post_init__?.();" if hasattr(kind, "__post_init__") else ""
-            puts = " ".join(f"this.{f} = {local(f)};" for f in named)
-            lines.append(f"$init({', '.join(given)}) {{ {puts} {after} }}")
-            if is_named_tuple(kind):
-                each = " ".join(f"yield this.{f};" for f in named)
-                lines.append(f"*[Symbol.iterator]() {{ {each} }}")
-        lines += [text for (of, _), text in self._methods.items() if of == name]
-        return "\n".join([*lines, "}"])
+            usual = (
+                f"{f}: () => {self._default(d)}" for f, d in named.items() if d is not _ABSENT
+            )
+            names = literal([*named], Where(name, 0))
+            end = f"}}\n$sig({name}, {names}, false, {{{', '.join(usual)}}});"
+        own = {of: text for (at, of), text in self._methods.items() if at == name}
+        lazy = [of for of in own if _lazy(kind, of)]
+        lines += [f'get {of}() {{ return $kept(this, "{of}", this.$find_{of}()); }}' for of in lazy]
+        return "\n".join([*lines, *own.values(), end])
 
     def _default(self, default: Any) -> str:
         where = Where("defaults", 0)
@@ -316,11 +350,11 @@ class Module:
     def _of_fields(name: str, kind: Any) -> Iterable[str]:
         if _generated(kind):
             names, compared = [*_fields(kind)], [*_fields(kind)]
-            yield f"$sig({name}, {literal(names, Where(name, 0))});"
             if not is_named_tuple(kind):
                 compared = [f.name for f in dataclasses.fields(kind) if f.compare]
             if is_named_tuple(kind) or kind.__dataclass_params__.eq:
-                yield f"{name}.$compared = {literal(compared, Where(name, 0))};"
+                told = f"{name}.$names" if compared == names else literal(compared, Where(name, 0))
+                yield f"{name}.$compared = {told};"
         elif "__init__" in vars(kind):
             yield _signature(name, vars(kind)["__init__"], 1)
 
@@ -620,6 +654,9 @@ class Function:
         if value is not _ABSENT:
             return self._known(node, value)
         self.module.reached.add(node.attr)
+        told = self.module.told_of_members(node.attr)
+        if told:
+            return f"$told({told}, {self.of(node.value)}, {literal(node.attr, self.where(node))})"
         return f"{self.of(node.value)}.{node.attr}"
 
     def _elements(self, nodes: list[ast.expr]) -> str:
@@ -763,19 +800,14 @@ class Function:
         if isinstance(node.func, ast.Attribute) and called is _ABSENT:
             return self._of_object(node, node.func, args)
         function = self.of(node.func)
-        if (
-            isinstance(called, type)
-            and not isinstance(called, enum.EnumMeta)
-            and (called not in _BUILT_IN)
-        ):
-            if hasattr(called, "__total__"):  # a dict whose keys are known
-                return f"$map({self._by_name(node)})"
-            if not node.keywords:
-                return f"new {function}({', '.join(args)})"
-            return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
-        if not node.keywords:
-            new = function == local(self.itself) and self.itself == "cls"
-            return f"{'new ' if new else ''}{function}({', '.join(args)})"
+        kind = isinstance(called, type) and not isinstance(called, enum.EnumMeta)
+        kind = kind and called not in _BUILT_IN and called not in self.module.instead
+        if kind and hasattr(called, "__total__"):  # a dict whose keys are known
+            return f"$map({self._by_name(node)})"
+        in_order = self._in_order(node, args, called) if node.keywords else args
+        if in_order is not None:
+            new = kind or (function == local(self.itself) and self.itself == "cls")
+            return f"{'new ' if new else ''}{function}({', '.join(in_order)})"
         if (called is not _ABSENT and called in _BUILT_IN) or function.startswith("$math"):
             given = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
             mark = "" if function.startswith("$math") else "$k"
@@ -783,6 +815,23 @@ class Function:
         if isinstance(called, FunctionType):
             self.module.by_name.add(function)
         return f"$call({function}, [{', '.join(args)}], {self._by_name(node)})"
+
+    def _in_order(self, node: ast.Call, args: list[str], called: Any) -> list[str] | None:
+        """Return arguments by name in the order of a function or class; None if not known."""
+        known = isinstance(called, type | FunctionType) and called not in _BUILT_IN
+        by = {keyword.arg: keyword.value for keyword in node.keywords}
+        if not known or None in by or any(isinstance(a, ast.Starred) for a in node.args):
+            return None
+        if isinstance(called, type) and _generated(called):
+            names = [*_fields(called)]
+        else:
+            given = [*inspect.signature(called).parameters.values()]
+            if any(p.kind in (p.VAR_POSITIONAL, p.VAR_KEYWORD) for p in given):
+                return None
+            names = [p.name for p in given]
+        last = max(names.index(str(name)) for name in by)
+        rest = names[len(args) : last + 1]
+        return [*args, *(self.of(by[name]) if name in by else "undefined" for name in rest)]
 
     def _argument(self, node: ast.expr) -> str:
         """Return an argument: a method keeps its object."""
@@ -850,6 +899,8 @@ class Function:
         if name == "sort":
             given = ", ".join(f"{k.arg}: {self.of(k.value)}" for k in node.keywords)
             return f"{base}.splice(0, Infinity, ...$b.sorted({base}, $k({{{given}}})))"
+        if name == "format":
+            return f"$m.format({base}, [{', '.join(args)}], $map({self._by_name(node)}))"
         if name == "_replace":
             return f"$replaced({base}, new Map({self._by_name(node)}))"
         if node.keywords:

@@ -189,6 +189,18 @@ class Check:
         return self.numerical and self.level is Level.OK
 
     @property
+    def share(self) -> float:
+        """The value over the limit, as a bar shows it; nan where there is none [-]."""
+        silent = self.level is Level.NOT_CHECKED or self.numerical or not self.limit
+        share = math.nan if silent else self.value / self.limit
+        return share if math.isfinite(share) else math.nan
+
+    @property
+    def reason(self) -> str:
+        """What it says that is not kept, without what to do about it."""
+        return replace(self, remedy="").said if self.missed else ""
+
+    @property
     def times(self) -> float:
         """How many times its limit it is, where it is far from it; nan where it is not [-]."""
         return times_of(self.value, self.limit)
@@ -318,8 +330,8 @@ class Verdict:
         """Each check once, at the place where it comes off worst, in the order they are told."""
         worst: dict[str, Check] = {}
         for check in self.checks:
-            if check.name not in worst or _badness(check) < _badness(worst[check.name]):
-                worst[check.name] = check
+            held = worst.get(check.name, check)
+            worst[check.name] = min(held, check, key=_badness)
         return tuple(worst.values())
 
     @cached_property
@@ -339,22 +351,24 @@ class Verdict:
 
     def at(self, pulley: str, load_case: str) -> Verdict:
         """Return the verdict on one pulley in one load case."""
-        if (pulley, load_case) not in self._at:
-            places = {(p, case) for p in ("", pulley) for case in ("", load_case)}
-            there = sorted(number for place in places for number in self._places.get(place, ()))
-            own = Verdict(tuple(self.checks[number] for number in there))
-            self._at[pulley, load_case] = self if len(there) == len(self.checks) else own
-        return self._at[pulley, load_case]
+        known = self._at.setdefault(load_case, {})
+        if pulley not in known:
+            places = dict.fromkeys(("", load_case))
+            there = sorted(n for place in places for n in self._places.get(place, ()))
+            mine = [self.checks[number] for number in there]
+            own = tuple(check for check in mine if check.place.pulley in ("", pulley))
+            known[pulley] = self if len(own) == len(self.checks) else Verdict(own)
+        return known[pulley]
 
     @cached_property
-    def _at(self) -> dict[tuple[str, str], Verdict]:
+    def _at(self) -> dict[str, dict[str, Verdict]]:
         return {}
 
     @cached_property
-    def _places(self) -> dict[tuple[str, str], list[int]]:
-        found: dict[tuple[str, str], list[int]] = {}
+    def _places(self) -> dict[str, list[int]]:
+        found: dict[str, list[int]] = {}
         for number, check in enumerate(self.checks):
-            found.setdefault((check.place.pulley, check.place.load_case), []).append(number)
+            found.setdefault(check.place.load_case, []).append(number)
         return found
 
     def headline(self, system: System = "si") -> str:

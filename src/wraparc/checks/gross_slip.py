@@ -20,6 +20,7 @@ from wraparc.checks.sliding import (
     at_limits,
     lift_for_safety,
     pull_at_sliding,
+    wet_creep,
 )
 from wraparc.drive import TakeUp
 
@@ -57,7 +58,7 @@ class Rise:
     slack: float
 
 
-def rises(arcs: Sequence[ArcResult], index: int, take_up: TakeUp) -> Rise:
+def rises(arcs: Sequence[WrapArc], index: int, take_up: TakeUp) -> Rise:
     """Return how the tensions of one of the arcs of a load case grow with the whole pull.
 
     Every pulley keeps its share of it.
@@ -71,7 +72,7 @@ def rises(arcs: Sequence[ArcResult], index: int, take_up: TakeUp) -> Rise:
     take_up
         What is held.
     """
-    pulls, names = [r.arc.effective_tension for r in arcs], [r.arc.pulley for r in arcs]
+    pulls, names = [arc.effective_tension for arc in arcs], [arc.pulley for arc in arcs]
     after = names.index(take_up.after) if take_up.after else -1
     return Rise(*map(float, rise_among(pulls, index, take_up.fixed, after)))
 
@@ -149,6 +150,11 @@ def lift(result: ArcResult, factor: float, tight_rise: float) -> float:
     if (factor, tight_rise) not in known.lifts:
         known.lifts[factor, tight_rise] = lift_for_safety(known.of, factor, tight_rise, known.begin)
     return known.lifts[factor, tight_rise]
+
+
+def wet(result: ArcResult, factor: float) -> float:
+    """Return the creep at the exit of an arc with a factor on its friction, see `wet_creep` [m]."""
+    return wet_creep(loaded(result), factor)
 
 
 @dataclass

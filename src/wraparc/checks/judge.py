@@ -11,14 +11,13 @@ from weakref import WeakKeyDictionary
 from wraparc.arc import ArcResult, DriveResult
 from wraparc.checks import of_arc, of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict, escaped
-from wraparc.checks.gross_slip import loaded
+from wraparc.checks.gross_slip import wet
 from wraparc.checks.least_tension import LeastTension, least_tension
 from wraparc.checks.numbers import (
     kept,
     pull_against,
 )
 from wraparc.checks.rules import RULES, idle
-from wraparc.checks.sliding import wet_creep
 from wraparc.checks.usual import Owner, of_train, usual_sizes
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import (
@@ -77,8 +76,8 @@ def judge(result: DriveResult | TrainResult) -> Verdict:
         verdict = Verdict(sound(every_check(result), least_tension(result)))
         if verdict.level is Level.OK:
             one = result.drive_result() if isinstance(result, TrainResult) else result
-            wet, over = _wet(one)
-            verdict = replace(verdict, wet=wet, over_wet=over)
+            most, over = _wet(one)
+            verdict = replace(verdict, wet=most, over_wet=over)
         _told[result] = verdict
     return _told[result]
 
@@ -100,7 +99,7 @@ def _wet(result: DriveResult) -> tuple[float, bool]:
         if factor == 0.0:
             return -1.0, False
         if not idle(arc.arc):
-            creep = wet_creep(loaded(arc), factor)
+            creep = wet(arc, factor)
             most = creep if math.isnan(creep) else max(most, creep)
             over = over or not (math.isnan(creep) or kept(creep, arc.arc.creep_limit, True))
     return most, over
@@ -112,7 +111,7 @@ def sound(checks: tuple[Check, ...], least: LeastTension | None) -> tuple[Check,
     A tension is raised or lowered only where one keeps every binding check, and a pulley is evened
     out only where an even one would do.
     """
-    missed = {(c.name, c.place) for c in checks if c.missed}
+    missed = [(c.name, c.place) for c in checks if c.missed]
     names = {name for name, _ in missed}
     both = bool(names & RAISING) and bool(names & LOWERING)
 

@@ -11,7 +11,7 @@ from weakref import WeakKeyDictionary
 from wraparc.alike import largest, least
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.capacity import highest_tight
-from wraparc.checks.check import Place
+from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_slip
@@ -82,6 +82,16 @@ class LeastTension:
         if top is not None and top.tension < self.governing.tension * (1.0 - 1e-9):
             return inf
         return self.governing.tension
+
+    @property
+    def level(self) -> Level:
+        """Whether as much is given."""
+        return Level.OK if self.tension <= self.given else Level.ATTENTION
+
+    @property
+    def raise_to(self) -> float | None:
+        """The tension to raise to [N]; None where none is to be raised, or none is enough."""
+        return None if self.tension <= self.given or math.isinf(self.tension) else self.tension
 
     @cached_property
     def highest(self) -> Figure | None:
@@ -172,7 +182,7 @@ def _figures(
         if _pulls(result):
             least = result.capacities.least_exit_tension
             yield Figure("creep", "Creep", offset + (inf if math.isnan(least) else least), place)
-            yield from _slip(arc, offset, place)
+            yield from _slip(result, offset, place)
             yield from _standard(drive, case, result, offset, place)
             yield _gross_slip(drive, case, arcs, index, end)
         yield from _pressures(drive, case, arc, end - slack, end - tight, place)
@@ -217,16 +227,17 @@ def _standard(
     yield Figure("design_standard", rule.rule, tension, place, binding=binding)
 
 
-def _slip(arc: WrapArc, offset: float, place: Place) -> Iterator[Figure]:
+def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:
     """Yield what the tested slip asks for; slip is never more than creep, so mostly nothing."""
-    tested = arc.law.tested
-    if tested is not None and tested.slip_max < arc.creep_limit:
-        least = _least_for_slip(arc, tested.slip_max)
+    tested = result.arc.law.tested
+    if tested is not None and tested.slip_max < result.arc.creep_limit:
+        least = least_with_slip(result, tested.slip_max)
         yield Figure("tested_slip", "Largest slip, tested", offset + least, place)
 
 
-def _least_for_slip(arc: WrapArc, limit: float) -> float:
+def least_with_slip(result: ArcResult, limit: float) -> float:
     """Least slack-side tension with which the slip at the exit keeps a limit, the pull held [N]."""
+    arc = result.arc
     found = least_for_slip(arc.law.compact(), arc.geometry(), _pull_of(arc), limit)
     return found + arc.centrifugal
 
@@ -243,7 +254,7 @@ def _gross_slip(
 ) -> Figure:
     """Return what the safety factor on gross slip asks for, with what the take-up holds."""
     arc, factor = arcs[index].arc, drive.criteria.safety.of(case.kind)
-    rise = rises(arcs, index, drive.criteria.take_up)
+    rise = rises([r.arc for r in arcs], index, drive.criteria.take_up)
     raised = lift(arcs[index], factor, rise.tight)
     title = f"Safety {factor:g} against gross slip"
     raised = inf if math.isnan(raised) else raised

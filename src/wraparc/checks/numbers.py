@@ -167,14 +167,6 @@ def compared_sizes(of: Sizes) -> list[float]:
     ]  # fmt: skip
 
 
-def usual_sizes(of: Sizes) -> bool:
-    """Whether belt, pulley and lagging have sizes that those of a conveyor have."""
-    values = compared_sizes(of)
-    return all(
-        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_SIZES, strict=True)
-    )
-
-
 #: Rated power of all motors over that of the largest pull that is given, at most [-].
 LARGE_MOTORS = 6.0
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
@@ -209,67 +201,6 @@ def safety_of(strength: float, tension: float, asked: float) -> float:
 def held_alike(least: float, most: float) -> bool:
     """Whether one take-up can hold both tensions."""
     return most - least <= HELD * most
-
-
-class Compared(NamedTuple):
-    """A number for each check of an arc: values, or limits; nan where there is none [SI]."""
-
-    gross_slip: float
-    design_standard: float
-    creep: float
-    belt_tension: float
-    momentary_tension: float
-    belt_safety: float
-    face_pressure: float
-    bond_stress: float
-    fatigue_stress: float
-    tested_pressure_max: float
-    tested_pressure_min: float
-    tested_slip: float
-    tested_slip_speed: float
-    balance: float
-    sag: float
-    pulley_diameter: float
-    share: float = nan  # of the rating, in percent
-    passes: float = nan  # in an hour
-
-
-class Criteria(NamedTuple):
-    """What the arc of a drive of one pulley is held against, nan where it is not."""
-
-    safety: float  # factor on gross slip [-]
-    standard: float  # design friction [-]
-    factor: float  # slack side over pull by a table of the standard [-]
-    start: float  # factor on the pull that the standard is applied to [-]
-    belt_tension: float  # per width [N/m]
-    rating: float  # per width [N/m]
-    strength: float  # per width [N/m]
-    belt_safety: float  # strength over tension [-]
-    face_pressure: float  # [Pa]
-    bond_strength: float  # [Pa]
-    fatigue_limit: float  # [Pa]
-    slip_speed: float  # tested [m/s]
-    balance: float  # [-]
-    sag: float  # [N]
-    pulley_diameter: float  # [m]
-    fixed: bool  # whether the take-up holds the sum of both tensions
-    behind: bool  # whether it holds the tension behind the pulley
-    customary: bool  # whether the creep limit is the customary one
-    alone: bool  # whether no other pulley pulls the belt
-    printed: bool  # whether a factor of the standard is printed with two decimals
-    wrap_angle: float  # where a table of the standard holds for this wrap alone [rad]
-    pulley_mass: float  # [kg]
-    wet: float = 0.0  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
-
-
-def rise_alone(pull: float, fixed: bool, behind: bool) -> tuple[float, float]:
-    """Growth of the tight and of the slack side of a single pulley with its pull [N].
-
-    The take-up holds the slack side, the sum of both (`fixed`), or the belt behind the pulley.
-    """
-    size = abs(pull)
-    lost = 0.5 * size if fixed else size if behind and pull < 0.0 else 0.0
-    return size - lost, -lost
 
 
 def rise_among(pulls: Sequence[float], index: int, fixed: bool, after: int) -> tuple[float, float]:

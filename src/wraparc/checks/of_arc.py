@@ -79,7 +79,8 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
         return Check(
             name=name, title="No pull to carry", level=Level.OK, short="not driven", place=place
         )
-    return of_sliding(drive, case, result, sliding(result, rises(arcs, index, take_up)))
+    rise = rises([r.arc for r in arcs], index, take_up)
+    return of_sliding(drive, case, result, sliding(result, rise))
 
 
 def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:
@@ -346,7 +347,7 @@ def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     place = Place(pulley.name, result.arc.load_case)
     slip = speed = math.inf
     if result.status.solved:
-        slip, speed = float(np.abs(result.profile.slip).max()), slip_speed(result)
+        slip, speed = largest_slip(result), slip_speed(result)
     elif result.arc.belt_speed is None:
         speed = math.nan
     for check in slip_in_tests(pulley, slip, speed, place):
@@ -396,6 +397,11 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
             binding=False,
             place=place,
         )
+
+
+def largest_slip(result: ArcResult) -> float:
+    """Largest slip of the belt on the lagging along the arc [m]."""
+    return float(np.abs(result.profile.slip).max())
 
 
 def slip_speed(result: ArcResult) -> float:

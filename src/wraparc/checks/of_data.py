@@ -110,7 +110,7 @@ def data(drive: Drive, pulley: Pulley) -> Check:
 
 def law_words(lagging: Lagging) -> tuple[list[str], list[str]]:
     """Return on what grounds the friction of a lagging stands, and the sentences about them."""
-    law, friction = lagging.source_of("law").kind.value, f"The friction of {lagging.name} is"
+    law, friction = str(lagging.source_of("law").kind), f"The friction of {lagging.name} is"
     words = [f"{friction} {_LAWS[law]}."] if law in _LAWS else []
     untested = lagging.law.tested is None
     words += [f"{friction} given without tests."] if untested else []

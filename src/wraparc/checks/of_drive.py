@@ -256,7 +256,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
     for case in drive.load_cases:
         first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
         held[case.name] = first.entry + last.exit if fixed else drive.take_up_tension(case)
-    ordered = falling(held, held.__getitem__)
+    ordered = falling(held, lambda name: held[name])
     high, low = ordered[0], ordered[-1]
     if held_alike(held[low], held[high]):
         return

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -20,7 +20,7 @@ from wraparc.checks.numbers import usual
 from wraparc.checks.of_drive import judged, not_checked, origin
 from wraparc.checks.rules import RULES, tension_factor, tension_rule
 from wraparc.checks.sliding import SLIDES
-from wraparc.checks.usual import Owner, of_train, unusual, usual_sizes
+from wraparc.checks.usual import Ends, Owner, of_train, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
@@ -152,10 +152,39 @@ def _checks(run: RunResult) -> Iterator[Check]:
 def of_run(station: Station, event: Event) -> Iterator[Owner]:
     """Yield what moves, and what happens to it."""
     yield from of_train(station.train)
-    yield Owner(station, "")
-    yield from (Owner(of, f"of event {event.name}") for of in (event, *event.happenings))
+    yield _moving(station, "")
+    yield from (_moving(of, f"of event {event.name}") for of in (event, *event.happenings))
     for name, drum in zip(station.names, station.drums, strict=True):
-        yield from (Owner(of, f"of drum {name}") for of in (drum, drum.control, drum.trim) if of)
+        yield from (_moving(of, f"of drum {name}") for of in (drum, drum.control, drum.trim) if of)
+
+
+def _moving(of: Any, words: str) -> Owner:
+    """Return something of `motion`, described by its classes or by the whole room."""
+    kinds = tuple(kind.__name__ for kind in type(of).__mro__)
+    more = tuple(_USUAL[kind] for kind in (*kinds, "") if kind in _USUAL)
+    return Owner(of, kinds, words, more=more)
+
+
+#: As `USUAL`, of `motion`; under no name that of any class there.
+_USUAL: dict[str, dict[str, Ends]] = {
+    "Trim": {"gain": (0.01, 20.0)},
+    "Follower": {"ratio": (0.1, 5.0)},
+    "LoadStep": {"factor": (-2.0, 4.0)},
+    "OnBelt": {"friction": (0.02, 1.0), "compliance": (0.2, 5.0)},
+    "": {
+        "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
+        "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
+        "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (1.0, 1e5),
+        "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
+        "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
+        "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
+        "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
+        "filter_time": (1e-3, 60.0), "duration": (0.1, 3600.0), "time": (0.1, 600.0),
+        "at": (1e-3, 7200.0), "length": (0.01, 2e3), "rise": (-0.02, 0.02),
+        "run_out": (-0.01, 0.01), "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3),
+        "ripple": (-0.3, 0.3),
+    },
+}  # fmt: skip
 
 
 def _pull_over_weight(run: RunResult) -> Iterator[Check]:

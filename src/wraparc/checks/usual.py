@@ -11,8 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-import numpy as np
-
+from wraparc.arc.summary import available
 from wraparc.checks.check import NOWHERE, Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     LARGE_MOTORS,
@@ -40,7 +39,7 @@ from wraparc.units import Dimension, meant_by
 
 Ends = tuple[float, float]
 
-#: Least and most of a field by its class, or of that name in any of `motion` [SI]; 0 is none.
+#: Least and most of a field by its class [SI]; 0 is none.
 USUAL: dict[str, dict[str, Ends]] = {
     "Belt": {
         "momentary_factor": (1.0, 2.0), "in_plane_shear_stiffness": (5e3, 5e6),
@@ -75,23 +74,6 @@ USUAL: dict[str, dict[str, Ends]] = {
         "droop": (1e-3, 0.15), "torque_limit": (0.8, 4.0), "breakdown_ratio": (1.5, 5.0),
     },
     "TorqueFollower": {"ratio": (0.1, 5.0)},
-    "Trim": {"gain": (0.01, 20.0)},
-    "Follower": {"ratio": (0.1, 5.0)},
-    "LoadStep": {"factor": (-2.0, 4.0)},
-    "OnBelt": {"friction": (0.02, 1.0), "compliance": (0.2, 5.0)},
-    "motion": {
-        "conveyor_mass": (300.0, 5e7), "carry_run": (0.5, 30e3), "return_run": (0.5, 30e3),
-        "winch_speed": (1e-3, 2.0), "inertia": (0.5, 2e6), "run": (0.2, 2e3),
-        "brake_torque": (50.0, 3e6), "rated_torque": (50.0, 3e6), "pump_inertia": (1.0, 1e5),
-        "bandwidth": (0.05, 20.0), "reset": (0.05, 100.0), "damping": (1e-3, 0.2),
-        "droop": (1e-4, 0.1), "rated_slip": (1e-3, 0.1), "coupling_slip": (0.005, 0.1),
-        "breakdown_ratio": (1.5, 5.0), "starting_ratio": (0.3, 5.0), "coupling_limit": (1.1, 4.0),
-        "torque_limit": (0.5, 5.0), "lag": (1e-3, 2.0), "dead_time": (1e-3, 2.0),
-        "filter_time": (1e-3, 60.0), "duration": (0.1, 3600.0), "time": (0.1, 600.0),
-        "at": (1e-3, 7200.0), "length": (0.01, 2e3), "rise": (-0.02, 0.02),
-        "run_out": (-0.01, 0.01), "joint_rise": (-0.01, 0.01), "joint_width": (1e-3, 0.3),
-        "ripple": (-0.3, 0.3),
-    },
 }  # fmt: skip
 #: Largest deviations across the width [m], and friction that laggings have [-]: up to 1.55 of
 #: ceramic at the lowest pressures (DeVries 2026), 0.1 of wet and muddy bare steel (DIN 22101).
@@ -112,11 +94,16 @@ STEEL, FABRIC = 7850.0, 250.0
 
 
 class Owner(NamedTuple):
-    """Something that is described, what of it is called, and where it stands."""
+    """Something that is described: by which tables of `USUAL`, what of it is called, and where.
+
+    `more` are tables besides.
+    """
 
     of: Any
+    kinds: tuple[str, ...]
     words: str
     place: Place = NOWHERE
+    more: tuple[dict[str, Ends], ...] = ()
 
 
 def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
@@ -130,15 +117,11 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
         What else is, by the same table: the train, motors, what moves and what happens to it.
     """
     parts = [*_others(drive, others)]
-    odd = {check.sentence(): check for check in (*_compared(drive, bool(parts)), *parts)}
+    odd = {check.said: check for check in (*unusual_sizes(drive, bool(parts)), *parts)}
     yield from odd.values()
     if not odd:
-        yield Check(
-            name="usual_sizes",
-            title="What is given is of usual size",
-            level=Level.OK,
-            binding=False,
-        )
+        title = "What is given is of usual size"
+        yield Check(name="usual_sizes", title=title, level=Level.OK, binding=False)
 
 
 def least_margin(drive: Drive) -> float:
@@ -149,7 +132,7 @@ def least_margin(drive: Drive) -> float:
     return min((check.margin for check in _others(drive, ())), default=math.inf)
 
 
-def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
+def unusual_sizes(drive: Drive, odd: bool) -> Iterator[Check]:
     """Yield what is unusual of `USUAL_SIZES`; what is made of others only where they are not."""
     for case in drive.load_cases:
         for pulley in drive.in_case(case).pulleys:
@@ -168,9 +151,9 @@ def _compared(drive: Drive, odd: bool) -> Iterator[Check]:
 def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
     for owner in (*_owners(drive), *others):
         yield from _of_owner(owner)
-        if isinstance(owner.of, Motor | float):
+        if owner.kinds in (_MOTOR, _TURNS):
             yield from _turning(drive, owner)
-    yield from _motor_sizes(drive, [o.of for o in others if isinstance(o.of, Motor)])
+    yield from _motor_sizes(drive, [o.of for o in others if o.kinds == _MOTOR])
     if drive.conveyor is not None:
         yield from _conveyor_sizes(drive.conveyor, drive.belt.width)
     width = drive.belt.width
@@ -192,46 +175,44 @@ def _others(drive: Drive, others: tuple[Owner, ...]) -> Iterator[Check]:
 def _owners(drive: Drive) -> Iterator[Owner]:
     """Yield all that a drive is described by."""
     criteria = drive.criteria
-    yield Owner(drive.belt, "of the belt")
-    yield Owner(criteria.take_up, "of the take-up")
-    yield Owner(criteria.standard, "of the design standard")
-    yield Owner(criteria.safety, "safety factor")
-    yield Owner(criteria.sag, "for the sag of the belt")
-    yield Owner(drive.conveyor, "of the conveyor")
+    yield Owner(drive.belt, ("Belt",), "of the belt")
+    yield Owner(criteria.take_up, ("TakeUp",), "of the take-up")
+    yield Owner(criteria.standard, ("DesignStandard",), "of the design standard")
+    yield Owner(criteria.safety, ("SafetyFactors",), "safety factor")
+    yield Owner(criteria.sag, ("Sag",), "for the sag of the belt")
+    yield Owner(drive.conveyor, ("Conveyor",), "of the conveyor")
     for lagging in drive.laggings:
         of = f"of lagging {lagging.name}"
-        yield Owner(lagging, of)
-        yield Owner(lagging.block, f"of the blocks {of}")
-        yield Owner(lagging.cost, f"that the cost {of} is for")
+        yield Owner(lagging, ("Lagging",), of)
+        yield Owner(lagging.block, ("Block",), f"of the blocks {of}")
+        yield Owner(lagging.cost, ("Cost",), f"that the cost {of} is for")
         for name, factor in lagging.condition_factors.items():
-            yield Owner(factor, f"on the friction {of}, {name}")
+            yield Owner(factor, ("ConditionFactor",), f"on the friction {of}, {name}")
     for pulley in drive.pulleys:
         place, of = Place(pulley.name), f"of pulley {pulley.name}"
-        yield Owner(pulley, of, place)
         if pulley.across is not None:
-            yield Owner(pulley.across, of, place)
-            yield Owner(pulley.across.before, f"before pulley {pulley.name}", place)
-            yield Owner(pulley.across.after, f"behind pulley {pulley.name}", place)
+            yield Owner(pulley.across, ("Across",), of, place)
+            yield Owner(pulley.across.before, _NEIGHBOUR, f"before pulley {pulley.name}", place)
+            yield Owner(pulley.across.after, _NEIGHBOUR, f"behind pulley {pulley.name}", place)
 
 
 def _of_owner(owner: Owner) -> Iterator[Check]:
     """Yield what of one thing is unusual."""
-    of = owner.of
-    room = type(of).__module__.split(".")[1:2]
-    tables = [USUAL.get(name, {}) for name in (*(c.__name__ for c in type(of).__mro__), *room)]
-    for key, limit in getattr(of, "LIMITS", {}).items():
+    of, limits = owner.of, getattr(owner.of, "LIMITS", None) or {}
+    tables = [*owner.more, *(USUAL.get(kind, {}) for kind in owner.kinds)]
+    for key, limit in limits.items():
         ends, value = next((t[key] for t in tables if key in t), None), getattr(of, key)
         if ends and value and not usual(value, *ends):
             name = f"{key.replace('_', ' ')} {owner.words}".rstrip()
             yield unusual(name, limit.dimension, owner.place, value, ends)
-    for happening in getattr(of, "happenings", ()):
+    for happening in getattr(of, "happenings", None) or ():
         if happening.at >= of.duration:
             name = f"begin (at) of what happens {owner.words}"
             check = unusual(name, "time", NOWHERE, happening.at, (0.0, of.duration))
             yield replace(check, remedy="Nothing happens then: give an earlier time.")
-    if isinstance(of, Pulley) and of.across is not None:
+    if "Across" in owner.kinds:
         for key, most in _PROFILES.items():
-            profile = getattr(of.across, key)
+            profile = getattr(of, key)
             heights = () if profile is None else (profile.largest, -min((*profile.value, 0.0)))
             if max(heights, default=0.0) > most:
                 name = f"{key.replace('_', ' ')} {owner.words}".rstrip()
@@ -254,7 +235,8 @@ def _law_sizes(lagging: Lagging) -> Iterator[Check]:
     pressures, slip = [100e3], 10e-3
     if tested is not None:
         pressures, slip = [tested.pressure_min, tested.pressure_max], tested.slip_max
-    for friction in np.ravel(lagging.law.friction(slip, np.array(pressures))).tolist():
+    law = lagging.law.compact()
+    for friction in [available(law, slip, pressure) for pressure in pressures]:
         if not usual(friction, *_FRICTION):
             yield unusual(f"friction of {of}", "number", NOWHERE, friction, _FRICTION)
             return
@@ -265,11 +247,18 @@ def of_train(train: Train) -> Iterator[Owner]:
     division = train.cases[0].division
     if isinstance(division, Speeds) and division.absolute:
         for pulley, turns in zip(train.pulleys, division.rotation_speeds, strict=True):
-            yield Owner(turns, "", Place(pulley.name))
+            yield Owner(turns, _TURNS, "", Place(pulley.name))
     for pulley, motor in zip(
         train.pulleys, division.motors if isinstance(division, Motors) else (), strict=False
     ):
-        yield Owner(motor, f"of the motor of pulley {pulley.name}", Place(pulley.name))
+        kinds = _MOTOR if isinstance(motor, Motor) else ("TorqueFollower",)
+        yield Owner(motor, kinds, f"of the motor of pulley {pulley.name}", Place(pulley.name))
+
+
+#: What may stand before and behind a pulley whose load is uneven.
+_NEIGHBOUR = ("Transition", "GrippingPulley")
+#: What turns a drum: a motor, or a speed that it is given.
+_MOTOR, _TURNS = ("Motor",), ("Speed",)
 
 
 def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:

@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from wraparc.arc import ArcResult, DriveResult
-from wraparc.checks import RULES, LeastTension, Level, least_tension, margins_of
+from wraparc.checks import RULES, LeastTension, least_tension, margins_of
 from wraparc.checks.sliding import SLIDES
 from wraparc.present.sheet import NONE, Row, Table, named, quantity
 from wraparc.train import TrainResult
@@ -146,7 +146,7 @@ def least_data(result: DriveResult | TrainResult) -> dict[str, Any] | None:
         "given": found.given,
         "governing": found.governing.name,
         "counterweight": found.counterweight,
-        "level": (Level.OK if found.tension <= found.given else Level.ATTENTION).value,
+        "level": found.level.value,
         "figures": [
             {
                 "name": f.name,

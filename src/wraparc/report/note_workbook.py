@@ -165,7 +165,7 @@ class _Workbook:
     def _result(self, name: str, value: float) -> float:
         """Return a result in its unit; what is shown as nothing is nothing."""
         number = self._scaled(name, value)
-        nothing = abs(number) < NOTHING and GLOSSARY[name].dimension not in SMALL
+        nothing = abs(number) < NOTHING and GLOSSARY[name].dimension != SMALL
         return 0.0 if nothing else number
 
     def _summary(self) -> None:

@@ -11,18 +11,19 @@ from wraparc.units.cell import (
     in_unit,
     in_units,
     percent,
+    placed,
     quantity,
     unit_of,
 )
+from wraparc.units.digits import GIVEN_DIGITS, NOTHING, RESULT_DIGITS
 from wraparc.units.display import (
-    GIVEN_DIGITS,
-    NOTHING,
-    RESULT_DIGITS,
     SMALL,
     System,
+    UnitRow,
     display,
     display_unit,
     on_safe_side,
+    unit_row,
 )
 from wraparc.units.numbers import parse_number
 from wraparc.units.parse import dimension_of, meant_by, parse_quantity, unit_factor, unit_names
@@ -40,6 +41,7 @@ __all__ = [
     "Cell",
     "Dimension",
     "System",
+    "UnitRow",
     "bare",
     "cell_of",
     "cells_in",
@@ -55,8 +57,10 @@ __all__ = [
     "parse_number",
     "parse_quantity",
     "percent",
+    "placed",
     "quantity",
     "unit_factor",
     "unit_names",
     "unit_of",
+    "unit_row",
 ]

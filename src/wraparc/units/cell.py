@@ -10,17 +10,21 @@ from collections.abc import Callable, Iterable, Iterator
 from functools import lru_cache
 from typing import Literal, Self, get_args
 
-from wraparc.units.display import RESULT_DIGITS, System, display, display_unit, on_safe_side
+from wraparc.units.digits import RESULT_DIGITS, safe
+from wraparc.units.display import System, display, display_unit, joined, parts, unit_row
 from wraparc.units.table import DIMENSIONS, Dimension
 
 #: What stands where there is no number.
 NONE = "-"
+_UNBOUNDED = "without bound"
 #: How a cell is shown: with its unit; without, as under a head that has it; the unit alone; as a
 #: share [%]; rounded to the safe side, upwards or down; as a speed of slip; in as many digits as
 #: tell it from another number; and from that number to it, ``0 to 22.5 deg`` or ``0-22.5 deg``.
 Form = Literal[
     "", "bare", "unit", "percent", "up", "bare up", "down", "slip", "apart", "slip apart", "to", "-"
 ]
+#: Forms of two numbers, which a range begins and ends with.
+RANGES: tuple[Form, ...] = ("to", "-")
 #: Digits of numbers that differ: no more are needed to tell them apart.
 MOST_DIGITS = 9
 _FORMS = frozenset(get_args(Form))
@@ -77,44 +81,49 @@ class Cell(str):
 
     def text(self, system: System) -> str:
         """Return the number as people of a system of units write it."""
-        if self.form == "unit":
-            return display_unit(self.dimension, system)[0]
-        if self.form == "percent":
-            return f"{display(100.0 * self.value, 'number', digits=self.digits)} %"
-        if self.form in ("to", "-"):
-            return self._range(system)
-        value = self.value
-        if self.form in ("up", "bare up", "down"):
-            value = on_safe_side(value, self.dimension, system, up=self.form != "down")
-        if self.form in ("bare", "bare up"):
-            value /= display_unit(self.dimension, system)[1]
-            return display(value, "number", digits=self.digits)
-        digits = self.digits
-        while self.form.endswith("apart") and digits < MOST_DIGITS:
-            if self._alone(value, digits, system) != self._alone(self.other, digits, system):
-                break
-            digits += 1
-        return self._alone(value, digits, system)
-
-    def _alone(self, value: float, digits: int, system: System) -> str:
-        if not math.isfinite(value):
-            return quantity(value, self.dimension)
-        if self.form.startswith("slip") and self.dimension == "speed" and abs(value) < _SLOW:
-            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
-            return f"{display(value / size, 'number', digits=digits)} {unit}"
-        return display(value, self.dimension, system, digits)
-
-    def _range(self, system: System) -> str:
-        first, last = (self._alone(v, self.digits, system) for v in (self.other, self.value))
-        if first == last:
-            return first
-        number, _, unit = first.partition(" ")
-        by = " to " if self.form == "to" else self.form
-        return f"{number if last.endswith(' ' + unit) else first}{by}{last}"
+        of = self.value, self.dimension, self.digits, self.form, self.other
+        return cell_text(*of, system)
 
 
 #: Speeds below that are of slip [m/s].
 _SLOW = 0.1
+
+
+def cell_text(
+    value: float, dimension: Dimension, digits: int, form: Form, other: float, system: System
+) -> str:
+    """Return what a cell of such a value shows, see `Cell`."""
+    row = unit_row(dimension, system)
+
+    def told(number: float, places: int) -> tuple[str, str]:
+        if not math.isfinite(number):
+            return NONE if math.isnan(number) else _UNBOUNDED, ""
+        if form in ("slip", "slip apart") and dimension == "speed" and abs(number) < _SLOW:
+            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+            return display(number / size, "number", system, places), unit
+        return parts(number, dimension, system, places)
+
+    if form == "unit":
+        return row.unit
+    if form == "percent":
+        return display(100.0 * value, "number", system, digits) + " %"
+    if form in ("up", "bare up", "down"):
+        value = safe(value, row.factor, form != "down")
+    if form in ("bare", "bare up"):
+        return display(value / row.factor, "number", system, digits)
+    if form in ("to", "-"):
+        first, last = told(other, digits), told(value, digits)
+        if joined(first) == joined(last):
+            return joined(last)
+        begin = first[0] if first[1] == last[1] else joined(first)
+        return begin + (" to " if form == "to" else "-") + joined(last)
+    while (
+        form in ("apart", "slip apart")
+        and digits < MOST_DIGITS
+        and joined(told(value, digits)) == joined(told(other, digits))
+    ):
+        digits += 1
+    return joined(told(value, digits))
 
 
 def quantity(
@@ -124,7 +133,7 @@ def quantity(
     if math.isnan(value):
         return NONE
     if math.isinf(value):
-        return "without bound"
+        return _UNBOUNDED
     return Cell(value, dimension, digits, name=name)
 
 
@@ -167,10 +176,8 @@ def distinct(texts: Iterable[str]) -> tuple[str, ...]:
 
 def cells_in(text: str) -> Iterator[Cell]:
     """Yield the cells of a text, in their order."""
-    for found in _SLOT.finditer(text):
-        cell = cell_of(found[0])
-        if cell is not None:
-            yield cell
+    found = map(cell_of, (slot[0] for slot in _SLOT.finditer(text)))
+    return (cell for cell in found if cell is not None)
 
 
 def in_units(text: str, system: System = "si") -> str:
@@ -180,6 +187,21 @@ def in_units(text: str, system: System = "si") -> str:
     if "\x02" not in text:
         return text
     return _SLOT.sub(lambda found: _filled(found[0], system), text)
+
+
+def placed(text: str) -> tuple[str, list[tuple[tuple[int, int], Cell]]]:
+    """Return a text in metric units, and its cells with the places where they stand in it."""
+    text = _EITHER.sub(r"\1", text)
+    found: list[tuple[tuple[int, int], Cell]] = []
+    told, end = "", 0
+    for slot in _SLOT.finditer(text):
+        told += text[end : slot.start()]
+        begin, end = len(told), slot.end()
+        told += _filled(slot[0], "si")
+        cell = cell_of(slot[0])
+        if cell is not None:
+            found.append(((begin, len(told)), cell))
+    return told + text[end:], found
 
 
 @lru_cache(maxsize=4096)  # a table is shown in several ways

@@ -1,24 +1,17 @@
 """SI values to text for people, in metric or US units."""
 
 import math
-from decimal import Decimal
-from functools import lru_cache
-from typing import Literal
+from functools import cache
+from typing import Literal, NamedTuple
 
+from wraparc.units.digits import GIVEN_DIGITS, NOTHING, read, rounded, safe
 from wraparc.units.parse import parse_quantity, unit_factor
 from wraparc.units.table import Dimension
 
 System = Literal["si", "us"]
 
-#: Significant digits of what was computed: no friction is known to more. Files hold every digit.
-RESULT_DIGITS = 3
-#: A number that so many digits hold entirely is one that somebody gave, and is shown as it is.
-GIVEN_DIGITS = 4
-_EXACT = 1e-9
-#: What is less, in the unit shown, is what rounding leaves of a difference of equal numbers.
-NOTHING = 1e-9
 #: What people measure in numbers as small as that.
-SMALL: tuple[Dimension, ...] = ("wear_coefficient",)
+SMALL: Dimension = "wear_coefficient"
 
 # Unit by the size from which it is used, in the first unit of the row: a value is shown
 # in the last unit whose bound it reaches. The first unit is the one for tables.
@@ -75,13 +68,43 @@ _US: dict[Dimension, _Row] = _SI | {
 _ROWS: dict[System, dict[Dimension, _Row]] = {"si": _SI, "us": _US}
 
 
+class UnitRow(NamedTuple):
+    """What values of a dimension are shown in.
+
+    Attributes
+    ----------
+    unit
+        That of a table column.
+    factor
+        SI value of one of it.
+    larger
+        From how many of it on another unit reads better; that unit, its SI value, its zero [SI].
+    """
+
+    unit: str
+    factor: float
+    larger: tuple[tuple[float, str, float, float], ...]
+
+
+@cache
+def unit_row(dimension: Dimension, system: System) -> UnitRow:
+    """Return what values of a dimension are shown in."""
+    unit, more = _ROWS[system][dimension]
+    if dimension == "temperature":  # in K in tables: degC and degF have no mere factor
+        zero = parse_quantity(f"0 {unit}", dimension)
+        one = parse_quantity(f"1 {unit}", dimension)
+        return UnitRow("K", 1.0, ((0.0, unit, one - zero, zero),))
+    larger = tuple((bound, name, unit_factor(name, dimension), 0.0) for bound, name in more)
+    return UnitRow(unit, unit_factor(unit, dimension), larger)
+
+
 def display_unit(dimension: Dimension, system: System = "si") -> tuple[str, float]:
     """Return the unit of a table column and the SI value of one such unit.
 
     Temperatures come in K in both systems: degC and degF have no mere factor.
     """
-    unit = "K" if dimension == "temperature" else _ROWS[system][dimension][0]
-    return unit, unit_factor(unit, dimension)
+    row = unit_row(dimension, system)
+    return row.unit, row.factor
 
 
 def display(
@@ -107,7 +130,26 @@ def display(
     What is shown can be read back: whole digits are not grouped, as a comma may be a decimal sign.
     Counts and money, which have no unit of measure, are grouped by thousands where they are shown.
     """
-    return _shown(value, dimension, system, digits)
+    return joined(parts(value, dimension, system, digits))
+
+
+def joined(of: tuple[str, str]) -> str:
+    """Return a number with its unit; of a plain number alone."""
+    number, unit = of
+    return number + (" " + unit if unit != "" else "")
+
+
+def parts(value: float, dimension: Dimension, system: System, digits: int) -> tuple[str, str]:
+    """Return the number and the unit that `display` shows."""
+    row = unit_row(dimension, system)
+    unit, number = row.unit, value / row.factor
+    if abs(number) < NOTHING and dimension != SMALL:
+        number = 0.0
+    size = abs(read(rounded(number, digits)))
+    for bound, other, factor, zero in row.larger:
+        if bound <= size < math.inf:
+            unit, number = other, (value - zero) / factor
+    return rounded(number, digits), unit
 
 
 def on_safe_side(
@@ -118,55 +160,4 @@ def on_safe_side(
     What is recommended holds as it is shown: a least tension of 118.6 kN is 119 kN, a largest one
     118 kN.
     """
-    _, size = display_unit(dimension, system)
-    number = value / size
-    if not math.isfinite(number) or abs(number) < NOTHING:
-        return value
-    shown = float(_rounded(number, RESULT_DIGITS))
-    if math.isclose(shown, number, rel_tol=_EXACT):
-        return value
-    if (shown < number) == up:
-        step = 10.0 ** (_exponent(f"{shown:.3e}") - RESULT_DIGITS + 1)
-        shown += step if up else -step
-    return shown * size
-
-
-@lru_cache(maxsize=1024)  # limits and what was given come again and again
-def _shown(value: float, dimension: Dimension, system: System, digits: int) -> str:
-    unit, larger = _ROWS[system][dimension]
-    if dimension == "temperature":
-        return f"{_rounded(_degrees(value, unit), digits)} {unit}"
-    number = value / unit_factor(unit, dimension)
-    if abs(number) < NOTHING and dimension not in SMALL:
-        number = 0.0
-    size = abs(float(_rounded(number, digits)))
-    for bound, larger_unit in larger:
-        if bound <= size < math.inf:
-            unit, number = larger_unit, value / unit_factor(larger_unit, dimension)
-    return f"{_rounded(number, digits)} {unit}".rstrip()
-
-
-def _degrees(kelvin: float, unit: str) -> float:
-    zero = parse_quantity(f"0 {unit}", "temperature")
-    return (kelvin - zero) / (parse_quantity(f"1 {unit}", "temperature") - zero)
-
-
-def _rounded(number: float, digits: int) -> str:
-    """Return the number with so many significant digits, in plain notation where it fits."""
-    if not math.isfinite(number):
-        return str(number)
-    if number == 0:
-        return "0"
-    given = f"{number:.{GIVEN_DIGITS - 1}e}"
-    whole = digits <= GIVEN_DIGITS and math.isclose(float(given), number, rel_tol=_EXACT)
-    if whole and -4 <= _exponent(given) < 12:
-        return f"{Decimal(given).normalize():f}"
-    rounded = f"{number:.{digits - 1}e}"
-    exponent = _exponent(rounded)
-    if not -4 <= exponent < 12:
-        return rounded
-    return f"{float(rounded):.{max(0, digits - 1 - exponent)}f}"
-
-
-def _exponent(scientific: str) -> int:
-    return int(scientific.rpartition("e")[2])
+    return safe(value, unit_row(dimension, system).factor, up)

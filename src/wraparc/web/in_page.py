@@ -6,12 +6,11 @@ checks (`wraparc.web.answers.judged`), the page replaces the numbers that are mo
 
 from __future__ import annotations
 
-from math import inf, nan
+from math import copysign, inf, nan
 from typing import NamedTuple
 
 from wraparc.arc.answer import operating_point
 from wraparc.arc.capacity import CAPACITIES, find_capacities, highest_tight
-from wraparc.arc.constant_friction import wrap_factor
 from wraparc.arc.gross_slip import Line
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer, Load
 from wraparc.arc.summary import (
@@ -31,29 +30,17 @@ from wraparc.arc.summary import (
 )
 from wraparc.checks.least_numbers import Pull, least_for_slip
 from wraparc.checks.numbers import (
-    Compared,
-    Criteria,
-    Sizes,
-    as_printed,
-    asked_slack,
-    balance_miss,
     idles,
     largest,
-    rise_alone,
-    safety_of,
     steepest,
-    usual_sizes,
 )
 from wraparc.checks.sliding import (
-    NOT_CARRIED,
-    AtLimit,
     Loaded,
     at_limits,
     lift_for_safety,
     pull_at_sliding,
     wet_creep,
 )
-from wraparc.drive import CREEP_LIMIT
 from wraparc.drive.load_case import (
     LEAST_TENSION,
     MOST_TENSION,
@@ -63,7 +50,7 @@ from wraparc.drive.load_case import (
     pull_of_torque,
     resultant,
 )
-from wraparc.drive.pitch import centrifugal_force, turns_an_hour
+from wraparc.drive.pitch import centrifugal_force
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw
 
@@ -100,49 +87,6 @@ def described(given: Given) -> tuple[float, float]:
     """Entry and exit tension of an arc by its numbers [N]."""
     arc = description_of(given)
     return arc.entry_tension, arc.exit_tension
-
-
-#: Why the page cannot judge an arc.
-STEEP, IDLE, UNUSUAL = 1, 2, 3
-
-
-def sizes_of(given: Given, arc: Description, criteria: Criteria) -> Sizes:
-    """What is given of an arc, to be compared with usual sizes."""
-    entry, leaving = arc.entry_tension, arc.exit_tension
-    return Sizes(
-        width=given.width,
-        modulus=given.modulus,
-        speed=given.speed,
-        diameter=given.diameter,
-        idle_wrap=nan,  # those that do not pull are for the server
-        wrap_angle=given.wrap_angle,
-        creep_limit=given.creep_limit,
-        overrun=given.overrun,
-        thickness=given.thickness,
-        shear_modulus=given.shear_modulus,
-        compression_modulus=given.compression_modulus,
-        rating=criteria.rating,
-        strength=criteria.strength,
-        bond_strength=criteria.bond_strength,
-        fatigue_limit=criteria.fatigue_limit,
-        face_pressure=criteria.face_pressure,
-        least_diameter=criteria.pulley_diameter,
-        sag=criteria.sag,
-        entry=entry,
-        leaving=leaving,
-        pull=entry - leaving if criteria.alone and not idles(entry, leaving) else nan,
-        mass=given.mass,
-    )
-
-
-def unjudged(law: CompactLaw, given: Given, criteria: Criteria) -> int:
-    """Why the page cannot judge an arc; 0 where it can."""
-    arc = description_of(given)
-    if refused(law, arc, given.steepest_fall):
-        return STEEP
-    if idles(arc.entry_tension, arc.exit_tension):
-        return IDLE
-    return 0 if usual_sizes(sizes_of(given, arc, criteria)) else UNUSUAL
 
 
 class Quick(NamedTuple):
@@ -233,217 +177,92 @@ def quick(law: CompactLaw, given: Given, tested: TestedRange | None, points: int
     return Quick(found.outcome == SOLVED, summary, profile, outside, stretches)
 
 
-def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
-    """Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m].
+class Criteria(NamedTuple):
+    """What the checks ask of the grip of an arc."""
 
-    Parameters
-    ----------
-    law, given
-        The arc.
-    cover
-        Compliance of the cover [m/Pa].
-    """
-    arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
-    load = load_of(given, arc, None)
-    geometry = geometry_of(arc)
-    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
-    return abs(found.met.course.creep[-1]) if found.outcome == SOLVED else inf
+    safety: float  # factor on gross slip [-]
+    tight_rise: float  # growth of the tight side with the pull of all [N]
+    slack_rise: float
+    cover: float  # compliance of a cover that the slip of the law may hold or not [m/Pa]
+    strength: float  # breaking strength of the belt, nan if not known [N]
+    pulley_mass: float  # nan if not known [kg]
+    wet: float  # what wet leaves of dry friction, nan if not known; 0 where it is not dry [-]
 
 
-class Judged(NamedTuple):
-    """What the checks of one arc compare, and what it could carry."""
+class Found(NamedTuple):
+    """What the checks ask of one arc, and what it could carry."""
 
     solved: bool
     summary: Summary
     capacities: CapacityNumbers
-    values: Compared
-    limits: Compared
-    held: float  # what the take-up holds [N]
-    asked: Asked
+    place: float  # where the belt slides, see `Sliding`
+    cause: int
+    lift: float  # of all tensions, for the safety factor [N]
+    least_for_slip: float  # slack-side tension that keeps the slip within the tests [N]
+    largest_slip: float  # [m]
+    slip_speed: float  # [m/s]
+    covered_creep: float  # with the cover in series, see `ArcResult` [m]
+    wet: float  # creep when wet: inf in gross slip, nan if not known [m]
     loads: Resultant
-    cause: int  # what comes first where the belt slides
-    wet: float  # creep when wet: inf in gross slip, nan if not known, negative where not dry [m]
-
-
-class Among(NamedTuple):
-    """What a pulley shares with the others on its belt [N]."""
-
-    end: float  # tension at the take-up
-    held: float  # what the take-up holds
-    slack_end: float  # tension of the belt that leaves all pulleys slack
-    sagging: float  # the same, by the tensions at both ends
-    tight_rise: float  # growth of the tight side with the pull of all
-    slack_rise: float
-
-
-def alone(arc: Description, criteria: Criteria) -> Among:
-    """The same of a pulley that is alone on its belt."""
-    entry, leaving = arc.entry_tension, arc.exit_tension
-    slack = leaving if entry >= leaving else entry
-    end = leaving if criteria.behind else slack
-    held = entry + leaving if criteria.fixed else end
-    tight_rise, slack_rise = rise_alone(entry - leaving, criteria.fixed, criteria.behind)
-    return Among(end, held, slack, slack, tight_rise, slack_rise)
 
 
 def judged(
-    law: CompactLaw, given: Given, tested: TestedRange | None, criteria: Criteria, points: int,
-    among: Among | None = None,
-) -> Judged | None:  # fmt: skip
+    law: CompactLaw, given: Given, tested: TestedRange | None, criteria: Criteria, points: int
+) -> Found | None:
     """Numbers of the checks of one arc; None where they are for the server to find."""
     arc = description_of(given)
-    others = alone(arc, criteria) if among is None else among
     entry, leaving = arc.entry_tension, arc.exit_tension
     if refused(law, arc, given.steepest_fall) or idles(entry, leaving):
-        return None
-    if given.creep_limit == CREEP_LIMIT:
-        if not criteria.customary:
-            return None
-    elif criteria.customary:
-        return None
-    if criteria.wrap_angle == criteria.wrap_angle and arc.wrap_angle != criteria.wrap_angle:
-        return None
-    if not usual_sizes(sizes_of(given, arc, criteria)):
         return None
     geometry, load = geometry_of(arc), load_of(given, arc, tested)
     found, out, count = solved_arc(law, geometry, load, points)
     if not (found.outcome == SOLVED or found.outcome == BREAKAWAY):
         return None
     profile = columns_of(law, arc, found.met.rest, out, count)
-    summary = summary_of(geometry, arc, tested, found)
     carried = find_capacities(law, geometry, load, CAPACITIES)
-    solved = found.outcome == SOLVED
-    limits = limits_of(given, arc, tested, criteria)
     loaded = Loaded(law, geometry, load, given.steepest_fall < 0.0 and carried.gross_creep != inf)
     pitch = 0.5 * arc.diameter + arc.pitch_offset
     tight, slack = max(entry, leaving) - arc.centrifugal, min(entry, leaving) - arc.centrifugal
-    line, begin = Line(tight, slack, others.tight_rise, others.slack_rise), at_limits(loaded)
+    line, begin = Line(tight, slack, criteria.tight_rise, criteria.slack_rise), at_limits(loaded)
     sliding = pull_at_sliding(loaded, line, begin)
     if sliding.place != sliding.place:
         return None
-    values = Compared(
-        gross_slip=sliding.place if solved else min(sliding.place, NOT_CARRIED),
-        design_standard=min(entry, leaving),
-        creep=abs(summary.exit_creep),
-        belt_tension=max(entry, leaving),
-        momentary_tension=max(entry, leaving),
-        belt_safety=safety_of(
-            criteria.strength * arc.width, max(entry, leaving), criteria.belt_safety
-        ),
-        face_pressure=pressure_of(arc, max(entry, leaving)),
-        bond_stress=summary.peak_shear_stress,
-        fatigue_stress=summary.peak_shear_stress,
-        tested_pressure_max=pressure_of(arc, max(entry, leaving)),
-        tested_pressure_min=pressure_of(arc, min(entry, leaving)),
-        tested_slip=largest(profile.slip, count),
-        tested_slip_speed=arc.belt_speed
-        * steepest(
-            profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle,
-        ),
-        balance=balance_miss(
-            summary.identity_error, summary.effective_tension, summary.entry_creep_ratio, entry,
-            geometry.compliance,
-        ),
-        sag=others.sagging,
-        pulley_diameter=arc.diameter,
-        share=100.0 * max(entry, leaving) / (criteria.rating * arc.width),
-        passes=turns_an_hour(arc.belt_speed, pitch),
-    )  # fmt: skip
-    return Judged(
-        solved,
-        summary,
-        capacity_numbers(arc, carried),
-        values,
-        limits,
-        others.held,
-        asked_of(
-            loaded,
-            begin,
-            arc,
-            carried.least_slack + arc.centrifugal,
-            limits,
-            given,
-            criteria.safety,
-            others,
-        ),
-        resultant(
-            entry, leaving, arc.wrap_angle, criteria.strength * arc.width, criteria.pulley_mass
-        ),
-        sliding.cause,
-        wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else -1.0,
+    by_slip = nan
+    if load.slip_max < given.creep_limit:
+        top = highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight)
+        pull = Pull(abs(entry - leaving), tight, top)
+        by_slip = least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal
+    steep = steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle)
+    return Found(
+        solved=found.outcome == SOLVED,
+        summary=summary_of(geometry, arc, tested, found),
+        capacities=capacity_numbers(arc, carried),
+        place=sliding.place,
+        cause=sliding.cause,
+        lift=lift_for_safety(loaded, criteria.safety, criteria.tight_rise, begin),
+        least_for_slip=by_slip,
+        largest_slip=largest(profile.slip, count),
+        slip_speed=arc.belt_speed * steep,
+        covered_creep=covered_creep(law, given, criteria.cover),
+        wet=wet_creep(loaded, criteria.wet) if criteria.wet != 0.0 else nan,
+        loads=resultant(entry, leaving, arc.wrap_angle, criteria.strength, criteria.pulley_mass),
     )
 
 
-class Asked(NamedTuple):
-    """Tension at the take-up that each check asks for or allows; nan where none does [N]."""
+def covered_creep(law: CompactLaw, given: Given, cover: float) -> float:
+    """Creep at the exit with a cover in series, see `ArcResult.covered_creep` [m].
 
-    creep: float
-    tested_slip: float
-    design_standard: float
-    gross_slip: float
-    tested_pressure_min: float
-    tested_pressure_max: float
-    face_pressure: float
-    belt_tension: float
-    sag: float
-    given: float
-
-
-def asked_of(
-    loaded: Loaded, begin: list[AtLimit], arc: Description, least: float, limits: Compared,
-    given: Given, factor: float, among: Among,
-) -> Asked:  # fmt: skip
-    """What the checks of an arc ask of the take-up, its pull held."""
-    entry, leaving, end = arc.entry_tension, arc.exit_tension, among.end
-    tight, slack = max(entry, leaving), min(entry, leaving)
-    area, flung = arc.width * (0.5 * arc.diameter), arc.centrifugal
-    top = highest_tight(limits.tested_pressure_max, area, tight - flung)
-    of, by_slip = Pull(abs(entry - leaving), tight - flung, top), nan
-    if limits.tested_slip < given.creep_limit:
-        by_slip = flung + least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip)
-    lift = lift_for_safety(loaded, factor, among.tight_rise, begin)
-    of_slack, of_tight = end - slack, end - tight
-    return Asked(
-        creep=of_slack + (least if least == least else inf),
-        tested_slip=of_slack + by_slip,
-        design_standard=of_slack + limits.design_standard,
-        gross_slip=end + (lift if lift == lift else inf),
-        tested_pressure_min=limits.tested_pressure_min * area + flung + of_slack,
-        tested_pressure_max=limits.tested_pressure_max * area + flung + of_tight,
-        face_pressure=limits.face_pressure * area + flung + of_tight,
-        belt_tension=of_tight + limits.belt_tension,
-        sag=limits.sag + end - among.slack_end,
-        given=end,
-    )
-
-
-def limits_of(
-    given: Given, arc: Description, tested: TestedRange | None, criteria: Criteria
-) -> Compared:
-    """What the checks of an arc allow."""
-    low = high = slip = nan
-    if tested is not None:
-        low, high, slip = tested.pressure_min, tested.pressure_max, tested.slip_max
-    pull, factor = arc.entry_tension - arc.exit_tension, criteria.factor
-    if factor != factor:
-        factor = wrap_factor(criteria.standard, arc.wrap_angle)
-        if criteria.printed:
-            factor = as_printed(factor)
-    return Compared(
-        gross_slip=criteria.safety,
-        design_standard=asked_slack(factor, criteria.start, pull),
-        creep=given.creep_limit,
-        belt_tension=criteria.belt_tension * arc.width,
-        momentary_tension=criteria.belt_tension * arc.width,
-        belt_safety=criteria.belt_safety,
-        face_pressure=criteria.face_pressure,
-        bond_stress=criteria.bond_strength,
-        fatigue_stress=criteria.fatigue_limit,
-        tested_pressure_max=high,
-        tested_pressure_min=low,
-        tested_slip=slip,
-        tested_slip_speed=criteria.slip_speed,
-        balance=criteria.balance,
-        sag=criteria.sag,
-        pulley_diameter=criteria.pulley_diameter,
-    )
+    Parameters
+    ----------
+    law, given
+        The arc.
+    cover
+        Compliance of the cover, 0 for none [m/Pa].
+    """
+    if cover == 0.0:
+        return nan
+    arc = description_of(given._replace(cover_compliance=given.cover_compliance + cover))
+    load = load_of(given, arc, None)
+    geometry = geometry_of(arc)
+    found = operating_point(law, geometry, load.entry_tension, load.exit_tension)
+    return found.met.course.creep[-1] if found.outcome == SOLVED else copysign(inf, geometry.side)

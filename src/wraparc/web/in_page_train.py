@@ -11,7 +11,6 @@ from math import exp, nan
 from typing import NamedTuple
 
 from wraparc.arc.summary import geometry_of
-from wraparc.checks.numbers import LARGE_MOTORS, rise_among, usual_motor
 from wraparc.friction.compact import CompactLaw
 from wraparc.train.linear import Matrix
 from wraparc.train.locate import Located, away, locate
@@ -33,7 +32,7 @@ from wraparc.train.turning import (
     tension_error,
     turning,
 )
-from wraparc.web.in_page import Among, Given, Quick, description_of, lift_of
+from wraparc.web.in_page import Given, Quick, description_of, lift_of
 
 
 def total_of(powers: Sequence[float], speed: float) -> float:
@@ -237,22 +236,6 @@ def told(
     )
 
 
-def fits(motor: Motor, radius: float, speed: float) -> bool:
-    """Whether a motor is of usual size and its gear fits the belt speed [m, m/s]."""
-    turns = motor.rated_speed / motor.gear_ratio
-    return usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed)
-
-
-def oversized(rated: float, pull: float, speed: float) -> bool:
-    """Whether motors are far too large for the largest pull [W, N, m/s]."""
-    return rated > LARGE_MOTORS * pull * speed
-
-
-def borne(motor: Motor, momentary: bool) -> float:
-    """Torque over rated torque that a motor bears [-]."""
-    return motor.bears(momentary)
-
-
 def _nip(member: Member, arc: Quick, nominal: float, lift: float) -> Nip:
     found = arc.summary
     return Nip(
@@ -263,23 +246,6 @@ def _nip(member: Member, arc: Quick, nominal: float, lift: float) -> Nip:
         compression=member.squeeze * (found.entry_tension - lift),
         offset=member.offset,
         nominal=nominal,
-    )
-
-
-def among(pairs: Sequence[Pair], index: int, fixed: bool, after: int) -> Among:
-    """What a pulley shares with the others; `after` is where the take-up stands, -1 for none."""
-    first, last = pairs[0], pairs[len(pairs) - 1]
-    pulls = [at.entry - at.exit for at in pairs]
-    slack = last.exit if sum(pulls) >= 0.0 else first.entry
-    end = pairs[after].exit if after >= 0 else slack
-    tight_rise, slack_rise = rise_among(pulls, index, fixed, after)
-    return Among(
-        end=end,
-        held=first.entry + last.exit if fixed else end,
-        slack_end=slack,
-        sagging=last.exit if first.entry >= last.exit else first.entry,
-        tight_rise=tight_rise,
-        slack_rise=slack_rise,
     )
 
 

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.checks.numbers import idles
-from wraparc.checks.usual import usual_sizes
 from wraparc.drive import Drive, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.schema.source import Document, parse
@@ -25,7 +24,6 @@ from wraparc.train.as_drive import as_drive
 from wraparc.units import DIMENSIONS, unit_factor, unit_names
 from wraparc.version import __version__
 from wraparc.web.answers import book, catalogue, compare
-from wraparc.web.answers.book_words import train_words
 from wraparc.web.answers.documents import json_like, read
 from wraparc.web.answers.form import form
 from wraparc.web.examples import examples
@@ -77,7 +75,7 @@ def page_file(document: Document, name: str, text: str) -> str:
         "version": __version__,
         "title": html.escape(str(document.get("title") or name)),
         "icon": f"data:image/svg+xml;base64,{icon}",
-        "style": style,
+        "style": packed(style),
         "data": packed(data),
         "start": start,
         "solver": packed(solver),
@@ -134,7 +132,6 @@ def _data(document: Document, name: str, text: str) -> dict[str, Any]:
             "remarks": {"laggings": [compare.SAME, compare.OF_LAGGINGS], "belts": [compare.SAME]},
             "neighbours": compare.NEIGHBOURS,
         },
-        "trains": {"words": {k: [_plain(w) for w in of] for k, of in train_words().items()}},
         "start": {"name": name, "file": name, "document": plain, "toml": text},
         "examples": {
             key: {"document": json_like(e.document), "toml": e.text} for key, e in found.items()
@@ -223,7 +220,6 @@ def not_judged(document: Document) -> str:
         for name, pair in case.tensions.items()
         if idles(pair.entry, pair.exit)
     ]
-    reasons += [check.sentence().rstrip(".") for check in usual_sizes(one) if check.missed]
     if not reasons:
         return ""
     told = f"The page opens with this drive but does not judge it: {reasons[0]}."

@@ -41,17 +41,17 @@ from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import (
     Answer,
-    Both,
     Data,
     Numbers,
     Table,
+    Text,
     Verdict,
-    both,
     finite,
     numbers,
     rounded,
     tables,
     texts,
+    worded,
 )
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 
@@ -92,9 +92,9 @@ class AcrossAnswer(Answer):
     load_case: str
     even: bool
     solved: bool
-    status_text: Both
+    status_text: Text
     verdict: Verdict
-    remarks: list[Both]
+    remarks: list[Text]
     checks: Table | None
     tables: list[Table]
     numbers: dict[str, float | None]
@@ -131,7 +131,7 @@ class ProfileAnswer(Answer):
     key: str
     profile: list[list[str]] | Data
     readings: int
-    told: list[Both]
+    told: list[Text]
 
 
 def solve_width(asked: AcrossRequest) -> AcrossAnswer:
@@ -157,8 +157,8 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
         load_case=case.name,
         even=pulley.across is None,
         solved=solved,
-        status_text=both(slack_words(found) or str(found.status)),
-        verdict=Verdict.both(verdict(result)),
+        status_text=worded(slack_words(found) or str(found.status)),
+        verdict=Verdict.of(verdict(result)),
         remarks=texts(judge(result).data),
         checks=_checks(result, pulley, case),
         tables=_tables(drive, found, solved),
@@ -257,7 +257,7 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
         per_depth=_PER_DEPTH,
     )
     return AcrossWearAnswer(
-        verdict=Verdict.both(wear_verdict(now, history, least)),
+        verdict=Verdict.of(wear_verdict(now, history, least)),
         table=tables([wear_table(history)], ["wear"])[0],
         heals=history.heals,
         grows=now.wear_grows,
@@ -275,7 +275,7 @@ def thickness_width(asked: AcrossThicknessRequest) -> AcrossThicknessAnswer:
     drive, pulley, case = _asked(asked)
     found = cushion(drive, wanted, pulley.name, case.name, strips=_WEAR_STRIPS)
     return AcrossThicknessAnswer(
-        verdict=Verdict.both(cushion_verdict(found)),
+        verdict=Verdict.of(cushion_verdict(found)),
         table=tables([cushion_table(found)], ["thickness"])[0],
     )
 

@@ -15,14 +15,14 @@ from wraparc.schema.source import parse
 from wraparc.units import Dimension, quantity
 from wraparc.web.answers.shown import (
     Answer,
-    Both,
     Data,
     DriveKind,
     Numbers,
     Sheet,
-    both,
+    Text,
     rounded,
     sheet,
+    worded,
 )
 from wraparc.web.examples import examples
 
@@ -35,9 +35,9 @@ class CatalogueBelt(Answer):
 
     name: str
     kind: str
-    rating: Both
-    modulus: Both
-    least_pulley_diameter: Both | None
+    rating: Text
+    modulus: Text
+    least_pulley_diameter: Text | None
     source: str
 
 
@@ -46,8 +46,8 @@ class TestedTexts(Answer):
 
     __test__ = False  # not a test class, whatever its name suggests to a test collector
 
-    pressure: Both
-    slip: Both
+    pressure: Text
+    slip: Text
 
 
 class CatalogueLagging(Answer):
@@ -57,9 +57,9 @@ class CatalogueLagging(Answer):
     title: str
     surface: str
     conditions: list[str]
-    thickness: Both
-    shear_modulus: Both
-    compression_modulus: Both
+    thickness: Text
+    shear_modulus: Text
+    compression_modulus: Text
     kind: Kind
     source: str
     tested: TestedTexts | None
@@ -147,9 +147,9 @@ def _belt(belt: catalogue.CatalogueBelt) -> CatalogueBelt:
     return CatalogueBelt(
         name=belt.name,
         kind=belt.kind,
-        rating=both(quantity(belt.rating, "force_per_width")),
-        modulus=both(quantity(belt.modulus, "force_per_width")),
-        least_pulley_diameter=None if least is None else both(quantity(least, "length")),
+        rating=worded(quantity(belt.rating, "force_per_width")),
+        modulus=worded(quantity(belt.modulus, "force_per_width")),
+        least_pulley_diameter=None if least is None else worded(quantity(least, "length")),
         source=str(belt.provenance),
     )
 
@@ -179,12 +179,12 @@ def _tested(lagging: Lagging) -> TestedTexts | None:
         return None
     low, high = (quantity(p, "pressure") for p in (tested.pressure_min, tested.pressure_max))
     return TestedTexts(
-        pressure=both(f"{low} to {high}"), slip=both(quantity(tested.slip_max, "length"))
+        pressure=worded(f"{low} to {high}"), slip=worded(quantity(tested.slip_max, "length"))
     )
 
 
-def _or_rigid(value: float, dimension: Dimension) -> Both:
-    return both("rigid" if value == math.inf else quantity(value, dimension))
+def _or_rigid(value: float, dimension: Dimension) -> Text:
+    return worded("rigid" if value == math.inf else quantity(value, dimension))
 
 
 def lagging(name: str, condition: str | None) -> LaggingAnswer:

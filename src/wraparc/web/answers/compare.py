@@ -21,7 +21,7 @@ from wraparc.present.words import short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.web.answers.documents import asked_for, divided, read
-from wraparc.web.answers.shown import Answer, Both, both, finite, texts
+from wraparc.web.answers.shown import Answer, Text, finite, texts, worded
 from wraparc.web.asked import CompareRequest
 from wraparc.web.errors import ToldProblem, told
 
@@ -43,12 +43,11 @@ _COLUMNS = (
 )
 
 
-class Cell(Answer):
+class Compared(Answer):
     """A number of a comparison."""
 
     value: float | None
-    si: str
-    us: str
+    text: Text
 
 
 class Change(Answer):
@@ -70,7 +69,7 @@ class Candidate(Answer):
     level: Level
     short: str
     status_text: str
-    cells: dict[str, Cell]
+    cells: dict[str, Compared]
     cost_note: str
     kind: str
     source: str
@@ -106,7 +105,7 @@ class CompareAnswer(Answer):
     present: str
     columns: list[Column]
     rows: list[Candidate]
-    remarks: list[Both]
+    remarks: list[Text]
     not_possible: list[Impossible]
 
 
@@ -277,7 +276,7 @@ def _short(judged: Verdict, all_answered: Sequence[DriveResult], result: ArcResu
     return ", ".join(words)
 
 
-def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str, Cell]:
+def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str, Compared]:
     least = least_tension(answered) if alone else None  # one pulley does not tell that of all
     numbers = {
         "creep": ("exit_creep", abs(result.exit_creep)),
@@ -292,19 +291,19 @@ def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str
     return {**cells, "of_limit": _share(share), "outside": _share(outside)}
 
 
-def _cell(name: str, value: float) -> Cell:
+def _cell(name: str, value: float) -> Compared:
     if math.isinf(value):
-        return Cell(value=None, si=NOT_ANY, us=NOT_ANY)
-    return Cell(value=finite(value), **both(named(name, value)).model_dump())
+        return Compared(value=None, text=NOT_ANY)
+    return Compared(value=finite(value), text=worded(named(name, value)))
 
 
-def _share(value: float) -> Cell:
-    return Cell(value=finite(value), **both(percent(value)).model_dump())
+def _share(value: float) -> Compared:
+    return Compared(value=finite(value), text=worded(percent(value)))
 
 
 def _cost(
     drive: Drive, lagging: Lagging, result: ArcResult, asked: CompareRequest
-) -> tuple[dict[str, Cell], str]:
+) -> tuple[dict[str, Compared], str]:
     """Return what the lagging and the energy cost over the years, and what to know about it."""
     price = _price(lagging, asked.currency)
     area = math.pi * result.arc.diameter * drive.belt.width
@@ -355,9 +354,9 @@ def _money(value: float) -> str:
     return f"{value:,.0f}"
 
 
-def _cost_cell(value: float) -> Cell:
+def _cost_cell(value: float) -> Compared:
     text = _money(value) if math.isfinite(value) else NONE
-    return Cell(value=finite(value), si=text, us=text)
+    return Compared(value=finite(value), text=text)
 
 
 def _meaning(key: str) -> str:

@@ -34,7 +34,6 @@ from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
     Answer,
-    Both,
     Data,
     DriveKind,
     Profile,
@@ -43,8 +42,8 @@ from wraparc.web.answers.shown import (
     StatusName,
     Table,
     Tested,
+    Text,
     Verdict,
-    both,
     finite,
     numbers,
     outside,
@@ -52,6 +51,7 @@ from wraparc.web.answers.shown import (
     status_of,
     tables,
     texts,
+    worded,
 )
 from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
@@ -85,7 +85,7 @@ class FastAnswer(Arc):
     sequence: int
     kind: DriveKind
     verdict: Verdict
-    remarks: list[Both]
+    remarks: list[Text]
     prepared: Prepared | None
 
 
@@ -108,9 +108,9 @@ class Bar(Answer):
     place: str
     at_most: bool
     share: float
-    found: Both
-    limit: Both
-    says: Both
+    found: Text
+    limit: Text
+    says: Text
     source: str
 
 
@@ -153,8 +153,8 @@ class LeastTension(Answer):
     governing: str
     level: Level
     raise_to: float | None
-    shown: Both
-    sentence: Both
+    shown: Text
+    sentence: Text
     table: Table
 
 
@@ -169,7 +169,7 @@ class SolveAnswer(Answer):
     within_creep_limit: bool
     governing: Place
     verdict: Verdict
-    remarks: list[Both]
+    remarks: list[Text]
     conditions: Table | None
     checks: Table
     least_tension: LeastTension | None
@@ -215,7 +215,7 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     return FastAnswer(
         sequence=asked.sequence,
         kind="train" if isinstance(thing, Train) else "drive",
-        verdict=Verdict.both(told),
+        verdict=Verdict.of(told),
         tables=tables(made, TABLES[: len(made)]),
         remarks=_remarks(answered),
         prepared=prepared(asked.document, drive, pulley, load)
@@ -252,7 +252,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         solved=first.solved,
         within_creep_limit=first.within_creep_limit,
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
-        verdict=(train and train.verdict) or Verdict.both(verdict(first)),
+        verdict=(train and train.verdict) or Verdict.of(verdict(first)),
         remarks=_remarks(first),
         conditions=_conditions(first),
         checks=tables([check_table(judge(whole))], ["checks"])[0],
@@ -278,33 +278,23 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables([conditions_table(result)], ["conditions"])[0]
 
 
-def _reason(check: Check) -> str:
-    """Return what a check says that is not kept, without what to do about it."""
-    return replace(check, remedy="").said if check.missed else ""
-
-
 def _bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
-    made = []
-    for check in checks:
-        share = check.value / check.limit if check.limit else math.nan
-        silent = check.level is Level.NOT_CHECKED or not math.isfinite(share)
-        if silent or check.numerical:
-            continue
-        made.append(
-            Bar(
-                title=check.title,
-                level=check.level,
-                place=str(check.place),
-                at_most=check.at_most,
-                share=share,
-                found=both(check.texts()[0]),
-                limit=both(check.bound()),
-                says=both(_reason(check)),
-                source=check.source,
-            )
+    return [
+        Bar(
+            title=check.title,
+            level=check.level,
+            place=str(check.place),
+            at_most=check.at_most,
+            share=check.share,
+            found=worded(check.texts()[0]),
+            limit=worded(check.bound()),
+            says=worded(check.reason),
+            source=check.source,
         )
-    return made
+        for check in checks
+        if not math.isnan(check.share)
+    ]
 
 
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:
@@ -316,8 +306,8 @@ def _least(result: DriveResult | TrainResult) -> LeastTension | None:
         governing=found["governing"],
         level=found["level"],
         raise_to=raise_to(result),
-        shown=both(shown_least(result)),
-        sentence=both(least_sentence(result)),
+        shown=worded(shown_least(result)),
+        sentence=worded(least_sentence(result)),
         table=tables([least_table(result)], ["least"])[0],
     )
 
@@ -325,9 +315,7 @@ def _least(result: DriveResult | TrainResult) -> LeastTension | None:
 def raise_to(result: DriveResult | TrainResult) -> float | None:
     """Return the slack-side tension to raise to [N]; None where nothing is to be raised."""
     found = least_tension(result)
-    if found is None or found.tension <= found.given:
-        return None
-    return finite(found.tension)
+    return None if found is None else found.raise_to
 
 
 def _alone(answered: DriveResult, result: ArcResult) -> float | None:
@@ -335,7 +323,7 @@ def _alone(answered: DriveResult, result: ArcResult) -> float | None:
     return None if len(answered.drive.pulleys) > 1 else raise_to(alone_of(answered, result))
 
 
-def _remarks(answered: DriveResult) -> list[Both]:
+def _remarks(answered: DriveResult) -> list[Text]:
     return texts(judge(answered).data)
 
 

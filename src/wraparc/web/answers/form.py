@@ -18,10 +18,10 @@ from wraparc.units import (
     DIMENSION_TEXT,
     DIMENSIONS,
     Dimension,
-    System,
     display,
     display_unit,
     unit_factor,
+    unit_row,
 )
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Answer, Data
@@ -78,13 +78,6 @@ class Slider(Answer):
     log: bool
 
 
-class Range(Answer):
-    """Ends of what is allowed, in both systems of units."""
-
-    si: list[str | None]
-    us: list[str | None]
-
-
 class Field(Answer):
     """One field of the form, and what may stand in it."""
 
@@ -104,7 +97,6 @@ class Field(Answer):
     allowed: str = ""
     least: float | None = None
     most: float | None = None
-    range: Range | None = None
 
 
 class Section(Answer):
@@ -117,10 +109,11 @@ class Section(Answer):
 
 
 class Unit(Answer):
-    """A unit, and its size [SI]."""
+    """A unit, its size [SI], and what reads better, see `wraparc.units.UnitRow`."""
 
     unit: str
     factor: float
+    larger: list[tuple[float, str, float, float]]
 
 
 class Units(Answer):
@@ -285,17 +278,7 @@ def _limits(kind: Kind) -> Data:
     if limit is None:
         return {"dimension": dimension}
     least, most = (end if abs(end) < float("inf") else None for end in (limit.least, limit.most))
-
-    def ends(system: System) -> list[str | None]:
-        return [None if e is None else display(e, dimension, system) for e in (least, most)]
-
-    return {
-        "dimension": dimension,
-        "allowed": str(limit),
-        "least": least,
-        "most": most,
-        "range": Range(si=ends("si"), us=ends("us")),
-    }
+    return {"dimension": dimension, "allowed": str(limit), "least": least, "most": most}
 
 
 def _default(path: str) -> str | bool | None:
@@ -313,15 +296,11 @@ def _slider(path: str) -> Slider | None:
 
 
 def _units(dimension: Dimension) -> Units:
-    def unit(system: System) -> Unit:
-        text, factor = display_unit(dimension, system)
-        return Unit(unit=text, factor=factor)
-
     choices = list(_CHOICES.get(dimension, tuple(display_unit(dimension)[:1])))
     sized = [*choices, "%"] if dimension == "number" else choices
     return Units(
-        si=unit("si"),
-        us=unit("us"),
+        si=Unit.model_validate(unit_row(dimension, "si")),
+        us=Unit.model_validate(unit_row(dimension, "us")),
         choices=choices,
         factors={u: unit_factor(u, dimension) for u in sized if u not in ("degC", "degF")},
         example=DIMENSION_TEXT[dimension].example,

@@ -12,6 +12,7 @@ from wraparc.drive.load_case import DESIGN
 from wraparc.drive.tension_rules import EFFECTIVE
 from wraparc.files.tensions import KEYS
 from wraparc.files.tensions import Given as GivenLoad
+from wraparc.friction import FrictionLaw
 from wraparc.schema.limits import Limit
 from wraparc.schema.source import Document
 from wraparc.schema.tables import Record
@@ -64,6 +65,18 @@ class Law(Answer):
     onset_compliance: float
 
 
+def law_of(law: FrictionLaw) -> Law:
+    """Return a law as numbers."""
+    compact = law.compact()
+    return Law(
+        kind=compact.kind,
+        edges=list(compact.edges),
+        coefficients=list(compact.coefficients),
+        slips=list(compact.slips),
+        onset_compliance=compact.onset_compliance,
+    )
+
+
 class Input(Plain):
     """A number of the document that the page may move, with what it may be [SI]."""
 
@@ -88,16 +101,7 @@ def prepared(document: Document, drive: Drive, pulley: Pulley, case: LoadCase) -
     if len(drive.pulleys) > 1 or any(key in document for key in _ELSEWHERE):
         return None
     arc = WrapArc.of(drive, pulley, case)
-    if arc.cover_left_out > 0.0:  # judged with the cover too
-        return None
-    compact = arc.law.compact()
-    law = Law(
-        kind=compact.kind,
-        edges=list(compact.edges),
-        coefficients=list(compact.coefficients),
-        slips=list(compact.slips),
-        onset_compliance=compact.onset_compliance,
-    )
+    law = law_of(arc.law)
     tensions = _tensions(document, drive, arc, case)
     given = {
         **{name: float(value) for name, value in arc.described()._asdict().items()},

@@ -6,7 +6,7 @@ from wraparc.present.seek_sheet import seek_document, sentence, value_text
 from wraparc.present.words import verdict
 from wraparc.study.seek import Goal, Sought, seek
 from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.shown import Answer, Both, Numbers, both, rounded
+from wraparc.web.answers.shown import Answer, Numbers, Text, rounded, worded
 from wraparc.web.asked import SeekRequest
 
 
@@ -14,15 +14,15 @@ class FoundValue(Answer):
     """A value of the input [SI], and what the whole drive is like with it."""
 
     value: float
-    shown: Both
+    shown: Text
     level: Level
-    headline: Both
+    headline: Text
 
 
 class SeekAnswer(Answer):
     """What was found, in a sentence; and the result over the range that was tried [SI]."""
 
-    sentence: Both
+    sentence: Text
     found: list[FoundValue]
     tried: Numbers
     results: Numbers
@@ -35,7 +35,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
     found = seek(document, Goal(**asked.model_dump(exclude={"document"})))
     data = seek_document(found)
     return SeekAnswer(
-        sentence=both(sentence(found)),
+        sentence=worded(sentence(found)),
         found=[_value(found, *pair) for pair in zip(found.values, found.drives, strict=True)],
         tried=rounded(data["tried"]["value"]),
         results=rounded(data["tried"]["result"]),
@@ -45,7 +45,7 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
 def _value(found: Sought, value: float, whole: DriveResult) -> FoundValue:
     return FoundValue(
         value=value,
-        shown=both(value_text(found, value)),
+        shown=worded(value_text(found, value)),
         level=judge(whole).level,
-        headline=both(verdict(whole).headline),
+        headline=worded(verdict(whole).headline),
     )

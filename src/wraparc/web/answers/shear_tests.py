@@ -158,7 +158,7 @@ class FittedCondition(Answer):
 class FitAnswer(Answer):
     """A fitted lagging, as a table for a drive document and as a file.
 
-    Both are there only if the law describes its tests, or its misfit was accepted.
+    Text are there only if the law describes its tests, or its misfit was accepted.
     """
 
     name: str

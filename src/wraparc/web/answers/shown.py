@@ -1,22 +1,24 @@
-"""What answers are made of: texts in both systems of units, tables, sheets, numbers of a picture.
+"""What answers are made of: texts with their numbers, tables, sheets, numbers of a picture.
 
 An answer states its form once: the framework reads it, checks it and writes the OpenAPI document.
 """
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from types import UnionType
-from typing import Any, Literal, Self, cast, get_args, get_origin
+from typing import Any, Literal, NotRequired, Self, cast
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict
+from typing_extensions import TypedDict
 
 from wraparc.arc import ArcResult
 from wraparc.arc import Profile as ArcProfile
 from wraparc.checks import Level
 from wraparc.present import sheet as present
+from wraparc.present.answer_data import answer_data, table_data, text_data, verdict_data
 from wraparc.provenance import Kind
-from wraparc.units import in_units
+from wraparc.units import Dimension, in_units
+from wraparc.units.cell import Form
 
 Data = dict[str, Any]
 Numbers = list[float | None]
@@ -33,64 +35,84 @@ class Answer(BaseModel):
         extra="forbid", from_attributes=True, ser_json_bytes="base64", val_json_bytes="base64"
     )
 
-    @classmethod
-    def both(cls, told: Any) -> Self:
-        """Return a part of a sheet in each system of units, side by side."""
-        return cls.model_validate(_paired(cls, *_in_each(told)))
+
+_NUMBER: Data = {
+    "value": float | None,
+    "from": NotRequired[float],
+    "apart": NotRequired[float],
+    "unit": str,
+    "name": NotRequired[str],
+    "dimension": NotRequired[Dimension],
+    "digits": NotRequired[int],
+    "form": NotRequired[Form],
+}
+NumberInText = TypedDict("NumberInText", {"at": tuple[int, int], **_NUMBER})
+NumberInText.__doc__ = "A number in a text, at its first and behind its last character."
+Number = TypedDict("Number", {"text": str, **_NUMBER})
+Number.__doc__ = """A text that is one number [in its SI `unit`]; None without bound.
+
+`name` is that of the glossary, which has its dimension; `dimension` is there where there is none.
+`form` is how it is shown, see `wraparc.units.cell.Form`; `from` is where a range begins, `apart` a
+number that its digits tell it from. Left out are three digits and the plain form.
+"""
 
 
-class Both(Answer):
-    """Text in both systems of units."""
+class TextWithNumbers(TypedDict):
+    """A text in metric units with its numbers; in US units where more than these differs."""
 
-    si: str
-    us: str
+    text: str
+    cells: list[NumberInText]
+    us: NotRequired[str]
 
 
-class BothLists(Answer):
-    """Texts in both systems of units."""
-
-    si: list[str]
-    us: list[str]
+Text = str | Number | TextWithNumbers
 
 
 class Verdict(Answer):
-    """The answer in words; `told` stands for the level, ``OK, on illustrative data``."""
+    """The answer in words; `word` stands for the level, ``OK, on illustrative data``."""
 
     level: Level
-    told: str
-    headline: Both
-    sentences: list[Both]
+    word: str
+    headline: Text
+    action: Text
+    sentences: list[Text]
+
+    @classmethod
+    def of(cls, told: present.Verdict) -> Self:
+        """Return the words of a sheet."""
+        return cls.model_validate(verdict_data(told))
 
 
 class Row(Answer):
     """One line of a table."""
 
     name: str
-    title: str
+    title: Text
     symbol: str
-    values: BothLists
-    note: Both
+    values: list[Text]
+    note: Text
     level: Level | None
 
 
 class Table(Answer):
-    """Rows under one heading."""
+    """Rows under one heading; `name` is what ``--table`` asks for it by."""
 
     key: str = ""
-    title: str
-    heads: BothLists
-    note: Both
+    name: str
+    title: Text
+    heads: list[Text]
+    note: Text
     rows: list[Row]
 
 
 class Sheet(Answer):
     """Everything to show of one thing."""
 
-    title: str
-    subtitle: str
+    title: Text
+    subtitle: Text
     verdict: Verdict | None
     tables: list[Table]
-    remarks: list[Both]
+    remarks: list[Text]
     table_sources: list[str]
 
 
@@ -139,43 +161,21 @@ class Tested(Answer):
     slip_max: float
 
 
-def _paired(kind: Any, si: Any, us: Any) -> Any:
-    """Return plain data for a type from the same thing made in both systems of units."""
-    if kind in (Both, BothLists):
-        return {"si": si, "us": us}
-    if isinstance(kind, UnionType) and si is not None:
-        return _paired(get_args(kind)[0], si, us)
-    if get_origin(kind) is list:
-        of = get_args(kind)[0]
-        return [_paired(of, a, b) for a, b in zip(si, us, strict=True)]
-    if isinstance(kind, type) and issubclass(kind, Answer):
-        return {
-            name: _paired(field.annotation, getattr(si, name), getattr(us, name))
-            for name, field in kind.model_fields.items()
-            if hasattr(si, name)
-        }
-    return si
+def worded(told: str) -> Text:
+    """Return a text with its numbers."""
+    return cast(Text, text_data(told))
 
 
-def _in_each(told: Any) -> tuple[Any, Any]:
-    return present.shown(told, "si"), present.shown(told, "us")
-
-
-def both(text: str) -> Both:
-    """Return a text in each system of units."""
-    return Both(si=in_units(text, "si"), us=in_units(text, "us"))
-
-
-def texts(sentences: Iterable[str]) -> list[Both]:
+def texts(sentences: Iterable[str]) -> list[Text]:
     """Return sentences."""
-    return [both(sentence) for sentence in sentences]
+    return [worded(sentence) for sentence in sentences]
 
 
 def tables(made: Sequence[present.Table | None], keys: Iterable[str] = ()) -> list[Table]:
-    """Return tables in both systems, those that are there; keys by position."""
+    """Return tables, those that are there; keys by position."""
     names = [*keys] or [f"table{number}" for number in range(1, len(made) + 1)]
     return [
-        Table.model_validate({**_paired(Table, *_in_each(table)), "key": key})
+        Table.model_validate({**table_data(table), "key": key})
         for key, table in zip(names, made, strict=True)
         if table is not None
     ]
@@ -183,11 +183,10 @@ def tables(made: Sequence[present.Table | None], keys: Iterable[str] = ()) -> li
 
 def sheet(told: present.Sheet) -> Data:
     """Return the fields of a whole sheet."""
-    si, us = _in_each(told)
-    fields: Data = _paired(Sheet, si, us)
-    for number, table in enumerate(fields["tables"], start=1):
-        table["key"] = f"table{number}"
-    return {**fields, "table_sources": list(si.sources)}
+    fields = answer_data(told)
+    del fields["format"]
+    sources = fields.pop("sources")
+    return {**fields, "tables": tables(told.tables), "table_sources": sources}
 
 
 def status_of(result: ArcResult) -> StatusName:

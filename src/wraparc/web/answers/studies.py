@@ -21,7 +21,7 @@ from wraparc.study.run import Run, part_designs, run_problems, run_study
 from wraparc.study.sensitivity import sensitivities
 from wraparc.units import DIMENSIONS, Dimension, parse_quantity
 from wraparc.web.answers.documents import read, without_none
-from wraparc.web.answers.shown import Answer, Both, Data, Sheet, both, plain, sheet
+from wraparc.web.answers.shown import Answer, Data, Sheet, Text, plain, sheet, worded
 from wraparc.web.answers.texts import PlanAnswer, file_stem, plan_text
 from wraparc.web.asked import StudyRequest
 from wraparc.web.progress import tell
@@ -47,14 +47,14 @@ class Spread(Answer):
     """
 
     result: str
-    where: Both
+    where: Text
     edges: list[float]
     counts: list[int]
     limit: float | None
     at_most: bool
     beyond: int
     without: int
-    told: Both
+    told: Text
 
 
 class StudyResult(Sheet):
@@ -179,14 +179,14 @@ def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[S
                 continue
             yield Spread(
                 result=name,
-                where=both(_where(group, units)),
+                where=worded(_where(group, units)),
                 edges=list(found.edges),
                 counts=list(found.counts),
                 limit=found.limit.least if found.limit.one else None,
                 at_most=found.limit.at_most,
                 beyond=found.beyond,
                 without=found.total - sum(found.counts),
-                told=both(histogram_sentence(name, found)),
+                told=worded(histogram_sentence(name, found)),
             )
 
 

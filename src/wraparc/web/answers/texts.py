@@ -18,11 +18,12 @@ from wraparc.units import (
     Dimension,
     System,
     display_unit,
+    either,
     parse_quantity,
     quantity,
 )
 from wraparc.web.answers.documents import json_like, kind_of, read, without_none
-from wraparc.web.answers.shown import Answer, Both, Data, DriveKind, both
+from wraparc.web.answers.shown import Answer, Data, DriveKind, Text, worded
 from wraparc.web.asked import DocumentRequest, LaggingRequest, QuantitiesRequest, TomlRequest
 from wraparc.web.errors import ToldProblem, told
 
@@ -69,8 +70,8 @@ class Quantity(Answer):
     """A quantity as read [SI]; `exact` reads back to the same number."""
 
     value: float | None = None
-    text: Both | None = None
-    exact: Both | None = None
+    text: Text | None = None
+    exact: Text | None = None
     problem: ToldProblem | None = None
 
 
@@ -148,8 +149,8 @@ def _quantity(text: str, dimension: str) -> Quantity:
         return Quantity(problem=told([problem])[0])
     return Quantity(
         value=value,
-        text=both(quantity(value, of, GIVEN_DIGITS)),
-        exact=Both(si=exact_text(value, of, "si"), us=exact_text(value, of, "us")),
+        text=worded(quantity(value, of, GIVEN_DIGITS)),
+        exact=worded(either(*(exact_text(value, of, system) for system in get_args(System)))),
     )
 
 

@@ -1,14 +1,14 @@
 // The same drive with every lagging of the catalogue, or with belts of neighbouring rating.
 import { app, set } from "../static/base/design.js";
-import { dimensionOf, percent } from "../static/base/units.js";
+import { dimensionOf } from "../static/base/units.js";
+import { cell__percent as percent, cell__quantity as quantity } from "../static/cells.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
-import { leastOf } from "../static/pages/drive/least.js";
-import { inBoth } from "../static/pages/drive/whole.js";
-import { quantity, verdictOf, worstOf } from "../static/pages/drive/words.js";
-import { assemble } from "../static/pages/drive/assemble.js";
+import { verdictOf } from "../static/pages/drive/words.js";
+import { leastTension } from "../static/reader.js";
 
-/** @import { Design, Judging } from "../static/types.d.ts" */
+/** @import { Design } from "../static/types.d.ts" */
 /** @typedef {{path: string, value: any}[]} Change */
 
 /** What a belt of the catalogue brings itself. */
@@ -33,8 +33,7 @@ export async function compared({ document: doc, load_case, what }, data) {
   const shown = Math.max(cases.indexOf(load_case ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
-    const judged = numbers && judge(judging, changed, numbers);
-    if (judged) rows.push(rowOf(name, what, judged, judging, shown, change, doc));
+    if (numbers) rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));
     else not_possible.push({ name, problems: [{ path: "", message: "no answer was found" }] });
   }
   const { columns, remarks } = data.compare;
@@ -76,9 +75,9 @@ function* belts(doc, data) {
 function neighbours(doc, data) {
   const { judging } = assemble(doc, data.book);
   if (!judging) return [];
-  const [{ criteria, prepared }] = judging.cases;
-  const tight = judging.cases.map((c) => Math.max(.../** @type {any} */ (c).tensions));
-  const rating = +criteria.rating || Math.max(...tight) / +prepared.given.width;
+  const { belt } = judging.drive;
+  const tight = judging.arcs.map((a) => Math.max(a.entry_tension, a.exit_tension));
+  const rating = +belt.rating || Math.max(...tight) / belt.width;
   const belts = /** @type {any[]} */ (data.book.catalogue.belts);
   const all = belts.map((b) => /** @type {[string, any]} */ ([b.name, b]));
   return [...new Set(all.map(([, b]) => b.kind))].flatMap((kind) => {
@@ -93,18 +92,18 @@ function neighbours(doc, data) {
 const far = (belt, rating) => Math.abs(Math.log(belt.rating / rating));
 
 /** @param {string} name @param {string} what @param {import("../static/pages/drive/judge.js").Judged} judged
- * @param {Judging} judging @param {number} shown load case whose numbers these are
+ * @param {number} shown load case whose numbers these are
  * @param {Change} change @param {Design} doc */
-function rowOf(name, what, judged, judging, shown, change, doc) {
+function rowOf(name, what, judged, shown, change, doc) {
   const { solved, numbers: n, load_case } = judged.arcs[shown];
   const { level, short: words } = verdictOf(judged);
-  const elsewhere = worstOf(judged.checks);
-  const told = elsewhere?.missed && elsewhere.load_case && elsewhere.load_case !== load_case;
-  const short = told ? `${words}, ${elsewhere.load_case}` : words;
+  const { governing: worst } = judged.verdict;
+  const elsewhere = worst?.missed && worst.place.load_case;
+  const short = elsewhere && elsewhere !== load_case ? `${words}, ${elsewhere}` : words;
   const lagging = app.catalogue.laggings.find((l) => l.name === name);
   const belt = app.catalogue.belts.find((b) => b.name === name);
   const of = solved
-    ? Math.abs(n.exit_creep) / +judging.cases[shown].prepared.given.creep_limit
+    ? Math.abs(n.exit_creep) / +judged.of.cases[shown].prepared.given.creep_limit
     : none;
   const known = (/** @type {number} */ v) => (solved ? v : none);
   return {
@@ -119,7 +118,7 @@ function rowOf(name, what, judged, judging, shown, change, doc) {
       peak_shear_stress: cell("peak_shear_stress", known(n.peak_shear_stress)),
       peak_shear_angle: cell("peak_shear_angle", known(n.peak_shear_angle)),
       margin: cell("creep_limit_margin", n.creep_limit_margin),
-      least_slack: cell("least_exit_tension", leastOf(judged)?.tension ?? none),
+      least_slack: cell("least_exit_tension", leastTension(judged.result)?.tension ?? none),
       power_loss: cell("power_loss", known(n.power_loss)),
       outside: share(known(n.outside_tested_share)),
     },
@@ -130,13 +129,10 @@ const none = Number.NaN;
 const conditionOf = (doc) => (typeof doc.condition === "string" ? doc.condition : "");
 /** @param {string} name @param {number} v */
 function cell(name, v) {
-  if (v === Number.POSITIVE_INFINITY) return { value: null, si: "none", us: "none" };
-  const text = () => quantity(v, dimensionOf(name)) || "-";
-  const found = inBoth(() => ({ values: { si: text(), us: text() } })).values;
-  return { value: Number.isFinite(v) ? v : null, ...found };
+  const none = v === Number.POSITIVE_INFINITY;
+  return valued(v, none ? "none" : quantity(v, dimensionOf(name)));
 }
 /** @param {number} v */
-function share(v) {
-  const text = Number.isFinite(v) ? percent(v) : "-";
-  return { value: Number.isFinite(v) ? v : null, si: text, us: text };
-}
+const share = (v) => valued(v, percent(v));
+/** @param {number} v @param {string} text */
+const valued = (v, text) => ({ value: Number.isFinite(v) ? v : null, text });

@@ -2,17 +2,17 @@
 import { Advice, Refused } from "../static/base/server.js";
 import { textOf } from "../static/base/toml.js";
 import { in_page__quick as quick } from "../static/kernel.js";
-import { assemble } from "../static/pages/drive/assemble.js";
+import { assemble, inCase } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
-import { verdictOf } from "../static/pages/drive/words.js";
+import { firstAnswer } from "../static/pages/drive/whole.js";
+import { remarksOf, verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
-import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { documentOf } from "./texts.js";
+import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
@@ -21,7 +21,7 @@ export * from "../static/base/server.js";
 /** Every part of the page is here, and its style. @template T @param {() => Promise<T>} load */
 export const part = (load) => load();
 
-/** @import { Design, Judging } from "../static/types.d.ts" */
+/** @import { Assembled, Design } from "../static/types.d.ts" */
 
 /** What the file knows, unpacked. @type {any} */
 let data = null;
@@ -29,7 +29,7 @@ const ready = unpacked("data").then((text) => {
   data = JSON.parse(text);
 });
 
-/** @param {Design} doc @returns {Judging} */
+/** @param {Design} doc @returns {Assembled} */
 function prepared(doc) {
   const { judging, problems } = assemble(doc, data.book);
   if (!judging) throw new Refused(problems, 422);
@@ -55,24 +55,25 @@ const ANSWERS = {
   "solve/fast"(asked) {
     const { document, load_case, points, sequence } = asked;
     if (isTrain(document)) return quickTrain(asked, data);
-    const judging = prepared(document);
-    const arc = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
-    const [one] = arcsOf({ ...judging, cases: [arc] });
+    const judging = inCase(prepared(document), load_case ?? "");
+    const [one] = arcsOf(judging);
     const found = quick(one.law, one.given, one.tested, points);
     const numbers = found && numbersOfAll([one]);
-    const judged = numbers && judge({ ...judging, cases: [arc] }, document, numbers);
-    if (!judged) throw refused(UNSOLVED);
-    const { level, levels, ...verdict } = inBoth(() => verdictOf(judged, arc.load_case));
-    const first = { ...firstAnswer(judging, arc), ...shownOf(found), sequence };
-    return { ...first, level, levels, verdict: { ...verdict, level } };
+    if (!numbers) throw refused(UNSOLVED);
+    const judged = judge(judging, document, numbers);
+    const [arc] = judging.cases;
+    const { level, levels, ...verdict } = verdictOf(judged, arc.load_case);
+    const remarks = remarksOf(judged);
+    const first = { ...firstAnswer(arc), ...shownOf(found), sequence };
+    return { ...first, level, levels, remarks, verdict: { ...verdict, level } };
   },
   async solve({ document }) {
     if (isTrain(document)) return solveTrain(document, data);
     const judging = prepared(document);
     const numbers = await beside(arcsOf(judging));
-    const judged = numbers && judge(judging, document, numbers);
-    if (!judged) throw refused(UNSOLVED);
-    return inBoth(() => wholeAnswer(judged, judging, data.book));
+    if (!numbers) throw refused(UNSOLVED);
+    const judged = judge(judging, document, numbers);
+    return wholeAnswer(judged);
   },
   train({ document, match }) {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");

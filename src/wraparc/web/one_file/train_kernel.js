@@ -1,7 +1,6 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
 import {
-  Among,
   Ends,
   Guess,
   answer__operating_point,
@@ -27,7 +26,6 @@ import {
   meet__may_rest,
   meet__with_rest,
   numbers__idles,
-  numbers__usual,
   profile__entry_ratio,
   profile__traction_of,
   quantities__counted,
@@ -40,8 +38,8 @@ const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
 const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
-const NOTHING = new Float64Array(0);
-const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
+const EMPTY = /* @__PURE__ */ new Float64Array(0);
+const zeros = (size) => (size > 0 ? new Float64Array(size) : EMPTY);
 
 const $sum = (of) => of.reduce((a, b) => a + b, 0);
 const $maxOf = (of) => of.reduce((a, b) => max(a, b));
@@ -913,9 +911,6 @@ export class Motor {
   motor_speed(load, gear_speed) {
     return gear_speed;
   }
-  bears(momentary) {
-    return momentary ? min(MOMENTARY, this.largest_load()) : 1.0;
-  }
   load(drum_torque) {
     let eta = drum_torque >= 0.0 ? this.gear_efficiency : 1.0 / this.gear_efficiency;
     return drum_torque / (eta * this.drum_torque);
@@ -1005,9 +1000,6 @@ export class Induction extends Motor {
   }
   largest_load() {
     return this.breakdown_ratio;
-  }
-  bears(momentary) {
-    return min(super.bears(momentary), LOW_VOLTAGE * this.breakdown_ratio);
   }
   get rated_slip() {
     return 1.0 - this.rated_speed / this.synchronous_speed;
@@ -1148,10 +1140,6 @@ export class Node {
   }
 }
 
-const LARGE_MOTORS = 6.0;
-const SMALL_PULL = 0.001;
-const COVERS_APART = 0.004;
-const USUAL_OFFSET = 0.005;
 const FINE = 1e-6;
 const SHARP = 1e-5;
 const _FIRST_RATIO = 0.0015;
@@ -1176,11 +1164,6 @@ const _IDLE = 1e-11;
 const GIVEN_DIGITS = 4;
 const BEYOND_MOTOR =
   "No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.";
-const USUAL_MOTORS = [
-  [250.0, 20000000.0],
-  [10.0, 400.0],
-  [0.6, 1.7],
-];
 const _EITHER = [
   ["material_mass", "capacity", 'material_mass = "120 kg/m"'],
   ["take_up_tension", "counterweight", 'take_up_tension = "40 kN"'],
@@ -1189,7 +1172,9 @@ const _EITHER = [
 ];
 const _NEED_SPEED = ["capacity", "start_time", "stop_time"];
 const RESULT_DIGITS = 3;
+const SMALL_PULL = 0.001;
 const _AS_FAST = 5e-6;
+const USUAL_OFFSET = 0.005;
 const _TOLERATED = 0.05;
 const NONE = "-";
 const _ROUNDING = 1e-9;
@@ -1218,18 +1203,11 @@ const _LEVEL_END = 11.512925465070229;
 const _SCAN = 18;
 const _TIP_STEPS = 12;
 const _TIP = 0.0001;
-const MOMENTARY = 1.6;
 const BEYOND = 10.0;
-const LOW_VOLTAGE = 0.81;
 
 /** The drives that break away where no division of the load is found, by index. */
 export function in_page_train__fallen_of(of) {
   return of.located === null ? [] : [...of.located.fallen];
-}
-
-/** Whether motors are far too large for the largest pull [W, N, m/s]. */
-export function in_page_train__oversized(rated, pull, speed) {
-  return rated > LARGE_MOTORS * pull * speed;
 }
 
 /** Pull that powers of the drives make [N]. */
@@ -1287,58 +1265,6 @@ export function turning__held_speeds(speeds, radii) {
 /** Lines of drums that turn at given speeds, in any one unit. */
 export function in_page_train__turned(speeds, radii) {
   return [...turning__held_speeds(speeds, radii)].map((at) => new Line(at));
-}
-
-/** Growth of the tight and of the slack side of one of several pulleys with the pull of all [N]. */
-export function numbers__rise_among(pulls, index, fixed, after) {
-  let total = $sum(pulls);
-  let mine = pulls[index];
-  let ahead = $sum(pulls.slice(0, index));
-  let behind = $sum(pulls.slice(index + 1));
-  let lost = fixed ? 0.5 * Math.abs(total) : 0.0;
-  if (!fixed && after >= 0) {
-    lost = total >= 0.0 ? $sum(pulls.slice(after + 1)) : -$sum(pulls.slice(0, after + 1));
-  }
-  let entry = (total >= 0.0 ? mine + behind : -ahead) - lost;
-  let leaving = (total >= 0.0 ? behind : -ahead - mine) - lost;
-  return mine >= 0.0 ? [entry, leaving] : [leaving, entry];
-}
-
-/** What a pulley shares with the others; `after` is where the take-up stands, -1 for none. */
-export function in_page_train__among(pairs, index, fixed, after) {
-  let first = pairs[0];
-  let last = pairs[pairs.length - 1];
-  let pulls = [...pairs].map((at) => at.entry - at.exit);
-  let slack = $sum(pulls) >= 0.0 ? last.exit : first.entry;
-  let end = after >= 0 ? pairs[after].exit : slack;
-  const found1 = numbers__rise_among(pulls, index, fixed, after);
-  let tight_rise = found1[0];
-  let slack_rise = found1[1];
-  return new Among(
-    end,
-    fixed ? first.entry + last.exit : end,
-    slack,
-    first.entry >= last.exit ? last.exit : first.entry,
-    tight_rise,
-    slack_rise,
-  );
-}
-
-/** Pull of drives against each other, 0 where they work together [N]. */
-export function numbers__pull_against(pulls) {
-  let small = SMALL_PULL * $maxOf([...pulls].map((pull) => Math.abs(pull)));
-  if (!($minOf(pulls) < -small && $maxOf(pulls) > small)) {
-    return 0.0;
-  }
-  return min($sum([...pulls].map((p) => max(p, 0.0))), $sum([...pulls].map((p) => max(-p, 0.0))));
-}
-
-/** How far a trim is off for a belt of 10 mm taken without thickness [-]. */
-export function numbers__trim_shift(first, other, opposite) {
-  if (opposite) {
-    return COVERS_APART / (0.5 * min(first, other));
-  }
-  return Math.abs(USUAL_OFFSET / (0.5 * first) - USUAL_OFFSET / (0.5 * other));
 }
 
 /** Return the lines of drums on motors. */
@@ -2147,30 +2073,6 @@ export function in_page_train__told(system, names, of, arcs, nominal, motors) {
   );
 }
 
-/** Torque over rated torque that a motor bears [-]. */
-export function in_page_train__borne(motor, momentary) {
-  return motor.bears(momentary);
-}
-
-/** What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown. */
-export function numbers__compared_motor(power, speed, drum, radius, belt) {
-  return [power, speed, (drum * radius) / belt];
-}
-
-/** Whether a motor is of usual size, and turns the drum about as fast as the belt runs. */
-export function numbers__usual_motor(power, speed, drum, radius, belt) {
-  let values = numbers__compared_motor(power, speed, drum, radius, belt);
-  return [...$zip(values, USUAL_MOTORS)].every(([value, ends]) =>
-    numbers__usual(value, ends[0], ends[1]),
-  );
-}
-
-/** Whether a motor is of usual size and its gear fits the belt speed [m, m/s]. */
-export function in_page_train__fits(motor, radius, speed) {
-  let turns = motor.rated_speed / motor.gear_ratio;
-  return numbers__usual_motor(motor.rated_power, motor.rated_speed, turns, radius, speed);
-}
-
 /** Return what is said twice or not at all, and what needs the belt speed. */
 export function conveyor__choices(given) {
   let example, first, key, message, remedy, second;
@@ -2266,6 +2168,15 @@ export function train_words___shares(case_) {
         : "" + $text(m.name) + " carries " + $text(percent(m.share)),
     )
     .join(", ");
+}
+
+/** Pull of drives against each other, 0 where they work together [N]. */
+export function numbers__pull_against(pulls) {
+  let small = SMALL_PULL * $maxOf([...pulls].map((pull) => Math.abs(pull)));
+  if (!($minOf(pulls) < -small && $maxOf(pulls) > small)) {
+    return 0.0;
+  }
+  return min($sum([...pulls].map((p) => max(p, 0.0))), $sum([...pulls].map((p) => max(-p, 0.0))));
 }
 
 export function train_words___against(case_) {

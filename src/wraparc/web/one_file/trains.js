@@ -1,23 +1,19 @@
 // Several drives on one belt: read, solved and judged by the functions of wraparc solve.
+
+import { told as problemOf } from "../static/documents.js";
 import { in_page__quick as quick } from "../static/kernel.js";
 import {
+  assembled,
   beyond,
-  caseOf,
-  judgingOf,
-  lawOf,
+  lacking,
   left,
-  NOT_HERE,
-  oddOf,
+  NO_PULL,
   readIn,
-  saidOf,
-  unjudgedOf,
-  unknownLaw,
 } from "../static/pages/drive/assemble.js";
-import { numbersOf } from "../static/pages/drive/own.js";
-import { dataWords, general, named, put } from "../static/pages/drive/wording.js";
+import { arcsOf, InputError, idleIn, runningAt, trainDrive } from "../static/reader.js";
 import * as K from "./train_kernel.js";
 
-/** @import { Book, Design, Judging, Problem } from "../static/types.d.ts" */
+/** @import { Assembled, Book, Design, Problem } from "../static/types.d.ts" */
 
 const none = Number.NaN;
 const POINTS = 180;
@@ -46,15 +42,19 @@ function motorOf(motor) {
   return Object.assign(Object.create(/** @type {any} */ (kind).prototype), motor);
 }
 
-/** A load case solved; null where an arc is for the program.
- * @param {ReturnType<typeof caseAs>} c @param {{saids: any[], names: string[], nominal: number[], speed: number}} train
- * @param {any[]} laws @param {Book} book */
-function solved(c, { saids, names, nominal, speed }, laws, book) {
-  const start = laws.map((law, i) => caseOf(saids[i], c, law, book));
-  const givens = start.map(({ prepared }) => numbersOf(prepared.given));
-  const members = start.map(({ prepared }, i) =>
-    K.in_page_train__member_of(prepared.law, givens[i]),
+/** A load case solved: its arcs as drives have them, and how the load divides.
+ * @param {any} train as read @param {any} given the case as read @param {string[]} names
+ * @param {number[]} nominal */
+function solved(train, given, names, nominal) {
+  const c = caseAs(given, names);
+  const ends = { entry: c.entry, exit: c.exit };
+  const drive = trainDrive(
+    train,
+    given,
+    names.map(() => ends),
   );
+  const start = assembled(drive, arcsOf(drive)).cases.map(({ prepared }) => prepared);
+  const members = start.map(({ law, given: of }) => K.in_page_train__member_of(law, of));
   const { parts, speeds, absolute, motors: found } = c.division;
   const radii = members.map((m) => m.radius);
   const motors = names.map((_, i) => (found ? motorOf(found[i]) : null));
@@ -70,29 +70,32 @@ function solved(c, { saids, names, nominal, speed }, laws, book) {
     lines = driven.lines;
     reference = driven.reference;
   }
-  const belt = K.in_page_train__belt_of(givens[0], c.entry, c.exit);
+  const belt = K.in_page_train__belt_of(start[0].given, c.entry, c.exit);
   const system = K.in_page_train__system_of(members, lines, belt, c.runs);
   const pulls = parts ? K.in_page_train__shared(parts, system.pull) : [];
-  const softening = laws.some((law) => law.steepest_fall < 0);
+  const softening = start.some(({ given: of }) => of.steepest_fall < 0);
+  const speed = start[0].given.speed;
   const divided = K.in_page_train__divided(
     ...[system, names, softening, pulls, speed, reference, belt],
   );
-  const arcs = divided.pairs.map((/** @type {any} */ { entry, exit }, /** @type {number} */ i) => {
-    const made = caseOf(saids[i], { ...c, entry, exit }, laws[i], book);
-    const given = { ...made.prepared.given, belt_speed: divided.belt_speeds[i] };
-    const criteria = { ...made.criteria, alone: 0 };
-    return { ...made, criteria, prepared: { ...made.prepared, given } };
-  });
-  const quicks = arcs.map((/** @type {any} */ { prepared, tested }) =>
-    quick(prepared.law, numbersOf(prepared.given), tested, POINTS),
+  if (!(K.in_page_train__least_of(divided.pairs) > 0)) return { why: NO_TENSION };
+  const whole = trainDrive(train, given, divided.pairs);
+  const own = assembled(whole, runningAt(arcsOf(whole), divided.belt_speeds));
+  const quicks = own.cases.map(({ prepared, tested }) =>
+    quick(prepared.law, prepared.given, tested, POINTS),
   );
-  const fallen = K.in_page_train__fallen_of(divided);
-  for (const i of fallen) if (quicks[i]?.solved) quicks[i] = stateless(quicks[i]);
-  return { c, system, divided, arcs, quicks, motors, nominal };
+  if (idleIn(whole)) return { why: NO_PULL };
+  if (quicks.includes(null)) return { why: UNSOLVED };
+  for (const i of K.in_page_train__fallen_of(divided))
+    if (quicks[i]?.solved) quicks[i] = stateless(quicks[i]);
+  const told = K.in_page_train__told(system, names, divided, quicks, nominal, motors);
+  return { why: "", c, given, system, divided, own, quicks, motors, told };
 }
+const NO_TENSION =
+  "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
+  "on the slack side";
+const UNSOLVED = "the solver of this page found no answer here; wraparc solve says why";
 
-/** @param {any} w */
-const isGrip = (w) => w.name === "gross_slip";
 const ENDS = ["entry_tension", "exit_tension", "effective_tension", "tension_ratio"];
 /** An arc as one that slides has it: tensions, and no state at rest. @param {any} found */
 function stateless(found) {
@@ -100,99 +103,36 @@ function stateless(found) {
   const numbers = Object.keys(summary).map((k) => [k, ENDS.includes(k) ? summary[k] : none]);
   return { ...found, solved: false, summary: Object.fromEntries(numbers) };
 }
-/** What keeps the page from a case that is solved; empty for nothing. @param {any} one
- * @param {number} speed of the belt, as given */
-function kept({ arcs, quicks, divided, motors }, speed) {
-  if (!(K.in_page_train__least_of(divided.pairs) > 0))
-    return (
-      "leaves no tension in the belt, and a belt cannot push; give other shares, or more tension " +
-      "on the slack side"
-    );
-  for (const [i, arc] of arcs.entries()) {
-    const radius = 0.5 * arc.prepared.given.diameter;
-    if (motors[i] && !K.in_page_train__fits(motors[i], radius, speed)) return NOT_HERE[3];
-    const why = unjudgedOf(arc);
-    if (why) return NOT_HERE[why];
-    if (!quicks[i]) return "the solver of this page found no answer here; wraparc solve says why";
-  }
-  return "";
-}
 
 /**
- * A train solved, and what it is judged by; or what is wrong with its document.
- * @param {Design} design @param {Book} book @param {Record<string, any[]>} words
- * @returns {{problems: Problem[], judging?: Judging, cases?: any[], checks?: any[]}}
+ * A train solved, case by case; or what is wrong with its document.
+ * @param {Design} design @param {Book} book
+ * @returns {{problems: Problem[], train?: any, cases?: any[], judging?: Assembled}}
  */
-export function trainOf(design, book, words) {
-  const { found, problems } = readIn(design, book);
+export function trainOf(design, book) {
+  const { found: train, problems } = readIn(design, book);
   if (problems.length) return { problems };
-  const not = beyond(found);
+  const not = beyond(train);
   if (not) return { problems: [left(not)] };
-  const odd = oddOf(found, book);
-  if (odd) return { problems: [odd] };
+  const unknown = lacking(train, design, book);
+  if (unknown) return { problems: [unknown] };
   /** @type {string[]} */
-  const names = found.pulleys.map((/** @type {any} */ p) => p.name);
-  const saids = names.map((_, i) => saidOf(found, i, design, book));
-  const diameters = found.pulleys.map((/** @type {any} */ p) => p.diameter);
-  const nominal = found.nominal_diameters.length ? found.nominal_diameters : diameters;
-  const { speed } = saids[0].belt;
-  const train = { saids, names, nominal, speed };
-  const after = names.indexOf(found.criteria.take_up.after);
-  const fixed = found.criteria.take_up.kind === "fixed";
-  const cases = [];
-  for (const given of found.cases) {
-    const c = caseAs(given, names);
-    const laws = saids.map((said) => lawOf(said, c.condition));
-    const missing = laws.indexOf(undefined);
-    if (missing >= 0) return { problems: [unknownLaw(saids[missing])] };
-    const one = solved(c, train, laws, book);
-    const why = kept(one, speed);
-    if (why) return { problems: [left(`Load case ${c.name}: ${why}.`)] };
-    const { system, divided, quicks, motors } = one;
-    const told = K.in_page_train__told(system, names, divided, quicks, nominal, motors);
-    const adrift = told.status.startsWith("Breakaway") && !c.division.parts;
-    const unknown = (/** @type {number} */ i) =>
-      put(words["gross_slip:adrift"][0], { kind: c.kind, pulley: names[i], case: c.name });
-    const sags = c.entry >= c.exit ? names.length - 1 : 0;
-    const arcs = one.arcs.map((/** @type {any} */ arc, /** @type {number} */ i) => ({
-      ...arc,
-      pulley: names[i],
-      side: found.pulleys[i].side,
-      offset: saids[i].thick(c.condition).get("pitch_offset"),
-      names: named(saids[i]),
-      among: K.in_page_train__among(divided.pairs, i, fixed, after),
-      checks: arc.checks
-        .filter((/** @type {any} */ w) => w.name !== "sag" || i === sags)
-        .filter((/** @type {any} */ w) => !(adrift && isGrip(w) && w.when !== "breakaway:0"))
-        .map((/** @type {any} */ w) => (adrift && isGrip(w) ? unknown(i) : w))
-        .map((/** @type {any} */ w) => ({ ...w, pulley: names[i] })),
-    }));
-    cases.push({ ...one, told, arcs, adrift });
+  const names = train.pulleys.map((/** @type {any} */ p) => p.name);
+  const diameters = train.pulleys.map((/** @type {any} */ p) => p.diameter);
+  const nominal = train.nominal_diameters.length ? train.nominal_diameters : diameters;
+  const cases = /** @type {any[]} */ ([]);
+  for (const given of train.cases) {
+    try {
+      const { why, ...one } = solved(train, given, names, nominal);
+      if (why) return { problems: [left(`Load case ${given.name}: ${why}.`)] };
+      cases.push(/** @type {any} */ (one));
+    } catch (error) {
+      if (!(error instanceof InputError)) throw error;
+      return { problems: /** @type {any} */ (error).problems.map(problemOf) };
+    }
   }
-  const [{ motors }] = cases;
-  const rated = motors.reduce((sum, m) => sum + (m ? m.count * m.rated_power : 0), 0);
-  const most = Math.max(...cases.map(({ c }) => Math.abs(c.entry - c.exit)));
-  if (rated && K.in_page_train__oversized(rated, most, speed))
-    return { problems: [left(`Motors: ${NOT_HERE[3]}.`)] };
-  const usual = saids.map((said) => lawOf(said));
-  const at = Math.max(after, 0);
-  const data = saids.map((said, i) => dataWords(said, /** @type {any} */ (usual[i]), book));
-  const all = saids.map((said, i) =>
-    general(said, data[i], book).map((w) => ({ ...w, pulley: names[i] })),
-  );
-  const of = (/** @type {string} */ name) => all.flatMap((g) => g.filter((w) => w.name === name));
-  const judging = {
-    ...judgingOf(
-      saids[at],
-      /** @type {any} */ (usual[at]),
-      cases.flatMap((x) => x.arcs),
-      book,
-    ),
-    anew: cases.some((x) => !x.c.division.parts),
-    adrift: cases.some((x) => x.adrift),
-    checks: [...of("pulley_diameter"), { ...of("usual_sizes")[0], pulley: "" }, ...of("data")],
-    qualifier: Object.values(book.grounds).find((g) => data.some((d) => d.short === g)) ?? "",
-    kinds: [...new Set(data.flatMap((d) => d.kinds))],
-  };
-  return { problems: [], judging, cases };
+  const [{ own }] = cases;
+  const all = (/** @type {"arcs" | "cases"} */ key) => cases.flatMap((one) => one.own[key]);
+  const judging = { drive: own.drive, kinds: own.kinds, arcs: all("arcs"), cases: all("cases") };
+  return { problems: [], train, cases, judging };
 }

@@ -1,8 +1,9 @@
 // Tables of an arc that come from Python, in the place of plain lists of numbers.
 import { wholeOf } from "../static/pages/drive/whole.js";
+import { tableOf } from "../static/pages/drive/words.js";
 import * as K from "./train_kernel.js";
 
-/** @import { Book, Judging, Table, TableRow } from "../static/types.d.ts" */
+/** @import { Table, TableRow } from "../static/types.d.ts" */
 /** @import { Judged } from "../static/pages/drive/judge.js" */
 
 /** Kind of a law whose friction is limited, see CompactLaw. */
@@ -10,25 +11,18 @@ const LIMIT = 0;
 /** Rows of the page that the table of Python leaves to others. */
 const MORE = ["least_exit_tension", "largest_effective_tension"];
 
-/** A table of Python as the page shows one, in the units looked at.
- * @param {any} of @param {string} key @returns {Table} */
-export function tableOf({ title, heads, note, rows }, key) {
-  const both = (/** @type {any} */ v) => ({ si: v, us: v });
-  const made = rows.map((/** @type {any} */ r) => ({ ...r, values: both([...r.values]) }));
-  return { key, title, heads: both(heads), note, rows: made };
-}
-/** As `wholeOf`, its capacities with notes. @param {Judged} judged @param {Judging} judging
- * @param {Book} book */
-export function wholeAnswer(judged, judging, book) {
-  const whole = wholeOf(judged, judging, book);
+/** As `wholeOf`, its capacities with notes. @param {Judged} judged */
+export function wholeAnswer(judged) {
+  const whole = wholeOf(judged);
   const arcs = whole.arcs.map((arc, i) => {
     const { numbers } = judged.arcs[i];
-    const { law } = judging.cases[i].prepared;
+    const c = judged.of.cases[i];
+    const { law } = c.prepared;
     const of = new K.Carrying(
       numbers.entry_tension,
       numbers.exit_tension,
       numbers.entry_tension >= numbers.exit_tension,
-      judging.cases[i].tested?.slip_max ?? Number.NaN,
+      c.tested?.slip_max ?? Number.NaN,
       law.kind === LIMIT && law.onset_compliance === 0,
     );
     const known = tableOf(K.arc_tables__capacity_rows(numbers, of), "capacity");

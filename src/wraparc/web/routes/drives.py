@@ -22,7 +22,6 @@ from wraparc.web.answers import (
     texts,
     trains,
 )
-from wraparc.web.answers.book_parts import Book
 from wraparc.web.answers.shown import Answer, Data, DriveKind
 from wraparc.web.errors import refused
 from wraparc.web.examples import examples
@@ -69,7 +68,7 @@ async def whole_catalogue() -> Response:
     return json_answer(_written(catalogue.whole))
 
 
-@api.get("/book", response_model=Book)
+@api.get("/book", response_model=book.Book)
 async def whole_book() -> Response:
     """What a page puts drives of one pulley together from itself."""
     return json_answer(_written(book.book))

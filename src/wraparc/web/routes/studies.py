@@ -3,7 +3,7 @@
 from fastapi import Request, Response
 
 from wraparc.web.answers import studies
-from wraparc.web.answers.shown import Answer, Both, Data, Table, Verdict
+from wraparc.web.answers.shown import Answer, Data, Table, Text, Verdict
 from wraparc.web.answers.texts import PlanAnswer
 from wraparc.web.asked import StudyRequest
 from wraparc.web.errors import ToldProblem, refused
@@ -43,10 +43,10 @@ class StudyAnswer(JobAnswer):
 
     study: Data | None = None
     document: Data | None = None
-    subtitle: str | None = None
+    subtitle: Text | None = None
     verdict: Verdict | None = None
     tables: list[Table] | None = None
-    remarks: list[Both] | None = None
+    remarks: list[Text] | None = None
     table_sources: list[str] | None = None
     summary: Data | None = None
     spreads: list[studies.Spread] | None = None

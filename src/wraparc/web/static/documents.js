@@ -1,5 +1,5 @@
 // Documents read as wraparc reads them: by its own functions, translated (reader.js).
-import { $sig } from "./python.js";
+import { app } from "./base/design.js";
 import { CatalogueBelt, InputError, Provenance, readDrive, readTrain } from "./reader.js";
 
 /** What is known of the catalogue: belts and laggings, by name. */
@@ -45,7 +45,7 @@ export function read(document) {
   }
 }
 /** A problem as the server tells one. @param {any} problem */
-const told = (problem) => {
+export const told = (problem) => {
   const { key, message, value, remedy, line } = problem;
   return { path: key, message, value, remedy, line, sentence: problem.__str__() };
 };
@@ -70,7 +70,6 @@ export function parsed(document) {
 export function overridden(document) {
   return document;
 }
-$sig(overridden, ["document", "overrides", "file"]);
 /** @returns {string} */
 export function readText() {
   throw new Error("no file is read here");
@@ -79,3 +78,5 @@ export function readText() {
 export function isNumber(x) {
   return typeof x === "number" || x instanceof Number;
 }
+/** What the glossary has of a quantity. @param {string} name */
+export const term = (name) => app.form.glossary[name];

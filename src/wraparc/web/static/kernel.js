@@ -4,8 +4,8 @@ const max = (a, b) => (b > a ? b : a);
 const min = (a, b) => (b < a ? b : a);
 const copysign = (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a));
 const modulo = (a, b) => (a % b !== 0 && a % b < 0 !== b < 0 ? (a % b) + b : a % b);
-const NOTHING = new Float64Array(0);
-const zeros = (size) => (size > 0 ? new Float64Array(size) : NOTHING);
+const EMPTY = /* @__PURE__ */ new Float64Array(0);
+const zeros = (size) => (size > 0 ? new Float64Array(size) : EMPTY);
 
 const $sum = (of) => of.reduce((a, b) => a + b, 0);
 const $maxOf = (of) => of.reduce((a, b) => max(a, b));
@@ -539,99 +539,6 @@ export class Quick {
   }
 }
 
-export class Among {
-  constructor(end, held, slack_end, sagging, tight_rise, slack_rise) {
-    this.end = end;
-    this.held = held;
-    this.slack_end = slack_end;
-    this.sagging = sagging;
-    this.tight_rise = tight_rise;
-    this.slack_rise = slack_rise;
-  }
-  *[Symbol.iterator]() {
-    yield this.end;
-    yield this.held;
-    yield this.slack_end;
-    yield this.sagging;
-    yield this.tight_rise;
-    yield this.slack_rise;
-  }
-}
-
-export class Sizes {
-  constructor(
-    width,
-    modulus,
-    speed,
-    diameter,
-    idle_wrap,
-    wrap_angle,
-    creep_limit,
-    overrun,
-    thickness,
-    shear_modulus,
-    compression_modulus,
-    rating,
-    strength,
-    bond_strength,
-    fatigue_limit,
-    face_pressure,
-    least_diameter,
-    sag,
-    entry,
-    leaving,
-    pull,
-    mass,
-  ) {
-    this.width = width;
-    this.modulus = modulus;
-    this.speed = speed;
-    this.diameter = diameter;
-    this.idle_wrap = idle_wrap;
-    this.wrap_angle = wrap_angle;
-    this.creep_limit = creep_limit;
-    this.overrun = overrun;
-    this.thickness = thickness;
-    this.shear_modulus = shear_modulus;
-    this.compression_modulus = compression_modulus;
-    this.rating = rating;
-    this.strength = strength;
-    this.bond_strength = bond_strength;
-    this.fatigue_limit = fatigue_limit;
-    this.face_pressure = face_pressure;
-    this.least_diameter = least_diameter;
-    this.sag = sag;
-    this.entry = entry;
-    this.leaving = leaving;
-    this.pull = pull;
-    this.mass = mass;
-  }
-  *[Symbol.iterator]() {
-    yield this.width;
-    yield this.modulus;
-    yield this.speed;
-    yield this.diameter;
-    yield this.idle_wrap;
-    yield this.wrap_angle;
-    yield this.creep_limit;
-    yield this.overrun;
-    yield this.thickness;
-    yield this.shear_modulus;
-    yield this.compression_modulus;
-    yield this.rating;
-    yield this.strength;
-    yield this.bond_strength;
-    yield this.fatigue_limit;
-    yield this.face_pressure;
-    yield this.least_diameter;
-    yield this.sag;
-    yield this.entry;
-    yield this.leaving;
-    yield this.pull;
-    yield this.mass;
-  }
-}
-
 export class Least {
   constructor(slack, most) {
     this.slack = slack;
@@ -659,68 +566,6 @@ export class Carried {
     yield this.gross_creep;
     yield this.least_slack;
     yield this.most_pull;
-  }
-}
-
-export class Compared {
-  constructor(
-    gross_slip,
-    design_standard,
-    creep,
-    belt_tension,
-    momentary_tension,
-    belt_safety,
-    face_pressure,
-    bond_stress,
-    fatigue_stress,
-    tested_pressure_max,
-    tested_pressure_min,
-    tested_slip,
-    tested_slip_speed,
-    balance,
-    sag,
-    pulley_diameter,
-    share = NaN,
-    passes = NaN,
-  ) {
-    this.gross_slip = gross_slip;
-    this.design_standard = design_standard;
-    this.creep = creep;
-    this.belt_tension = belt_tension;
-    this.momentary_tension = momentary_tension;
-    this.belt_safety = belt_safety;
-    this.face_pressure = face_pressure;
-    this.bond_stress = bond_stress;
-    this.fatigue_stress = fatigue_stress;
-    this.tested_pressure_max = tested_pressure_max;
-    this.tested_pressure_min = tested_pressure_min;
-    this.tested_slip = tested_slip;
-    this.tested_slip_speed = tested_slip_speed;
-    this.balance = balance;
-    this.sag = sag;
-    this.pulley_diameter = pulley_diameter;
-    this.share = share;
-    this.passes = passes;
-  }
-  *[Symbol.iterator]() {
-    yield this.gross_slip;
-    yield this.design_standard;
-    yield this.creep;
-    yield this.belt_tension;
-    yield this.momentary_tension;
-    yield this.belt_safety;
-    yield this.face_pressure;
-    yield this.bond_stress;
-    yield this.fatigue_stress;
-    yield this.tested_pressure_max;
-    yield this.tested_pressure_min;
-    yield this.tested_slip;
-    yield this.tested_slip_speed;
-    yield this.balance;
-    yield this.sag;
-    yield this.pulley_diameter;
-    yield this.share;
-    yield this.passes;
   }
 }
 
@@ -800,6 +645,63 @@ export class Bracket {
   }
 }
 
+export class Pull {
+  constructor(pull, tight, top) {
+    this.pull = pull;
+    this.tight = tight;
+    this.top = top;
+  }
+  *[Symbol.iterator]() {
+    yield this.pull;
+    yield this.tight;
+    yield this.top;
+  }
+}
+
+export class Found {
+  constructor(
+    solved,
+    summary,
+    capacities,
+    place,
+    cause,
+    lift,
+    least_for_slip,
+    largest_slip,
+    slip_speed,
+    covered_creep,
+    wet,
+    loads,
+  ) {
+    this.solved = solved;
+    this.summary = summary;
+    this.capacities = capacities;
+    this.place = place;
+    this.cause = cause;
+    this.lift = lift;
+    this.least_for_slip = least_for_slip;
+    this.largest_slip = largest_slip;
+    this.slip_speed = slip_speed;
+    this.covered_creep = covered_creep;
+    this.wet = wet;
+    this.loads = loads;
+  }
+  *[Symbol.iterator]() {
+    yield this.solved;
+    yield this.summary;
+    yield this.capacities;
+    yield this.place;
+    yield this.cause;
+    yield this.lift;
+    yield this.least_for_slip;
+    yield this.largest_slip;
+    yield this.slip_speed;
+    yield this.covered_creep;
+    yield this.wet;
+    yield this.loads;
+  }
+}
+
 export class CapacityNumbers {
   constructor(
     creep_limit_capacity,
@@ -838,57 +740,6 @@ export class CapacityNumbers {
   }
 }
 
-export class Pull {
-  constructor(pull, tight, top) {
-    this.pull = pull;
-    this.tight = tight;
-    this.top = top;
-  }
-  *[Symbol.iterator]() {
-    yield this.pull;
-    yield this.tight;
-    yield this.top;
-  }
-}
-
-export class Asked {
-  constructor(
-    creep,
-    tested_slip,
-    design_standard,
-    gross_slip,
-    tested_pressure_min,
-    tested_pressure_max,
-    face_pressure,
-    belt_tension,
-    sag,
-    given,
-  ) {
-    this.creep = creep;
-    this.tested_slip = tested_slip;
-    this.design_standard = design_standard;
-    this.gross_slip = gross_slip;
-    this.tested_pressure_min = tested_pressure_min;
-    this.tested_pressure_max = tested_pressure_max;
-    this.face_pressure = face_pressure;
-    this.belt_tension = belt_tension;
-    this.sag = sag;
-    this.given = given;
-  }
-  *[Symbol.iterator]() {
-    yield this.creep;
-    yield this.tested_slip;
-    yield this.design_standard;
-    yield this.gross_slip;
-    yield this.tested_pressure_min;
-    yield this.tested_pressure_max;
-    yield this.face_pressure;
-    yield this.belt_tension;
-    yield this.sag;
-    yield this.given;
-  }
-}
-
 export class Resultant {
   constructor(resultant_force, resultant_angle, belt_safety, most_shaft_load, least_shaft_load) {
     this.resultant_force = resultant_force;
@@ -903,33 +754,6 @@ export class Resultant {
     yield this.belt_safety;
     yield this.most_shaft_load;
     yield this.least_shaft_load;
-  }
-}
-
-export class Judged {
-  constructor(solved, summary, capacities, values, limits, held, asked, loads, cause, wet) {
-    this.solved = solved;
-    this.summary = summary;
-    this.capacities = capacities;
-    this.values = values;
-    this.limits = limits;
-    this.held = held;
-    this.asked = asked;
-    this.loads = loads;
-    this.cause = cause;
-    this.wet = wet;
-  }
-  *[Symbol.iterator]() {
-    yield this.solved;
-    yield this.summary;
-    yield this.capacities;
-    yield this.values;
-    yield this.limits;
-    yield this.held;
-    yield this.asked;
-    yield this.loads;
-    yield this.cause;
-    yield this.wet;
   }
 }
 
@@ -1097,34 +921,8 @@ const AT_ENDS = 0.08333333333333333;
 const INSIDE = 0.4166666666666667;
 const ACTIVE_SHARE = 0.01;
 const IDLE = 1e-9;
-const CREEP_LIMIT = 0.00635;
-const USUAL_SIZES = [
-  [0.2, 4.0],
-  [100000.0, 1000000000.0],
-  [0.05, 15.0],
-  [0.15, 3.0],
-  [0.17453292519943295, 4.71238898038469],
-  [2.0943951023931953, 4.71238898038469],
-  [5e-5, 0.061],
-  [-0.002, 0.002],
-  [0.0, 0.06],
-  [100000.0, 50000000.0],
-  [100000.0, 5000000000.0],
-  [5000.0, 2000000.0],
-  [10000.0, 50000000.0],
-  [10000.0, 50000000.0],
-  [50000.0, 10000000.0],
-  [0.1, 3.0],
-  [500.0, 10000000.0],
-  [15.0, 1000.0],
-  [3.0, 20.0],
-  [0.0, 1600000.0],
-  [500.0, 10000000.0],
-  [500.0, 10000000.0],
-  [250.0, 20000000.0],
-  [1.0, 130.0],
-];
 const CAPACITIES = 30;
+const CREEP_LIMIT = 2;
 const LEAST = 8;
 const HIGHEST = 1000.0;
 const MISFIT = 1e-5;
@@ -1147,18 +945,12 @@ const MOST = 2;
 const DIFFERENCE = 0.001;
 const LEAST_CARRIED = 1e-9;
 const _NEAR = 1e-8;
-const NOT_CARRIED = 0.999;
 const GRAVITY = 9.80665;
 const ENDS = ["entry_tension", "exit_tension"];
 const EFFECTIVE = ["effective_tension", "torque", "power"];
 const ONE_TOO_MANY = "Leave one of them out.";
 const _ALIKE = 1e-6;
 const FEW = "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.";
-const STEEP = 1;
-const UNUSUAL = 3;
-const BEHIND = 1000000000.0;
-const NUMBERLESS = -2000000000.0;
-const AHEAD = 4000000000.0;
 
 /** Effective tension of a torque at the shaft of a pulley, 2 M/D [N]. */
 export function load_case__pull_of_torque(torque, diameter) {
@@ -4018,102 +3810,9 @@ export function in_page__quick(law, given, tested, points) {
   return new Quick(found.outcome === SOLVED, summary, profile, outside, stretches);
 }
 
-/** Growth of the tight and of the slack side of a single pulley with its pull [N]. */
-export function numbers__rise_alone(pull, fixed, behind) {
-  let size = Math.abs(pull);
-  let lost = fixed ? 0.5 * size : behind && pull < 0.0 ? size : 0.0;
-  return [size - lost, -lost];
-}
-
-/** The same of a pulley that is alone on its belt. */
-export function in_page__alone(arc, criteria) {
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  let slack = entry >= leaving ? leaving : entry;
-  let end = criteria.behind ? leaving : slack;
-  let held = criteria.fixed ? entry + leaving : end;
-  const found1 = numbers__rise_alone(entry - leaving, criteria.fixed, criteria.behind);
-  let tight_rise = found1[0];
-  let slack_rise = found1[1];
-  return new Among(end, held, slack, slack, tight_rise, slack_rise);
-}
-
 /** Whether an arc hands nothing over: its pulley is not driven. */
 export function numbers__idles(entry, leaving) {
   return Math.abs(entry - leaving) <= 1e-6 * entry;
-}
-
-/** What is given of an arc, to be compared with usual sizes. */
-export function in_page__sizes_of(given, arc, criteria) {
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  return new Sizes(
-    given.width,
-    given.modulus,
-    given.speed,
-    given.diameter,
-    NaN,
-    given.wrap_angle,
-    given.creep_limit,
-    given.overrun,
-    given.thickness,
-    given.shear_modulus,
-    given.compression_modulus,
-    criteria.rating,
-    criteria.strength,
-    criteria.bond_strength,
-    criteria.fatigue_limit,
-    criteria.face_pressure,
-    criteria.pulley_diameter,
-    criteria.sag,
-    entry,
-    leaving,
-    criteria.alone && !numbers__idles(entry, leaving) ? entry - leaving : NaN,
-    given.mass,
-  );
-}
-
-/** Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends. */
-export function numbers__compared_sizes(of) {
-  return [
-    of.width,
-    of.modulus,
-    of.speed,
-    of.diameter,
-    of.idle_wrap,
-    of.wrap_angle,
-    of.creep_limit,
-    of.overrun,
-    of.thickness,
-    of.shear_modulus,
-    of.compression_modulus,
-    of.rating,
-    of.bond_strength,
-    of.fatigue_limit,
-    of.face_pressure,
-    of.least_diameter,
-    of.sag / of.width,
-    of.modulus / of.rating,
-    of.strength / of.rating,
-    (2.0 * of.rating) / of.diameter,
-    of.entry / of.width,
-    of.leaving / of.width,
-    Math.abs(of.pull) * of.speed,
-    of.mass / of.width,
-  ];
-}
-
-/** Whether a size is one that conveyor drives have; one that is not given or rigid is. */
-export function numbers__usual(value, least, most) {
-  return !(value < least || (value > most && Number.isFinite(value)));
-}
-
-/** Whether belt, pulley and lagging have sizes that those of a conveyor have. */
-export function numbers__usual_sizes(of) {
-  let values = numbers__compared_sizes(of);
-  return [...$zip(values, USUAL_SIZES)].every(([value, ends]) =>
-    numbers__usual(value, ends[0], ends[1]),
-  );
 }
 
 /** Largest tight-side tension that is looked at [N]: that of the largest tested pressure. */
@@ -4252,7 +3951,7 @@ export function capacity__find_capacities(law, arc, load, parts) {
   by_creep = by_slip = gross = gross_creep = least = most = NaN;
   let limit = new Limit(CREEP, load.creep_limit);
   let near = null;
-  if (parts & (2 + LEAST)) {
+  if (parts & (CREEP_LIMIT + LEAST)) {
     met = capacity__carry(law, arc, tight, limit);
     if (met.done) {
       by_creep = capacity__log_ratio(arc, met);
@@ -4283,58 +3982,6 @@ export function capacity__find_capacities(law, arc, load, parts) {
     }
   }
   return new Carried(by_creep, by_slip, gross, gross_creep, least, most);
-}
-
-/** Slack-side tension over effective tension, Cw = 1/(exp(mu phi) - 1) (CEMA) [-]. */
-export function constant_friction__wrap_factor(friction, wrap_angle) {
-  return 1.0 / Math.expm1(friction * wrap_angle);
-}
-
-/** Drive factor as a table of two decimals prints it, where that is less; 0.38 for 0.3835 [-]. */
-export function numbers__as_printed(factor) {
-  return min(factor, Math.floor(100.0 * factor + 0.5) / 100.0);
-}
-
-/** Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]. */
-export function numbers__asked_slack(factor, start, pull) {
-  return factor * start * Math.abs(pull);
-}
-
-/** What the checks of an arc allow. */
-export function in_page__limits_of(given, arc, tested, criteria) {
-  let high, low, slip;
-  low = high = slip = NaN;
-  if (tested !== null) {
-    low = tested.pressure_min;
-    high = tested.pressure_max;
-    slip = tested.slip_max;
-  }
-  let pull = arc.entry_tension - arc.exit_tension;
-  let factor = criteria.factor;
-  if (factor !== factor) {
-    factor = constant_friction__wrap_factor(criteria.standard, arc.wrap_angle);
-    if (criteria.printed) {
-      factor = numbers__as_printed(factor);
-    }
-  }
-  return new Compared(
-    criteria.safety,
-    numbers__asked_slack(factor, criteria.start, pull),
-    given.creep_limit,
-    criteria.belt_tension * arc.width,
-    criteria.belt_tension * arc.width,
-    criteria.belt_safety,
-    criteria.face_pressure,
-    criteria.bond_strength,
-    criteria.fatigue_limit,
-    high,
-    low,
-    slip,
-    criteria.slip_speed,
-    criteria.balance,
-    criteria.sag,
-    criteria.pulley_diameter,
-  );
 }
 
 /** Whether the tested slip ends well before the creep of sliding. */
@@ -4574,29 +4221,12 @@ export function sliding__pull_at_sliding(of, line, begin) {
   return first.place === Infinity ? sliding__slide_place(of, line, 1.0, 0.0, 1.0) : first;
 }
 
-/** Whether two numbers are equal in the four digits they are compared in. */
-export function numbers__same_shown(value, limit) {
-  if (!(Number.isFinite(value) && Number.isFinite(limit))) {
-    return value === limit;
-  }
-  return value.toExponential(3) === limit.toExponential(3);
-}
-
-/** Breaking strength of a belt over its tension [-]. */
-export function numbers__safety_of(strength, tension, asked) {
-  let safety = strength / tension;
-  return safety < asked && numbers__same_shown(tension, strength / asked) ? asked : safety;
-}
-
-/** Largest magnitude in a column. */
-export function numbers__largest(column, count) {
-  let i;
-  let found = 0.0;
-  for (let each1 = 0, end1 = count; each1 < end1; each1++) {
-    i = each1;
-    found = max(found, Math.abs(column[i]));
-  }
-  return found;
+/** Least slack-side tension with which the slip at the exit keeps a limit [N]; inf if none. */
+export function least_numbers__least_for_slip(law, geometry, of, limit) {
+  let most = new Limit(SLIP, limit);
+  let met = capacity__carry(law, geometry, of.tight, most);
+  let least = capacity__least_slack(law, geometry, of.pull, most, met, of.top).slack;
+  return least === least ? least : Infinity;
 }
 
 /** Largest change of the slip per length of arc [-]; nan without a stretch of arc. */
@@ -4615,19 +4245,6 @@ export function numbers__steepest(position, slip, count, radius, length) {
     }
   }
   return found;
-}
-
-/** Miss of the energy balance, of an idle pulley relative to the strain of the belt [-]. */
-export function numbers__balance_miss(error, pull, g, entry, compliance) {
-  let exact = Math.abs(pull * (g + 0.5 * pull * compliance));
-  let told = max(max(exact, 1e-6 * entry * Math.abs(g)), 1e-300);
-  let scale = max(exact, 1e-6 * entry * (Math.abs(g) + entry * compliance));
-  return scale > 0.0 ? (Math.abs(error) * told) / scale : 0.0;
-}
-
-/** How often a pulley turns in an hour, v/(2 pi (R + e)), creep and compression left out [-]. */
-export function pitch__turns_an_hour(speed, pitch) {
-  return (3600.0 * speed) / (2.0 * 3.141592653589793 * pitch);
 }
 
 /** Tight over slack side by ln(tight/slack) of the tensions above m v^2, tight side held [-]. */
@@ -4662,14 +4279,6 @@ export function summary__capacity_numbers(arc, carried) {
   );
 }
 
-/** Least slack-side tension with which the slip at the exit keeps a limit [N]; inf if none. */
-export function least_numbers__least_for_slip(law, geometry, of, limit) {
-  let most = new Limit(SLIP, limit);
-  let met = capacity__carry(law, geometry, of.tight, most);
-  let least = capacity__least_slack(law, geometry, of.pull, most, met, of.top).slack;
-  return least === least ? least : Infinity;
-}
-
 /** Least tension of the tight side with which a pull does not slide the belt [N]; inf if none. */
 export function sliding__tight_at_sliding(of, pull, begin) {
   let limit, met, slack;
@@ -4697,48 +4306,33 @@ export function sliding__lift_for_safety(of, factor, tight_rise, begin) {
   return sliding__tight_at_sliding(of, factor * pull, begin) - tight - (factor - 1.0) * tight_rise;
 }
 
-/** What the checks of an arc ask of the take-up, its pull held. */
-export function in_page__asked_of(loaded, begin, arc, least, limits, given, factor, among) {
-  let entry = arc.entry_tension;
-  let leaving = arc.exit_tension;
-  let end = among.end;
-  let tight = max(entry, leaving);
-  let slack = min(entry, leaving);
-  let area = arc.width * (0.5 * arc.diameter);
-  let flung = arc.centrifugal;
-  let top = capacity__highest_tight(limits.tested_pressure_max, area, tight - flung);
-  let of = new Pull(Math.abs(entry - leaving), tight - flung, top);
-  let by_slip = NaN;
-  if (limits.tested_slip < given.creep_limit) {
-    by_slip =
-      flung + least_numbers__least_for_slip(loaded.law, loaded.geometry, of, limits.tested_slip);
+/** Largest magnitude in a column. */
+export function numbers__largest(column, count) {
+  let i;
+  let found = 0.0;
+  for (let each1 = 0, end1 = count; each1 < end1; each1++) {
+    i = each1;
+    found = max(found, Math.abs(column[i]));
   }
-  let lift = sliding__lift_for_safety(loaded, factor, among.tight_rise, begin);
-  let of_slack = end - slack;
-  let of_tight = end - tight;
-  return new Asked(
-    of_slack + (least === least ? least : Infinity),
-    of_slack + by_slip,
-    of_slack + limits.design_standard,
-    end + (lift === lift ? lift : Infinity),
-    limits.tested_pressure_min * area + flung + of_slack,
-    limits.tested_pressure_max * area + flung + of_tight,
-    limits.face_pressure * area + flung + of_tight,
-    of_tight + limits.belt_tension,
-    limits.sag + end - among.slack_end,
-    end,
-  );
+  return found;
 }
 
-/** Return the resultant of the belt tensions at a pulley, and its bounds with its own weight. */
-export function load_case__resultant(entry, leaving, wrap_angle, strength, mass = NaN) {
-  let along = entry - leaving * Math.cos(wrap_angle);
-  let across = leaving * Math.sin(wrap_angle);
-  let force = Math.sqrt(along * along + across * across);
-  let angle = Math.atan2(across, along);
-  let weight = mass * GRAVITY;
-  let safety = strength / max(entry, leaving);
-  return new Resultant(force, angle, safety, force + weight, Math.abs(force - weight));
+/** Creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
+export function in_page__covered_creep(law, given, cover) {
+  if (cover === 0.0) {
+    return NaN;
+  }
+  let arc = in_page__description_of(
+    Object.assign(Object.create(Object.getPrototypeOf(given)), given, {
+      cover_compliance: given.cover_compliance + cover,
+    }),
+  );
+  let load = in_page__load_of(given, arc, null);
+  let geometry = summary__geometry_of(arc);
+  let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
+  return found.outcome === SOLVED
+    ? found.met.course.creep.at(-1)
+    : copysign(Infinity, geometry.side);
 }
 
 /** Creep at the exit with a factor on the friction [m]; inf in gross slip, nan without a factor. */
@@ -4756,26 +4350,24 @@ export function sliding__wet_creep(of, factor) {
   return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
 
+/** Return the resultant of the belt tensions at a pulley, and its bounds with its own weight. */
+export function load_case__resultant(entry, leaving, wrap_angle, strength, mass = NaN) {
+  let along = entry - leaving * Math.cos(wrap_angle);
+  let across = leaving * Math.sin(wrap_angle);
+  let force = Math.sqrt(along * along + across * across);
+  let angle = Math.atan2(across, along);
+  let weight = mass * GRAVITY;
+  let safety = strength / max(entry, leaving);
+  return new Resultant(force, angle, safety, force + weight, Math.abs(force - weight));
+}
+
 /** Numbers of the checks of one arc; None where they are for the server to find. */
-export function in_page__judged(law, given, tested, criteria, points, among = null) {
+export function in_page__judged(law, given, tested, criteria, points) {
+  let pull, top;
   let arc = in_page__description_of(given);
-  let others = among === null ? in_page__alone(arc, criteria) : among;
   let entry = arc.entry_tension;
   let leaving = arc.exit_tension;
   if (in_page__refused(law, arc, given.steepest_fall) || numbers__idles(entry, leaving)) {
-    return null;
-  }
-  if (given.creep_limit === CREEP_LIMIT) {
-    if (!criteria.customary) {
-      return null;
-    }
-  } else if (criteria.customary) {
-    return null;
-  }
-  if (criteria.wrap_angle === criteria.wrap_angle && arc.wrap_angle !== criteria.wrap_angle) {
-    return null;
-  }
-  if (!numbers__usual_sizes(in_page__sizes_of(given, arc, criteria))) {
     return null;
   }
   let geometry = summary__geometry_of(arc);
@@ -4788,10 +4380,7 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
     return null;
   }
   let profile = summary__columns_of(law, arc, found.met.rest, out, count);
-  let summary = summary__summary_of(geometry, arc, tested, found);
   let carried = capacity__find_capacities(law, geometry, load, CAPACITIES);
-  let solved = found.outcome === SOLVED;
-  let limits = in_page__limits_of(given, arc, tested, criteria);
   let loaded = new Loaded(
     law,
     geometry,
@@ -4801,79 +4390,39 @@ export function in_page__judged(law, given, tested, criteria, points, among = nu
   let pitch = 0.5 * arc.diameter + arc.pitch_offset;
   let tight = max(entry, leaving) - arc.centrifugal;
   let slack = min(entry, leaving) - arc.centrifugal;
-  let line = new Line(tight, slack, others.tight_rise, others.slack_rise);
+  let line = new Line(tight, slack, criteria.tight_rise, criteria.slack_rise);
   let begin = sliding__at_limits(loaded);
   let sliding = sliding__pull_at_sliding(loaded, line, begin);
   if (sliding.place !== sliding.place) {
     return null;
   }
-  let values = new Compared(
-    solved ? sliding.place : min(sliding.place, NOT_CARRIED),
-    min(entry, leaving),
-    Math.abs(summary.exit_creep),
-    max(entry, leaving),
-    max(entry, leaving),
-    numbers__safety_of(criteria.strength * arc.width, max(entry, leaving), criteria.belt_safety),
-    summary__pressure_of(arc, max(entry, leaving)),
-    summary.peak_shear_stress,
-    summary.peak_shear_stress,
-    summary__pressure_of(arc, max(entry, leaving)),
-    summary__pressure_of(arc, min(entry, leaving)),
-    numbers__largest(profile.slip, count),
-    arc.belt_speed *
-      numbers__steepest(profile.position, profile.slip, count, pitch, pitch * arc.wrap_angle),
-    numbers__balance_miss(
-      summary.identity_error,
-      summary.effective_tension,
-      summary.entry_creep_ratio,
-      entry,
-      geometry.compliance,
-    ),
-    others.sagging,
-    arc.diameter,
-    (100.0 * max(entry, leaving)) / (criteria.rating * arc.width),
-    pitch__turns_an_hour(arc.belt_speed, pitch),
+  let by_slip = NaN;
+  if (load.slip_max < given.creep_limit) {
+    top = capacity__highest_tight(load.pressure_max, arc.width * (0.5 * arc.diameter), tight);
+    pull = new Pull(Math.abs(entry - leaving), tight, top);
+    by_slip = least_numbers__least_for_slip(law, geometry, pull, load.slip_max) + arc.centrifugal;
+  }
+  let steep = numbers__steepest(
+    profile.position,
+    profile.slip,
+    count,
+    pitch,
+    pitch * arc.wrap_angle,
   );
-  return new Judged(
-    solved,
-    summary,
+  return new Found(
+    found.outcome === SOLVED,
+    summary__summary_of(geometry, arc, tested, found),
     summary__capacity_numbers(arc, carried),
-    values,
-    limits,
-    others.held,
-    in_page__asked_of(
-      loaded,
-      begin,
-      arc,
-      carried.least_slack + arc.centrifugal,
-      limits,
-      given,
-      criteria.safety,
-      others,
-    ),
-    load_case__resultant(
-      entry,
-      leaving,
-      arc.wrap_angle,
-      criteria.strength * arc.width,
-      criteria.pulley_mass,
-    ),
+    sliding.place,
     sliding.cause,
-    criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : -1.0,
+    sliding__lift_for_safety(loaded, criteria.safety, criteria.tight_rise, begin),
+    by_slip,
+    numbers__largest(profile.slip, count),
+    arc.belt_speed * steep,
+    in_page__covered_creep(law, given, criteria.cover),
+    criteria.wet !== 0.0 ? sliding__wet_creep(loaded, criteria.wet) : NaN,
+    load_case__resultant(entry, leaving, arc.wrap_angle, criteria.strength, criteria.pulley_mass),
   );
-}
-
-/** Size of the creep at the exit with a cover in series, see `ArcResult.covered_creep` [m]. */
-export function in_page__covered_creep(law, given, cover) {
-  let arc = in_page__description_of(
-    Object.assign(Object.create(Object.getPrototypeOf(given)), given, {
-      cover_compliance: given.cover_compliance + cover,
-    }),
-  );
-  let load = in_page__load_of(given, arc, null);
-  let geometry = summary__geometry_of(arc);
-  let found = answer__operating_point(law, geometry, load.entry_tension, load.exit_tension);
-  return found.outcome === SOLVED ? Math.abs(found.met.course.creep.at(-1)) : Infinity;
 }
 
 /** The keys given that fix the effective tension. */
@@ -5039,24 +4588,6 @@ export function tension_rules__behind_take_up(now, first, after, before) {
   return new NipTensions(first.exit - lost + pull, first.exit - lost);
 }
 
-/** Entry and exit tension of an arc by its numbers [N]. */
-export function in_page__described(given) {
-  let arc = in_page__description_of(given);
-  return [arc.entry_tension, arc.exit_tension];
-}
-
-/** Why the page cannot judge an arc; 0 where it can. */
-export function in_page__unjudged(law, given, criteria) {
-  let arc = in_page__description_of(given);
-  if (in_page__refused(law, arc, given.steepest_fall)) {
-    return STEEP;
-  }
-  if (numbers__idles(arc.entry_tension, arc.exit_tension)) {
-    return 2;
-  }
-  return numbers__usual_sizes(in_page__sizes_of(given, arc, criteria)) ? 0 : UNUSUAL;
-}
-
 /** S, loaded area over the area free to bulge [-]: a/(4 h) square, w/(2 h) strip. */
 export function compression__shape_factor(square, width, height) {
   return width / ((square ? 4.0 : 2.0) * height);
@@ -5069,54 +4600,4 @@ export function compression__block_modulus(elastic_modulus, square, width, heigh
     return contact * elastic_modulus * (1.0 + 2.0 * k * s2);
   }
   return contact * (4.0 / 3.0) * elastic_modulus * (1.0 + k * s2);
-}
-
-/** Whether a value that misses its limit fails: nan where it never does. */
-export function numbers__beyond(value, fails, at_most) {
-  return at_most ? value > fails : value < fails;
-}
-
-/** Whether one take-up can hold both tensions. */
-export function numbers__held_alike(least, most) {
-  return most - least <= 0.1 * most;
-}
-
-/** Whether a value keeps its limit, compared in four digits; one that is not known does not. */
-export function numbers__kept(value, limit, at_most) {
-  if (Number.isNaN(value)) {
-    return false;
-  }
-  let within = at_most ? value <= limit : value >= limit;
-  return within || numbers__same_shown(value, limit);
-}
-
-/** How far a value is from its limit, over the limit: positive on the safe side, or nan [-]. */
-export function numbers__margin_of(value, limit, at_most) {
-  if (Number.isNaN(value) || Number.isNaN(limit) || limit === 0.0) {
-    return NaN;
-  }
-  if (!Number.isFinite(value)) {
-    return at_most ? NaN : Infinity;
-  }
-  return (at_most ? 1.0 : -1.0) * (1.0 - value / limit) + 0.0;
-}
-
-/** How many times its limit a value is, where it is far from it; nan where it is not [-]. */
-export function numbers__times_of(value, limit) {
-  if (Number.isNaN(value) || Number.isNaN(limit) || limit <= 0.0 || !Number.isFinite(value)) {
-    return NaN;
-  }
-  return value / limit >= 10.0 ? value / limit : NaN;
-}
-
-/** Place of a check among those of its level: the least governs, equal ones the first. */
-export function numbers__order_of(margin, missed, binding, advises, leads) {
-  let found = Math.abs(margin) < BEHIND ? Math.floor(margin / 1e-9 + 0.5) * 1e-9 : margin;
-  if (Number.isNaN(margin)) {
-    found = missed && binding ? NUMBERLESS : Infinity;
-  }
-  if (leads) {
-    return min(found, BEHIND) - AHEAD;
-  }
-  return missed && advises ? max(found, -BEHIND) + 2.0 * BEHIND : found;
 }

@@ -7,7 +7,20 @@ export class $Object {
   constructor(...given) {
     this.$init(...given);
   }
-  $init() {}
+  /** Puts the fields, if a class has any. */
+  $init(...given) {
+    const { $names = [], $usual } = this.constructor;
+    $names.forEach((name, i) => {
+      this[name] = given[i] === undefined ? $usual[name]?.() : given[i];
+    });
+    this.__post_init__?.();
+  }
+}
+/** What has its fields in an order. */
+export class $Tuple extends $Object {
+  *[Symbol.iterator]() {
+    for (const name of this.constructor.$names) yield this[name];
+  }
 }
 export class $Dict extends Map {
   constructor(...given) {
@@ -31,6 +44,7 @@ export class $Error extends Error {
   }
 }
 export class $KeyError extends $Error {}
+export class $ValueError extends $Error {}
 export class $StopIteration extends $Error {}
 export class $TypeError extends $Error {}
 export class $OverflowError extends $Error {}
@@ -105,7 +119,8 @@ class Named {
 export const $k = (given) => new Named(given);
 const named = (args) => (args.at(-1) instanceof Named ? args.pop() : {});
 
-export const $sig = (of, names, more = false) => Object.assign(of, { $names: names, $more: more });
+export const $sig = (of, names, more = false, usual = {}) =>
+  Object.assign(of, { $names: names, $more: more, $usual: usual });
 const placed = (of, args, by) => {
   const rest = new Map(by);
   const given = of.$names.map((name, i) => {
@@ -138,7 +153,7 @@ export const $once =
     if (!kept.has(key)) kept.set(key, of(...args));
     return kept.get(key);
   };
-export const $iter = (of) => (of instanceof Map ? of.keys() : of);
+export const $iter = (of) => (of instanceof Map ? of.keys() : of.__iter__ ? of.__iter__() : of);
 export const $map = (entries) => new Map(entries);
 export const $truth = (x) =>
   !(
@@ -172,8 +187,9 @@ export function $eq(a, b) {
   const fields = a.constructor.$compared;
   return a.constructor === b.constructor && Boolean(fields) && fields.every((f) => $eq(a[f], b[f]));
 }
+const isMap = (of) => of instanceof Map || of instanceof WeakMap;
 export const $in = (x, of) => {
-  if (of instanceof Map || of instanceof Set) return of.has(x);
+  if (isMap(of) || of instanceof Set) return of.has(x);
   if (typeof of === "string") return of.includes(x);
   return [...of].some((y) => $eq(x, y));
 };
@@ -193,10 +209,12 @@ export const $pow = (a, b) => (a instanceof $Decimal ? a.to(b) : a ** b);
 export const $neg = (a) => (a instanceof $Decimal ? new $Decimal(-a.whole, a.power) : -a);
 export const $merged = (a, b) =>
   a instanceof Map ? new Map([...a, ...b]) : a instanceof Set ? new Set([...a, ...b]) : a | b;
+export const $common = (a, b) =>
+  a instanceof Set ? new Set([...a].filter((x) => b.has(x))) : a & b;
 /** The characters of a text, one a code point. */
 const letters = (text) => (/[\ud800-\udfff]/.test(text) ? [...text] : text);
 export function $at(of, key) {
-  if (of instanceof Map) {
+  if (isMap(of)) {
     if (!of.has(key) && of instanceof Counts) return 0;
     if (!of.has(key)) throw new $KeyError(key);
     return of.get(key);
@@ -206,7 +224,7 @@ export function $at(of, key) {
   return typeof key === "number" ? (found.at(key) ?? null) : (found.groups?.[key] ?? null);
 }
 export const $put = (of, key, value) => {
-  if (of instanceof Map) of.set(key, value);
+  if (isMap(of)) of.set(key, value);
   else of[key < 0 ? of.length + key : key] = value;
 };
 export const $slice = (of, from, to) => {
@@ -217,8 +235,20 @@ export const $replaced = (of, by) => {
   const kind = of.constructor;
   return new kind(...kind.$names.map((name) => (by.has(name) ? by.get(name) : of[name])));
 };
+/** What a lazy property is found to be, which it is from then on. */
+export const $kept = (of, name, value) => {
+  Object.defineProperty(of, name, { value });
+  return value;
+};
+/** What a member of an enumeration has, or another object. */
+export const $told = (of, member, name) =>
+  typeof member === "string" ? of.get(member) : member[name];
 /** An object of a class as it was when the module was made. */
-export const $made = (kind, fields) => Object.assign(Object.create(kind.prototype), fields);
+export const $made = (kind, names, values) =>
+  Object.assign(
+    Object.create(kind.prototype),
+    Object.fromEntries(names.map((n, i) => [n, values[i]])),
+  );
 
 // Numbers as text.
 
@@ -359,6 +389,7 @@ const METHODS = {
   rstrip: (x, of) => sides(x, of, false, true),
   lower: (x) => x.toLowerCase(),
   upper: (x) => x.toUpperCase(),
+  capitalize: (x) => x.slice(0, 1).toUpperCase() + x.slice(1).toLowerCase(),
   casefold: (x) => x.toLowerCase().replaceAll("ß", "ss"),
   startswith: (x, of) => any(of).some((y) => x.startsWith(y)),
   endswith: (x, of) => any(of).some((y) => x.endsWith(y)),
@@ -386,6 +417,12 @@ const METHODS = {
   isascii: (x) => /^[\x00-\x7f]*$/.test(x),
   translate: (x, by) =>
     [...x].map((c) => (by.has(c.codePointAt(0)) ? (by.get(c.codePointAt(0)) ?? "") : c)).join(""),
+  format: (x, given, by) => {
+    let at = 0;
+    return x.replace(/\{\{|\}\}|\{(\w*)\}/g, (all, name) =>
+      name === undefined ? all[0] : $str(name ? $at(by, name) : given[at++]),
+    );
+  },
   // dicts, sets and lists
   get: (x, key, other = null) => (x.has(key) ? x.get(key) : other),
   items: (x) => [...x],
@@ -486,6 +523,9 @@ export const $b = {
   all: (x) => [...$iter(x)].every($truth),
   sum: (x) => [...$iter(x)].reduce((a, b) => a + b, 0),
   abs: (x) => Math.abs(x),
+  filter: (of, x) => [...$iter(x)].filter((y) => $truth(of === null ? y : of(y))),
+  /** A whole number, half to even. */
+  round: (x) => (Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x)),
   min: best((a, b) => less(a, b)),
   max: best((a, b) => less(b, a)),
   sorted: (...args) => {
@@ -521,7 +561,7 @@ export const $b = {
   reversed: (x) => [...$iter(x)].reverse(),
   ord: (x) => x.codePointAt(0),
   type: (x) => x.constructor,
-  getattr: (x, name, other) => (x[name] === undefined ? (other ?? null) : x[name]),
+  getattr: (x, name, other) => x?.[name] ?? other ?? null,
   pairwise: (x) => $b.zip($iter(x), [...$iter(x)].slice(1)),
   Counter: (x) => {
     const found = new Counts();
@@ -542,7 +582,8 @@ export const $math = {
   isnan: (x) => Number.isNaN(+x),
   isinf: (x) => Math.abs(x) === Number.POSITIVE_INFINITY,
   isclose: (a, b, { rel_tol }) =>
-    a === b || Math.abs(a - b) <= rel_tol * Math.max(Math.abs(a), Math.abs(b)),
+    a === b ||
+    (Number.isFinite(a - b) && Math.abs(a - b) <= rel_tol * Math.max(Math.abs(a), Math.abs(b))),
   fsum: (x) => {
     const all = [...$iter(x)].map(Number);
     if (!all.every(Number.isFinite)) return all.reduce((a, b) => a + b, 0);
@@ -550,10 +591,12 @@ export const $math = {
   },
   comb: (n, k) =>
     Array.from({ length: k }, (_, i) => i).reduce((a, i) => (a * (n - i)) / (i + 1), 1),
+  degrees: (x) => (x * 180) / Math.PI,
   copysign: (a, b) => (b < 0 || Object.is(b, -0) ? -Math.abs(a) : Math.abs(a)),
 };
 for (const name of [
   "log",
+  "expm1",
   "exp",
   "sqrt",
   "sin",

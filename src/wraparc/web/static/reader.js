@@ -1,11 +1,14 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
-import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText } from "./documents.js";
-import { $Decimal, $Dict, $Error, $Object, $OverflowError, $TypeError, $add, $and, $at, $b, $bound, $call, $eq, $fields, $format, $in, $iter, $k, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $truth } from "./python.js";
+import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
+import { cell__quantity } from "./cells.js";
+import { cellOf } from "./base/digits.js";
+import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
+import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $Tuple, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
 
-(document = $call(overridden, [document, overrides], [["file", file]]));
+(document = overridden(document, overrides, file));
 if (($in("train", document))) {
 source__check_format(document, file);
 (report = new Report(file));
@@ -51,7 +54,7 @@ if (($truth(whole) && (given > 1))) {
 } else {
 ([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
 }
-throw new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["file", file], ["key", "format"], ["value", $shown(given)]]));
+throw new InputError(new Problem(message, remedy, file, "format", $shown(given)));
 }
 function source__read_tables(table, document, file) {
 let report;
@@ -199,7 +202,7 @@ let by_plain, remedy, texts;
 (by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
 (remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
-return new InputError($call(Problem, [], [["message", ("" + "the catalogue has no " + $str(what) + " of this name")], ["remedy", $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them."))], ["value", $shown(name)]]));
+return new InputError(new Problem(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name)));
 }
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
@@ -216,12 +219,12 @@ function conditions__condition_of(value, report) {
 let factors, made, source;
 
 if (!$truth($b.isinstance(value, Record))) {
-return $call(Condition, [], [["name", $b.str(value)]]);
+return new Condition($b.str(value));
 }
 (factors = $m.get(value, "friction_factors", $map([])));
 (source = $or(origins__own_provenance(value, report), () => new Provenance()));
 (made = $method($c8, "built", [value, report], [["factors", factors], ["source", source]]));
-return $or(made, () => $call(Condition, [], [["name", $b.str($m.get(value, "name", "dry"))]]));
+return $or(made, () => new Condition($b.str($m.get(value, "name", "dry"))));
 }
 function drive__repeated(key, names) {
 let found;
@@ -230,7 +233,7 @@ let found;
 if (($eq($b.len($b.set(found)), $b.len(found)))) {
 return [];
 }
-return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + ".name")], ["value", $shown(name)], ["message", ("" + "used " + $str(count) + " times")], ["remedy", "Give each its own name."]]); } })()];
+return [...(function* () { for (const [name, count] of $iter($m.items($b.Counter(found)))) { if (!((count > 1))) continue; yield new Problem(("" + "used " + $str(count) + " times"), "Give each its own name.", undefined, ("" + $str(key) + ".name"), $shown(name)); } })()];
 }
 function drive_build__build_pulley(record, laggings, conditions, report) {
 let built, by_name, found, found_before, lagging, laws, more, own, place, sources, sure, wrap;
@@ -261,7 +264,7 @@ if (($in("belt_path", record))) {
 if ((wrap == null)) {
 return null;
 }
-{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c28], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
+{ const [$v0, $v1] = [wrap, $map([["wrap_angle", $c27], ...sources])]; $put(more, "wrap_angle", $v0); (sources = $v1); }
 }
 if (($in("across", record))) {
 (found_before = $b.len($bound(report, "problems")));
@@ -270,7 +273,7 @@ if (($b.len($bound(report, "problems")) > found_before)) {
 return null;
 }
 }
-(built = $method($c32, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
+(built = $method($c31, "built", [record, report], [["lagging", lagging], ["sources", sources], ...more]));
 return built;
 }
 function conditions__at_its_place(condition, laws) {
@@ -318,39 +321,44 @@ for ([end, key] of $iter([[before, "before"], [after, "after"]])) {
 if (((distance < ($add(end.diameter, pulley.diameter) / 2.0)) || ($eq(distance, 0.0)))) {
 (message = ("" + "its centre is only " + $str(display__display(distance, "length")) + " from that of the pulley, and the two overlap"));
 (remedy = "Check the coordinates and the diameters.");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, key));
 }
 }
 return problems;
 }
 function display__display(value, dimension, system = "si", digits = 4) {
 
-return $once(display___shown, $kept_display___shown)(value, dimension, system, digits);
+return display__joined(display__parts(value, dimension, system, digits));
 }
-function display___shown(value, dimension, system, digits) {
-let bound, larger, larger_unit, number, size, unit;
-([unit, larger] = $at($at($c11, system), dimension));
-if (($eq(dimension, "temperature"))) {
-return ("" + $str(display___rounded(display___degrees(value, unit), digits)) + " " + $str(unit));
-}
-(number = (value / parse__unit_factor(unit, dimension)));
-if ((($b.abs(number) < 1e-09) && (!$in(dimension, $c27)))) {
+function display__parts(value, dimension, system, digits) {
+let bound, factor, number, other, row, size, unit, zero;
+
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+([unit, number] = [row.unit, (value / row.factor)]);
+if ((($b.abs(number) < 1e-09) && (!$eq(dimension, "wear_coefficient")))) {
 (number = 0.0);
 }
-(size = $b.abs($b.float(display___rounded(number, digits))));
-for ([bound, larger_unit] of $iter(larger)) {
+(size = $b.abs(digits__read(digits__rounded(number, digits))));
+for ([bound, other, factor, zero] of $iter(row.larger)) {
 if ((bound <= size && size < Infinity)) {
-([unit, number] = [larger_unit, (value / parse__unit_factor(larger_unit, dimension))]);
+([unit, number] = [other, ($sub(value, zero) / factor)]);
 }
 }
-return $m.rstrip(("" + $str(display___rounded(number, digits)) + " " + $str(unit)));
+return [digits__rounded(number, digits), unit];
 }
-const $kept_display___shown = new Map();
-function display___degrees(kelvin, unit) {
-let zero;
-(zero = parse__parse_quantity(("" + "0 " + $str(unit)), "temperature"));
-return ($sub(kelvin, zero) / $sub(parse__parse_quantity(("" + "1 " + $str(unit)), "temperature"), zero));
+function display__unit_row(dimension, system) {
+let larger, more, one, unit, zero;
+
+([unit, more] = $at($at($c11, system), dimension));
+if (($eq(dimension, "temperature"))) {
+(zero = parse__parse_quantity(("" + "0 " + $str(unit)), dimension));
+(one = parse__parse_quantity(("" + "1 " + $str(unit)), dimension));
+return new UnitRow("K", 1.0, [[0.0, unit, $sub(one, zero), zero]]);
 }
+(larger = $b.tuple((function* () { for (const [bound, name] of $iter(more)) { yield [bound, name, parse__unit_factor(name, dimension), 0.0]; } })()));
+return new UnitRow(unit, parse__unit_factor(unit, dimension), larger);
+}
+const $kept_display__unit_row = new Map();
 function parse__parse_quantity(value, dimension) {
 let kind, problem;
 
@@ -386,7 +394,7 @@ throw numbers___refused(given, "too small to tell from zero", "Write 0, or check
 return value;
 }
 function numbers___refused(given, message, remedy) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
@@ -395,7 +403,7 @@ let kind, message;
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
 function parse___refused(given, message, remedy) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]));
+return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
 }
 function parse___read(text, dimension) {
 let number, unit, unit_text;
@@ -582,30 +590,6 @@ return "energy_per_area";
 }
 return $b.next((function* () { for (const name of $iter($c26)) { if (!(($eq($once(parse___powers, $kept_parse___powers)(name), powers)))) continue; yield name; } })(), null);
 }
-function display___rounded(number, digits) {
-let exponent, given, rounded, whole;
-
-if (!$truth($math.isfinite(number))) {
-return $b.str(number);
-}
-if (($eq(number, 0))) {
-return "0";
-}
-(given = ("" + $format(number, ("" + "." + $str($sub(4, 1)) + "e"))));
-(whole = $and((digits <= 4), () => $math.isclose($b.float(given), number, ({rel_tol: 1e-09}))));
-if (($truth(whole) && ($neg(4) <= display___exponent(given) && display___exponent(given) < 12))) {
-return ("" + $format($b.Decimal(given).normalize(), ("" + "f")));
-}
-(rounded = ("" + $format(number, ("" + "." + $str($sub(digits, 1)) + "e"))));
-(exponent = display___exponent(rounded));
-if (!($neg(4) <= exponent && exponent < 12)) {
-return rounded;
-}
-return ("" + $format($b.float(rounded), ("" + "." + $str($b.max(0, $sub($sub(digits, 1), exponent))) + "f")));
-}
-function display___exponent(scientific) {
-return $b.int($at($m.rpartition(scientific, "e"), 2));
-}
 function parse__unit_factor(unit, dimension) {
 let resolved;
 
@@ -614,6 +598,56 @@ if ($truth(resolved.zero)) {
 throw parse___refused(unit, "has its zero elsewhere than 0 K", "Convert the column to K.");
 }
 return $b.float($bound(resolved, "factor"));
+}
+function digits__rounded(number, digits) {
+let given, power, text;
+
+if ($truth($math.isnan(number))) {
+return "nan";
+}
+if ($truth($math.isinf(number))) {
+return ((number > 0.0) ? "inf" : "-inf");
+}
+if (($eq(number, 0.0))) {
+return "0";
+}
+(given = digits__scientific(number, $sub(4, 1)));
+(power = digits__exponent_of(given));
+if (((digits <= 4) && $truth(digits___equal(digits__read(given), number)) && ($neg(4) <= power && power < 12))) {
+return digits__trimmed(digits__fixed(digits__read(given), $b.max(0, $sub($sub(4, 1), power))));
+}
+(text = digits__scientific(number, $sub(digits, 1)));
+(power = digits__exponent_of(text));
+return (($neg(4) <= power && power < 12) ? digits__fixed(digits__read(text), $b.max(0, $sub($sub(digits, 1), power))) : text);
+}
+function digits__scientific(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "e")));
+}
+function digits__exponent_of(text) {
+
+return $b.int($at($m.rpartition(text, "e"), 2));
+}
+function digits__read(text) {
+
+return $b.float(text);
+}
+function digits___equal(a, b) {
+return ($b.abs($sub(a, b)) <= $mul(1e-09, $b.max($b.abs(a), $b.abs(b))));
+}
+function digits__fixed(number, digits) {
+
+return ("" + $format(number, ("" + "." + $str(digits) + "f")));
+}
+function digits__trimmed(text) {
+
+return (($in(".", text)) ? $m.rstrip($m.rstrip(text, "0"), ".") : text);
+}
+function display__joined(of) {
+let number, unit;
+
+([number, unit] = of);
+return $add(number, ((!$eq(unit, "")) ? $add(" ", unit) : ""));
 }
 function limits__raise_all(problems) {
 
@@ -642,8 +676,8 @@ let built, ends;
 if (!$truth($b.isinstance(record, Record))) {
 return null;
 }
-(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c29], ["after", $c30]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
-(built = $method($c31, "built", [record, report], [...ends]));
+(ends = $map([...(function* () { for (const [key, kind] of $iter([["before", $c28], ["after", $c29]])) { if (!($truth($b.isinstance($m.get(record, key), Record)))) continue; yield [key, kind.built($at(record, key), report)]; } })()]));
+(built = $method($c30, "built", [record, report], [...ends]));
 return built;
 }
 function across_keys__check_width(pulleys, belt, report) {
@@ -669,7 +703,7 @@ report.take(new InputError(problem), [...$iter(across.place), key]);
 function drive_build__build_criteria(record, report) {
 let parts;
 
-(parts = $map([...(function* () { for (const e of $iter($c33)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
+(parts = $map([...(function* () { for (const e of $iter($c32)) { yield [e.attribute, e.kind.built($m.get(record, $bound(e, "key")), report)]; } })()]));
 return $call(Criteria, [], [...$map([...(function* () { for (const [name, part] of $iter($m.items(parts))) { if (!((part != null))) continue; yield [name, part]; } })()])]);
 }
 function drive_file___load_cases(record, pulleys, built_belt, take_up, report) {
@@ -684,13 +718,13 @@ report.take(new InputError(problem), []);
 if ((($b.len($b.set(names)) < $b.len($or($m.get(record, "pulley"), () => []))) || !$truth($b.isinstance(belt, Record)))) {
 return [];
 }
-(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c34)); } })())));
+(sure = $and(belt.sound("speed"), () => $b.all((function* () { for (const item of $iter(pulleys)) { yield item.sound(...$iter($c33)); } })())));
 (speed = $m.get(belt, "speed"));
 (own = [...(function* () { for (const item of $iter(pulleys)) { yield Given.of($at(item, "name"), item, drive_file___pulled_at(item, built_belt)); } })()]);
 (built = []);
 if ((!$truth(cases) || $truth(tensions__complete(own, speed)))) {
-(tensions = $call(tensions__resolve, [own, speed, report], [["sure", sure]]));
-$m.append(built, $call(LoadCase, [], [["name", "design"], ["tensions", tensions]]));
+(tensions = tensions__resolve(own, speed, report, sure));
+$m.append(built, new LoadCase("design", tensions));
 }
 for (case_ of $iter(cases)) {
 if (($in("train", case_))) {
@@ -698,7 +732,7 @@ report.add([...$iter(case_.place), "train"], "there is no [train] table", "Write
 }
 (given = drive_file___of_case(case_, own, take_up, speed, report));
 (whole = $and(sure, () => case_.sound()));
-(tensions = $call(tensions__resolve, [given, speed, report], [["sure", whole]]));
+(tensions = tensions__resolve(given, speed, report, whole));
 if (($in("name", case_))) {
 (more = $map([["kind", $m.get(case_, "kind", "running")], ["condition", conditions__condition_name(case_)]]));
 $m.append(built, $call(LoadCase, [], [["name", $at(case_, "name")], ["tensions", tensions], ...more]));
@@ -776,37 +810,6 @@ $put(pairs, i, new NipTensions(entry, leaving));
 }
 return pairs;
 }
-function tension_rules__pull_given(of, at) {
-
-if ((of.effective_tension != null)) {
-return of.effective_tension;
-}
-if ((of.torque != null)) {
-return ((at.diameter == null) ? null : load_case__pull_of_torque($bound(of, "torque"), $bound(at, "diameter")));
-}
-if (((of.power == null) || (at.speed == null))) {
-return null;
-}
-return load_case__pull_of_power($bound(of, "power"), $bound(at, "speed"));
-}
-function load_case__pull_of_torque(torque, diameter) {
-
-return ($mul(2.0, torque) / diameter);
-}
-function load_case__pull_of_power(power, speed) {
-
-return (power / speed);
-}
-function tension_rules__filled(entry, leaving, pull) {
-
-if (((pull != null) && (leaving == null) && (entry != null))) {
-return new NipTensions(entry, $sub(entry, pull));
-}
-if (((pull != null) && (entry == null) && (leaving != null))) {
-return new NipTensions($add(leaving, pull), leaving);
-}
-return new NipTensions(entry, leaving);
-}
 function tensions__resolve(given, speed, report, sure = true) {
 let entry, exit_, fault, item, made, place, tensions, wrong;
 
@@ -852,70 +855,14 @@ return fault;
 function tensions___force(value) {
 return display__display(value, "force");
 }
-function tension_rules__fault_of(of, inherited, at, force) {
-let between, ends, given, message, pull, pulls, remedy;
-
-([pulls, given] = [tension_rules__effective_keys(of), tension_rules__families(of)]);
-if (!$truth(tension_rules__overdetermined(of))) {
-return null;
-}
-if (($b.len(pulls) > 1)) {
-return new LoadFault(("" + $str(tension_rules__listed(pulls)) + " each fix the effective tension"), "Leave one of them out.", "");
-}
-(message = ("" + $str(tension_rules__listed(given)) + " are given, and two of them fix the third"));
-([pull, ends] = [tension_rules__pull_given(of, at), tension_rules__ends_of(of, at)]);
-if (((pull != null) && (ends.entry != null) && (ends.exit != null))) {
-(between = $sub(ends.entry, ends.exit));
-if (($b.abs($sub(pull, between)) > $mul(1e-06, $b.abs(between)))) {
-(message = ("" + $str(tension_rules__listed(given)) + " contradict each other: entry less exit tension is " + $str(force(between)) + ", " + $str($at(pulls, 0)) + " makes " + $str(force(pull))));
-}
-}
-(remedy = "Give two of them in the load case: they replace those of the pulley.");
-return new LoadFault(message, ($truth(inherited) ? remedy : "Leave one of them out."), "");
-}
-function tension_rules__effective_keys(of) {
-
-return [...(function* () { for (const key of $iter($c35)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()];
-}
-function tension_rules__families(of) {
-let keys, pulls;
-
-(keys = [...(function* () { for (const key of $iter($c36)) { if (!(($b.getattr(of, key) != null))) continue; yield key; } })()]);
-(pulls = tension_rules__effective_keys(of));
-if (($b.len(pulls) > 0)) {
-$m.append(keys, $at(pulls, 0));
-}
-return keys;
-}
-function tension_rules__overdetermined(of) {
-
-return $or(($b.len(tension_rules__effective_keys(of)) > 1), () => ($b.len(tension_rules__families(of)) > 2));
-}
-function tension_rules__listed(keys) {
-
-return ("" + $str($m.join(", ", $slice(keys, null, $neg(1)))) + " and " + $str($at(keys, $neg(1))));
-}
-function tension_rules__ends_of(of, at) {
-
-return tension_rules__filled($bound(of, "entry_tension"), $bound(of, "exit_tension"), tension_rules__pull_given(of, at));
-}
-function tension_rules__speed_missing(of, at) {
-let remedy;
-
-if (((at.speed != null) || (of.power == null))) {
-return null;
-}
-(remedy = "Write speed = \"3 m/s\" in [belt], or give effective_tension.");
-return new LoadFault("power needs the belt speed", remedy, "power");
-}
 function tensions___made(item, entry, exit_, report) {
 let key, made, message, place, pulls, remedy, side, tension, told, what, why;
 (pulls = tension_rules__effective_keys($bound(item, "values")));
 try {
 (told = $m.join(" and ", (function* () { for (const key of $iter(pulls)) { yield $m.strip(("" + $str($m.replace(key, "_", " ")) + " " + $str($m.get(item.raw, key, "")))); } })()));
 (why = ($truth(told) ? ("" + "computed from " + $str(told)) : "that of the neighbouring pulley"));
-(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c37))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
-return $call(Tensions, [], [["entry", entry], ["exit", exit_], ["computed", made]]);
+(made = $map([...(function* () { for (const [key, name] of $iter($m.items($c34))) { if (!(($b.getattr($bound(item, "values"), name) == null))) continue; yield [key, why]; } })()]));
+return new Tensions(entry, exit_, made);
 } catch ($error) {
 if ($error instanceof InputError) {
 ([side, tension] = ((exit_ <= 0.0) ? ["exit", exit_] : ["entry", entry]));
@@ -928,16 +875,6 @@ report.add(place, message, remedy, ...$iter(($truth(key) ? [$at(item.raw, key)] 
 return null;
 } else throw $error;
 }
-}
-function tension_rules__too_few(of) {
-let given, message;
-
-(given = tension_rules__families(of));
-if (($eq($b.len(given), 0))) {
-return new LoadFault("no tensions are given", "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
-}
-(message = ("" + "only " + $str($at(given, 0)) + " is given, and it takes two quantities to fix the tensions"));
-return new LoadFault(message, "Give two of entry_tension, exit_tension and one of effective_tension, torque, power.", "tensions");
 }
 function drive_file___of_case(case_, own, take_up, speed, report) {
 let given, item, name, names, over, place, remedy, table, tables, there;
@@ -999,7 +936,7 @@ function conveyor_build___refuse_tensions(record, pulleys, report) {
 let key, pulley;
 
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], "the [conveyor] table gives the tensions already", "Leave it out, or the [conveyor] table.", $at(pulley.raw, key));
 }
 }
@@ -1015,7 +952,7 @@ if ((speed != null)) {
 $put(more, "speed", speed);
 }
 if ($truth(given.sound())) {
-(conveyor = $method($c38, "built", [given, report], [...more]));
+(conveyor = $method($c35, "built", [given, report], [...more]));
 return conveyor;
 }
 (unsure = $or(!$truth($b.isinstance(belt, Record)), () => !$truth(belt.sound("speed"))));
@@ -1029,21 +966,21 @@ function conveyor__choices(given) {
 let example, first, key, message, problems, remedy, second;
 
 (problems = []);
-for ([first, second, example] of $iter($c39)) {
+for ([first, second, example] of $iter($c36)) {
 if ((($in(first, given)) && ($in(second, given)))) {
 (message = ("" + $str(first) + " and " + $str(second) + " both say the same"));
-$m.append(problems, $call(Problem, [], [["key", second], ["message", message], ["remedy", "Leave one of them out."]]));
+$m.append(problems, new Problem(message, "Leave one of them out.", undefined, second));
 } else {
 if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
 (remedy = ("" + "Write " + $str(example) + ", or " + $str(second) + "."));
-$m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], ["remedy", remedy]]));
+$m.append(problems, new Problem("missing", remedy, undefined, first));
 }
 }
 }
-for (key of $iter($c40)) {
+for (key of $iter($c37)) {
 if ((($in(key, given)) && (!$in("speed", given)))) {
 (remedy = "Write speed = \"3 m/s\" in [belt].");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", "needs the belt speed"], ["remedy", remedy]]));
+$m.append(problems, new Problem("needs the belt speed", remedy, undefined, key));
 }
 }
 return problems;
@@ -1053,9 +990,9 @@ let kind, made, tensions, why;
 
 (why = "computed from the resistances of the conveyor");
 (made = $map([["entry", why], ["exit", why]]));
-(tensions = $call(Tensions, [], [["entry", state.entry], ["exit", state.exit], ["computed", made]]));
+(tensions = new Tensions(state.entry, state.exit, made));
 (kind = state.kind);
-return $call(LoadCase, [], [["name", state.name], ["tensions", $map([[pulley, tensions]])], ["kind", kind]]);
+return new LoadCase(state.name, $map([[pulley, tensions]]), kind);
 }
 function drive__least_tensions(cases) {
 
@@ -1082,7 +1019,7 @@ let force;
 if ((force < least)) {
 return [];
 }
-return [$call(Problem, [], [["message", ("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force")))], ["remedy", "Give the mass of a metre of belt, not that of the whole belt."], ["key", key]])];
+return [new Problem(("" + "the belt presses on no pulley: m v^2 = " + $str(display__display(force, "force")) + ", with a mass of " + $str(display__display($or(belt.mass, () => 0.0), "mass_per_length")) + ", and its least tension is " + $str(display__display(least, "force"))), "Give the mass of a metre of belt, not that of the whole belt.", undefined, key)];
 }
 function pitch__centrifugal_of(belt) {
 
@@ -1091,16 +1028,12 @@ return 0.0;
 }
 return pitch__centrifugal_force($bound(belt, "mass"), $bound(belt, "speed"));
 }
-function pitch__centrifugal_force(mass, speed) {
-
-return $mul($mul(mass, speed), speed);
-}
 function drive__side_problems(belt, pulleys) {
 
 if ($truth($b.all((function* () { for (const key of $iter([...$iter($c6), "thickness"])) { yield ($b.getattr(belt, key) == null); } })()))) {
 return [];
 }
-return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield $call(Problem, [], [["message", "the pulley meets the carry side, and carry_cover of the belt is not given"], ["remedy", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers."], ["key", ("" + "pulley." + $str(pulley.name) + ".side")], ["value", $shown($bound(pulley, "side"))]]); } })()];
+return [...(function* () { for (const pulley of $iter(pulleys)) { if (!((($eq(pulley.side, "carry")) && $truth($math.isnan(pitch__touching_cover(pitch__layers_of(belt), true)))))) continue; yield new Problem("the pulley meets the carry side, and carry_cover of the belt is not given", "Give carry_cover = \"5 mm\" in [belt], or thickness with the other layers.", undefined, ("" + "pulley." + $str(pulley.name) + ".side"), $shown($bound(pulley, "side"))); } })()];
 }
 function conditions__in_each_condition(cases, conditions) {
 let case_, found, names, split;
@@ -1119,12 +1052,12 @@ return $b.tuple(found);
 function file__train_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, criteria, drive, ends, error, known, laggings, message, own, parts, problem, pulleys, reader, record, records, report, told, train;
 
-(document = $call(overridden, [document, overrides], [["file", file]]));
+(document = overridden(document, overrides, file));
 if ((!$in("train", document))) {
-(drive = $call(drive_file__drive_from_document, [document], [["file", file], ["folder", folder], ["allow_paths", allow_paths]]));
+(drive = drive_file__drive_from_document(document, file, folder, undefined, allow_paths));
 return Train.of(drive);
 }
-([record, report] = source__read_tables($c41, document, file));
+([record, report] = source__read_tables($c38, document, file));
 (belt_record = $m.get(record, "belt"));
 (belt = ($truth($b.isinstance(belt_record, Record)) ? drive_build__build_belt(belt_record, report) : null));
 (own = $m.get(record, "lagging"));
@@ -1165,7 +1098,7 @@ let case_, key, message, pulley, remedy;
 
 (message = "the tensions of single pulleys follow from [train]");
 for (pulley of $iter(pulleys)) {
-for (key of $iter((function* () { for (const key of $iter($c34)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
+for (key of $iter((function* () { for (const key of $iter($c33)) { if (!(($in(key, pulley)))) continue; yield key; } })())) {
 report.add([...$iter(pulley.place), key], message, "Leave it out.", $at(pulley.raw, key));
 }
 }
@@ -1198,7 +1131,7 @@ if ($truth($b.isinstance(step, "int"))) {
 (text = $add(text, ("" + "[" + $str(step) + "]")));
 continue;
 }
-(key = ($truth($m.fullmatch($c42, step)) ? step : $shown(step)));
+(key = ($truth($m.fullmatch($c39, step)) ? step : $shown(step)));
 (text = $add(text, ($truth(text) ? ("" + "." + $str(key)) : key)));
 }
 return text;
@@ -1222,7 +1155,7 @@ if (($in("\\", written))) {
 }
 }
 (value = ($truth(written) ? $shown(written) : ""));
-return $call(Problem, [], [["message", message], ["remedy", remedy], ["value", value], ["file", file], ["line", line]]);
+return new Problem(message, remedy, file, undefined, value, line);
 }
 function source___stands_before(written, lines) {
 let before, key, keys;
@@ -1237,28 +1170,122 @@ for (before of $iter(lines)) {
 }
 return $and((!$eq(key, "")), () => ($in(key, keys)));
 }
-function wrap_arc__of_belt(belt, side, law) {
-let counted, cover;
+function in_page_checks__arcs_of(drive) {
 
-([counted, cover] = [pitch__counts_shear(law, "cover shear"), pitch__cover_compliance(belt, side)]);
-return $map([["pitch_offset", pitch__pitch_offset(belt, side)], ["cover_compliance", ((counted === false) ? cover : 0.0)], ["cover_left_out", ((counted == null) ? cover : 0.0)], ["side_of_belt", side], ["belt_thickness", pitch__whole_thickness(belt)], ["centrifugal", pitch__centrifugal_of(belt)]]);
+return [...(function* () { for (const case_ of $iter(drive.load_cases)) { for (const p of $iter(drive.pulleys)) { yield WrapArc.of(drive, p, case_); }} })()];
 }
-function pitch__counts_shear(law, part) {
+function in_page_checks__given_of(drive, arc) {
+let of;
 
-return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
+(of = arc.described());
+return new in_page$Given(of.entry_tension, of.exit_tension, NaN, NaN, NaN, of.diameter, of.wrap_angle, of.overrun, of.recovery, of.width, drive.belt.modulus, in_page_checks___known($bound(drive.belt, "speed")), of.thickness, of.shear_modulus, of.compression_modulus, of.wear_coefficient, arc.creep_limit, arc.law.steepest_fall(), of.pitch_offset, arc.cover_compliance, in_page_checks___known($bound(drive.belt, "mass")), arc.slip_with_shear, of.belt_speed);
 }
-function pitch__cover_compliance(belt, side) {
-let cover, modulus;
-
-(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
-(modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
-return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+function in_page_checks___known(value) {
+return ((value == null) ? NaN : value);
 }
-function pitch__whole_thickness(belt) {
-let total;
+function in_page_checks__criteria_of(drive, arcs, index) {
+let arc, case_, pulley, rise;
 
-(total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
-return ($truth($math.isnan(total)) ? null : total);
+(arc = $at(arcs, index));
+([case_, pulley] = [drive.load_case($bound(arc, "load_case")), drive.pulley($bound(arc, "pulley"))]);
+(rise = gross_slip__rises(arcs, index, $bound(drive.criteria, "take_up")));
+return new in_page$Criteria(drive.criteria.safety.of($bound(case_, "kind")), rise.tight, rise.slack, arc.cover_left_out, $mul(in_page_checks___known($bound(drive.belt, "breaking_strength")), arc.width), in_page_checks___known($bound(pulley, "mass")), of_data__wet_factor(pulley.lagging_in($bound(case_, "condition"))));
+}
+function gross_slip__rises(arcs, index, take_up) {
+let after, names, pulls;
+
+([pulls, names] = [[...(function* () { for (const arc of $iter(arcs)) { yield arc.effective_tension; } })()], [...(function* () { for (const arc of $iter(arcs)) { yield arc.pulley; } })()]]);
+(after = ($truth(take_up.after) ? $m.index(names, $bound(take_up, "after")) : $neg(1)));
+return new Rise(...$iter($b.map($b.float, numbers__rise_among(pulls, index, $bound(take_up, "fixed"), after))));
+}
+function numbers__rise_among(pulls, index, fixed, after) {
+let ahead, behind, entry, leaving, lost, mine, total;
+
+([total, mine] = [$b.sum(pulls), $at(pulls, index)]);
+(ahead = $b.sum($slice(pulls, null, index)));
+(behind = $b.sum($slice(pulls, $add(index, 1), null)));
+(lost = ($truth(fixed) ? $mul(0.5, $b.abs(total)) : 0.0));
+if ((!$truth(fixed) && (after >= 0))) {
+(lost = ((total >= 0.0) ? $b.sum($slice(pulls, $add(after, 1), null)) : $neg($b.sum($slice(pulls, null, $add(after, 1))))));
+}
+(entry = $sub(((total >= 0.0) ? $add(mine, behind) : $neg(ahead)), lost));
+(leaving = $sub(((total >= 0.0) ? behind : $sub($neg(ahead), mine)), lost));
+return ((mine >= 0.0) ? [entry, leaving] : [leaving, entry]);
+}
+function of_data__wet_factor(lagging) {
+
+if ((!$eq(lagging.condition, "dry"))) {
+return 0.0;
+}
+try {
+return $at(new Condition("wet").factor_of(lagging), 0);
+} catch ($error) {
+if ($error instanceof InputError) {
+return NaN;
+} else throw $error;
+}
+}
+function in_page_checks__results_of(drive, arcs, found) {
+let every;
+
+(every = $b.tuple((function* () { for (const [arc, numbers] of $iter($b.zip(arcs, found, $k({strict: true})))) { yield in_page_checks__result_of(arc, numbers); } })()));
+return new DriveResult(drive, every);
+}
+function in_page_checks__result_of(arc, found) {
+let of;
+
+(of = found.summary);
+return new FoundArc(($truth($told($c40, found, "solved")) ? "The pulley carries its load." : "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction."), "distributed", arc, null, of.entry_tension, of.exit_tension, of.exit_creep, of.creep_shrinkage, of.creep_compression, of.creep_global, of.exit_slip, of.entry_creep_ratio, of.exit_creep_ratio, of.peak_shear_stress, of.peak_shear_angle, of.peak_shear_position, of.mean_friction, of.active_arc, of.outside_tested_share, of.stuck_arc, found.capacities, of, found);
+}
+function in_page_checks__train_drive(train, case_, pairs) {
+
+return result__drive_with(train, [unsolved__load_case(train, case_, [...(function* () { for (const at of $iter(pairs)) { yield [at.entry, at.exit]; } })()])]);
+}
+function unsolved__load_case(train, case_, pairs) {
+let names, tensions;
+
+(names = [...(function* () { for (const p of $iter(train.pulleys)) { yield p.name; } })()]);
+(tensions = $map([...(function* () { for (const [n, [a, b]] of $iter($b.zip(names, pairs, $k({strict: true})))) { yield [n, new Tensions(a, b)]; } })()]));
+return new LoadCase(case_.name, tensions, case_.kind, case_.condition);
+}
+function result__drive_with(train, cases) {
+
+return new Drive(train.title, train.belt, train.pulleys, $b.tuple(cases), train.creep_limit, train.criteria, train.description);
+}
+function in_page_checks__running_at(arcs, speeds) {
+
+return [...(function* () { for (const [arc, speed] of $iter($b.zip(arcs, speeds, $k({strict: true})))) { yield $replaced(arc, new Map([["belt_speed", ($truth($math.isnan(speed)) ? null : speed)]])); } })()];
+}
+function in_page_checks__alone(drive, name) {
+let cases;
+
+(cases = [...(function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })()]);
+return $replaced(drive, new Map([["load_cases", $slice($or(cases, () => drive.load_cases), null, 1)]]));
+}
+function in_page_checks__remarks_of(drive, verdict) {
+let left;
+
+(left = (function* () { for (const of of $iter(drive.laggings)) { if (!(($truth(of.fit) && $truth(of.fit.knots)))) continue; yield $m.format("The interval of the creep that the fit of {} leaves is not found in this page; wraparc solve tells it.", [$bound(of, "name")], $map([])); } })());
+return [...$iter(verdict.data), ...$iter($b.fromkeys(left))];
+}
+function in_page_checks__weak_kinds(drive) {
+let _, found, grounds, pulley;
+
+(found = []);
+for (pulley of $iter(drive.pulleys)) {
+([grounds, _] = of_data__law_words($bound(pulley, "lagging")));
+(found = $add(found, [...$iter(grounds), ...$iter((function* () { for (const [kind, _] of $iter(of_data__weak_sources(drive, pulley))) { yield kind; } })())]));
+}
+return [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield kind; } })()];
+}
+function of_data__law_words(lagging) {
+let friction, law, untested, words;
+
+([law, friction] = [$b.str($bound(lagging.source_of("law"), "kind")), ("" + "The friction of " + $str(lagging.name) + " is")]);
+(words = (($in(law, $c41)) ? [("" + $str(friction) + " " + $str($at($c41, law)) + ".")] : []));
+(untested = (lagging.law.tested == null));
+(words = $add(words, ($truth(untested) ? [("" + $str(friction) + " given without tests.")] : [])));
+return [[law, ...$iter(($truth(untested) ? ["untested"] : []))], words];
 }
 function* of_data__weak_sources(drive, pulley) {
 let belt, lagging, owners, source, told, what;
@@ -1291,6 +1318,1585 @@ if (($in(source.kind, ["illustrative", "calibrated"]))) {
 yield $b.str($bound(source, "kind"));
 }
 }
+function in_page_checks__idle_in(drive) {
+
+return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })());
+}
+function rules__idle(arc) {
+
+return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
+}
+function judge__judge(result) {
+let most, one, over, verdict;
+
+if ((!$in(result, $c43))) {
+(verdict = new Verdict(judge__sound(judge__every_check(result), least_tension__least_tension(result))));
+if ((verdict.level === "OK")) {
+(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
+([most, over] = judge___wet(one));
+(verdict = $replaced(verdict, new Map([["wet", most], ["over_wet", over]])));
+}
+$put($c43, result, verdict);
+}
+return $at($c43, result);
+}
+function judge__every_check(result) {
+
+return $b.tuple(($truth($b.isinstance(result, TrainResult)) ? judge___train(result) : judge___drive(result)));
+}
+function* judge___train(result) {
+let adrift, case_, check, title;
+for (case_ of $iter(result)) {
+yield* $iter(judge___of_train($bound(result, "train"), case_));
+if ($truth($b.isinstance(case_.case.division, Pulls))) {
+yield* $iter(judge___meeting(case_));
+}
+}
+(adrift = new Set((function* () { for (const case_ of $iter(result)) { if (!($truth(case_.adrift))) continue; yield case_.case.name; } })()));
+for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__of_train($bound(result, "train")))))) {
+if ((($eq(check.name, "gross_slip")) && ($in(check.place.load_case, adrift)))) {
+(title = $m.format("Safety against gross slip, {}", [$bound(result.train.case($bound(check.place, "load_case")), "kind")], $map([])));
+yield of_drive__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
+} else {
+yield check;
+}
+}
+}
+function* judge___of_train(train, case_) {
+let division, driven, member, motor, place, several;
+
+(place = new Place("", $bound(case_.case, "name")));
+if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
+yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place);
+}
+(several = ($b.len($bound(case_, "members")) > 1));
+if (!$truth($told($c40, case_.status, "solved"))) {
+yield* $iter(($truth(several) ? judge__not_working(place) : []));
+return null;
+}
+if ($truth(several)) {
+yield judge__fight(numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]), place);
+(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
+yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
+}
+yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
+(division = case_.case.division);
+for ([member, motor] of $iter($b.zip($bound(case_, "members"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
+yield judge___motor(member, motor, $bound(case_, "case"));
+}
+}
+function judge__operating_point(status, reason, place) {
+let fault, shorts;
+
+(fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
+(shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
+return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(status)))));
+}
+function check__escaped(text) {
+
+return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
+}
+function* judge__not_working(place) {
+let name, title;
+
+for ([name, title] of $iter([["fight", "Drives work together"], ["train_balance", "Tensions, speeds and torques of the train agree"]])) {
+yield of_drive__not_checked(name, title, "the drives do not carry the load", place);
+}
+}
+function of_drive__not_checked(name, title, why, place) {
+
+return new Check(name, title, "NOT CHECKED", place, undefined, undefined, undefined, undefined, undefined, why, check__escaped(("" + $str(title) + ": not checked, " + $str(why) + ".")));
+}
+function numbers__pull_against(pulls) {
+let small;
+
+(small = $mul(0.001, $b.max((function* () { for (const pull of $iter(pulls)) { yield $b.abs(pull); } })())));
+if (!(($b.min(pulls) < $neg(small)) && ($b.max(pulls) > small))) {
+return 0.0;
+}
+return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
+}
+function judge__fight(lost, place) {
+let fights;
+
+(fights = (lost > 0.0));
+return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : ""), undefined, $map([["lost", [lost, "force"]]]));
+}
+function* of_drive__unknown_trims(belt, pulleys, at) {
+let first, opposite, place, pulley, shift;
+
+for (pulley of $iter($slice(pulleys, 1, null))) {
+(first = $at(pulleys, 0));
+(shift = of_drive__open_shift(belt, first, pulley));
+if ((shift > 0.0)) {
+([place, opposite] = [$replaced(at, new Map([["pulley", pulley.name]])), (!$eq(pulley.side, first.side))]);
+yield of_drive__unknown_trim($bound(first, "name"), shift, opposite, place);
+}
+}
+}
+function of_drive__open_shift(belt, first, other) {
+let shift;
+
+if ($truth($b.all((function* () { for (const pulley of $iter([first, other])) { yield (pitch__pitch_offset(belt, $bound(pulley, "side")) != null); } })()))) {
+return 0.0;
+}
+(shift = numbers__trim_shift($bound(first, "diameter"), $bound(other, "diameter"), (!$eq(first.side, other.side))));
+return ((shift > 0.0001) ? shift : 0.0);
+}
+function numbers__trim_shift(first, other, opposite) {
+
+if ($truth(opposite)) {
+return (0.004 / $mul(0.5, $b.min(first, other)));
+}
+return $b.abs($sub((0.005 / $mul(0.5, first)), (0.005 / $mul(0.5, other))));
+}
+function of_drive__unknown_trim(first, shift, opposite, place) {
+let why;
+
+(why = ("" + "10 mm of belt on drums of two diameters shifts it by {shift} % against " + $str(first) + "."));
+if ($truth(opposite)) {
+(why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by 4 mm shift it by {shift} %."));
+}
+return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give pulley_cover, carry_cover and carcass in [belt].", undefined, $map([["shift", [$mul(100.0, shift), "number"]]]), false);
+}
+function judge__train_balance(error, place) {
+
+return of_drive__judged($at($c44, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+}
+function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
+let kept, level, miss;
+
+(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, rule.at_most)));
+(miss = new Miss($bound(rule, "missed"), short, says, remedy, $bound(rule, "fails_beyond"), because, $bound(rule, "tolerates"), allows, otherwise));
+([level, says] = miss.at(value, $bound(rule, "at_most")));
+return new Check(rule.name, title, ($truth(kept) ? "OK" : level), place, value, limit, dimension, rule.at_most, source, ($truth(kept) ? "" : short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : remedy), ($truth(kept) ? "" : otherwise), $or(more, () => $map([])), binding, miss);
+}
+function check__keeps(value, limit, at_most = true) {
+
+return numbers__kept(value, limit, at_most);
+}
+function numbers__kept(value, limit, at_most) {
+let within;
+
+if ($truth($math.isnan(value))) {
+return false;
+}
+(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
+return $or(within, () => numbers__same_shown(value, limit));
+}
+function numbers__same_shown(value, limit) {
+
+if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
+return ($eq(value, limit));
+}
+return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
+}
+function judge___motor(member, motor, case_) {
+let at, momentary;
+
+([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
+if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
+return judge__unrated(momentary, at);
+}
+return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at);
+}
+function judge__unrated(momentary, place) {
+let name, why;
+
+(name = ($truth(momentary) ? "momentary_load" : "motor_load"));
+(why = "a drive that follows another gives no rating of its motors");
+return of_drive__not_checked(name, $at($c45, momentary), why, place);
+}
+function judge__motor_load(load, most, momentary, place) {
+let remedy, title;
+
+(title = $at($c45, momentary));
+(remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
+if ($truth(momentary)) {
+(remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
+}
+return of_drive__judged($at($c44, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
+}
+function* judge___meeting(case_) {
+let ends, one, other, place;
+
+for ([one, other] of $iter($b.pairwise((function* () { for (const m of $iter(case_.members)) { yield m.arc.arc; } })()))) {
+(ends = [one.exit_tension, other.pulley, other.entry_tension]);
+(place = new Place($bound(other, "pulley"), $bound(case_.case, "name")));
+yield* $iter(of_drive__meeting($bound(one, "pulley"), ...$iter(ends), place));
+}
+}
+function* of_drive__meeting(before, leaves, after, enters, place) {
+
+if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
+return null;
+}
+yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + "."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
+}
+function* usual__of_train(train) {
+let division, kinds, motor, pulley, turns;
+
+(division = $at(train.cases, 0).division);
+if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
+for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
+yield new Owner(turns, $c46, "", new Place($bound(pulley, "name")));
+}
+}
+for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
+(kinds = ($truth($b.isinstance(motor, Motor)) ? $c47 : ["TorqueFollower"]));
+yield new Owner(motor, kinds, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
+}
+}
+function* judge___drive(result, ...others) {
+let arc, arcs, by_case, cases, drive, name, pulley;
+(drive = result.drive);
+(cases = $map([...(function* () { for (const case_ of $iter(drive.load_cases)) { yield [case_.name, case_]; } })()]));
+(by_case = $map([]));
+for (arc of $iter(result)) {
+$m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
+}
+for ([name, arcs] of $iter($m.items(by_case))) {
+yield* $iter(judge___case(drive.in_case($at(cases, name)), $at(cases, name), arcs));
+}
+if ($truth($b.any((function* () { for (const pulley of $iter(drive.pulleys)) { yield pulley.across; } })()))) {
+yield* $iter(in_page_checks__across(result));
+}
+yield* $iter(of_drive__take_up(drive));
+for (pulley of $iter(drive.pulleys)) {
+yield of_drive__pulley_diameter(drive, pulley);
+}
+yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
+for (pulley of $iter(drive.pulleys)) {
+yield of_data__data(drive, pulley);
+}
+}
+function* judge___case(drive, case_, arcs) {
+let balanced, found, index, pulley, result, sag;
+for ([index, result] of $iter($b.enumerate(arcs))) {
+(pulley = drive.pulley($bound(result.arc, "pulley")));
+(found = [of_arc__grip(drive, case_, arcs, index), of_arc__standard(drive, case_, result), of_arc__creep(drive, result), of_arc__cover_creep(result), in_page_checks__creep_interval(drive, result)]);
+yield* $iter((function* () { for (const check of $iter(found)) { if (!((check != null))) continue; yield check; } })());
+yield of_drive__belt_tension(drive, case_, pulley);
+yield of_drive__belt_safety(drive, case_, pulley);
+yield of_drive__face_pressure(drive, case_, pulley);
+yield* $iter(of_arc__lagging_stress(pulley, result));
+yield* $iter(of_drive__tested_pressure(drive, case_, pulley));
+yield* $iter(of_data__condition(case_, pulley));
+yield* $iter(of_data__fit(case_, pulley));
+yield* $iter(of_arc__tested_slip(pulley, result));
+if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rules__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rules__idle($bound(result, "arc")))))) {
+yield of_drive__sense(case_, pulley);
+}
+(balanced = of_arc__balance(result));
+if ((balanced != null)) {
+yield balanced;
+}
+}
+(sag = of_drive__sag(drive, case_));
+if ((sag != null)) {
+yield sag;
+}
+}
+function of_arc__grip(drive, case_, arcs, index) {
+let name, place, result, rise, take_up, title;
+
+(result = $at(arcs, index));
+([take_up, name] = [drive.criteria.take_up, $at($c44, "gross_slip").name]);
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+(title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefined, undefined, undefined, undefined, "not solved", check__escaped($b.str($bound(result, "status"))));
+}
+if ($truth(rules__idle($bound(result, "arc")))) {
+return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
+}
+(rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
+return of_arc__of_sliding(drive, case_, result, in_page_checks__sliding(result, rise));
+}
+function in_page_checks__sliding(result, _rise) {
+
+return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
+}
+function of_arc__of_sliding(drive, case_, result, found) {
+let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
+
+([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
+([rule, factor, gone] = [$at($c44, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
+([by, first] = $at($c48, found.cause));
+(title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
+return of_drive__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
+}
+if (($eq(found.cause, 1))) {
+(rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
+}
+(first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
+(says = ("" + $str(first) + " at {value} times the pull, " + $str(of_arc__held_words(take_up)) + "; the safety factor "));
+(says = $add(says, ("" + $str(case_.kind) + " is {limit}.")));
+(check = of_drive__judged(rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number", place, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), says, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), "So it slides.", undefined, undefined, $map([["slides", [0.0635, "length"]]])));
+if (!$truth(gone)) {
+return check;
+}
+(says = ("" + "Gross slip: no creep carries the pull. " + $str(says)));
+return $replaced(check, new Map([["level", "FAILS"], ["says", says], ["short", "gross slip"], ["miss", null]]));
+}
+function of_arc__held_words(take_up) {
+let where;
+
+if ($truth(take_up.fixed)) {
+return "T1 + T2 held (fixed take-up)";
+}
+(where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
+return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
+}
+function of_arc__standard(drive, case_, result) {
+let chosen, criteria, found, lagging, limit, place, slack, start, title;
+
+([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
+(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+if (((found == null) || $truth(rules__idle($bound(result, "arc"))))) {
+return null;
+}
+(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
+if ($truth($math.isnan($bound(found, "wrap_factor")))) {
+(title = ("" + "Slack side by " + $str(found.rule)));
+if (!$truth(criteria.standard.name)) {
+return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
+}
+return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or name another rule in [design_standard].", undefined, undefined, criteria.standard.binding);
+}
+(slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
+(limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
+(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
+(start = "");
+if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
+(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
+}
+return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "The slack side, {value}, is below the {limit} that " + $str(found.rule) + " asks for" + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
+}
+function design_standard__asked(standard, take_up, lagging, wrap_angle) {
+let factor, found, friction;
+
+if (($eq(standard.name, "none"))) {
+return null;
+}
+if ($truth(design_standard__by_table(standard, take_up, lagging))) {
+return design_standard___manual(lagging, wrap_angle);
+}
+([friction, found] = design_standard___friction(standard, lagging));
+if ((friction == null)) {
+return found;
+}
+(factor = constant_friction__wrap_factor(friction, wrap_angle));
+return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
+}
+function design_standard__by_table(standard, take_up, lagging) {
+
+return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
+}
+function design_standard___cema(standard) {
+return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
+}
+function design_standard___manual(lagging, wrap_angle) {
+let angle, ends, factor, rows;
+(rows = design_standard___rows(lagging));
+(angle = $math.degrees(wrap_angle));
+if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
+(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
+return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
+}
+(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
+return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
+}
+function design_standard___rows(lagging) {
+return $at($c49, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+}
+function design_standard___silent(name, why) {
+return new Asked(name, NaN, "", why);
+}
+function design_standard___friction(standard, lagging) {
+let condition, found, friction, name, rule, stated, value;
+
+(name = $or(standard.name, () => "CEMA"));
+if ((standard.friction != null)) {
+(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
+return [standard.friction, new Asked(rule, NaN, "given")];
+}
+if (!$truth(lagging.surface)) {
+return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
+}
+(condition = $or(standard.condition, () => lagging.condition));
+(found = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
+if ((value == null)) {
+return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
+}
+(friction = $at(value.friction, 0));
+(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
+(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
+return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
+}
+function constant_friction__wrap_factor(friction, wrap_angle) {
+
+return (1.0 / $math.expm1($mul(friction, wrap_angle)));
+}
+function design_standard__prints(standard, surface) {
+
+return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
+}
+function numbers__as_printed(factor) {
+
+return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
+}
+function of_arc__design_slack(drive, case_, result, factor) {
+let start;
+
+(start = rules__start_factor($bound(drive, "criteria"), $bound(case_, "kind")));
+return numbers__asked_slack(factor, start, $bound(result.arc, "effective_tension"));
+}
+function rules__start_factor(criteria, kind) {
+
+return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
+}
+function numbers__asked_slack(factor, start, pull) {
+
+return $mul($mul(factor, start), $b.abs(pull));
+}
+function rules__standard_rule(criteria) {
+let rule;
+
+(rule = $at($c44, "design_standard"));
+return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
+}
+function of_arc__creep(drive, result) {
+let limit, place, title;
+
+([title, place] = ["Creep at exit", new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case"))]);
+if (!$truth($told($c40, result.status, "solved"))) {
+return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
+}
+(limit = result.arc.creep_limit);
+return of_drive__judged($at($c44, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c51, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c44, "creep").tolerates, "length"]]]));
+}
+function of_arc__no_state(result) {
+
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return "the arc was not solved";
+}
+return "in gross slip the belt has no state at rest";
+}
+function of_arc___qualifies(drive, limit) {
+let belt, least, over, rating, steel, strong;
+
+(belt = drive.belt);
+if ((!$eq(limit, 0.00635))) {
+return "";
+}
+(least = $m.get($c51, $bound(belt, "kind")));
+([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
+if (((least == null) || ((rating == null) && !$truth(steel)))) {
+return "Whether this belt may creep more is not known: its carcass or rating is not given.";
+}
+(strong = $or(belt.breaking_strength, () => 0.0));
+(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
+if ($truth(over)) {
+return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
+}
+if (($truth(steel) && !$truth(strong))) {
+return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
+}
+return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
+}
+function of_arc__cover_creep(result) {
+let found, place, title, told;
+
+([place, found] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.covered_creep]);
+(title = "Creep at exit, with the cover of the belt in series");
+if (($eq(result.arc.cover_left_out, 0.0))) {
+return null;
+}
+if (!$truth($told($c40, result.status, "solved"))) {
+return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
+}
+(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
+return of_drive__judged($at($c44, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
+}
+function in_page_checks__creep_interval(_drive, result) {
+let fit, place;
+
+([place, fit] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.arc.fit]);
+if (((fit == null) || !$truth(fit.knots))) {
+return null;
+}
+return new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+}
+function of_drive__belt_tension(drive, case_, pulley) {
+let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
+
+([belt, tensions] = [drive.belt, $at(case_.tensions, pulley.name)]);
+(momentary = (!$eq(case_.kind, "running")));
+(title = ($truth(momentary) ? "Belt tension, momentary" : "Belt tension, running"));
+(rule = rules__tension_rule($bound(case_, "kind")));
+(value = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((belt.rating == null)) {
+return of_drive__not_checked($bound(rule, "name"), title, "the rating of the belt is not given", place);
+}
+(factor = rules__tension_factor(belt, $bound(case_, "kind")));
+(limit = $mul($mul(factor, belt.rating), belt.width));
+(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
+(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
+([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
+if (($truth(momentary) && (belt.momentary_factor == null))) {
+(remedy = "Give momentary_factor in [belt] if the maker allows more while starting and braking; else take a stronger belt.");
+(otherwise = "");
+}
+(share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
+return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is {share} % of the rating of the belt and more than " + $str(said) + " allows, {limit}."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
+}
+function rules__tension_rule(kind) {
+
+return $at($c44, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
+}
+function rules__tension_factor(belt, kind) {
+
+return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
+}
+function of_drive__origin(provenance) {
+
+return $b.str(provenance);
+}
+function of_drive__belt_safety(drive, case_, pulley) {
+let largest, tensions;
+
+(tensions = $at(case_.tensions, pulley.name));
+(largest = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), largest, new Place($bound(pulley, "name"), $bound(case_, "name")));
+}
+function of_drive__safety_factor(belt, kind, tension, place) {
+let asked, factor, momentary, rule, source, strength, title, why;
+
+([rule, momentary] = [$at($c44, "belt_safety"), (!$eq(kind, "running"))]);
+(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
+([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
+if ((strength == null)) {
+return of_drive__not_checked($bound(rule, "name"), title, "the strength of the belt is not given", place);
+}
+if ($truth($math.isnan(asked))) {
+(why = "neither rating nor kind of the belt tells what it is to be");
+return of_drive__not_checked($bound(rule, "name"), title, why, place);
+}
+if (($truth(momentary) && (belt.momentary_factor != null))) {
+(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
+}
+(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
+if ((belt.rating != null)) {
+(rule = $replaced(rule, new Map([["missed", "FAILS"]])));
+(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
+}
+return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, (belt.rating != null));
+}
+function rules__asked_safety(belt, kind) {
+let asked;
+
+if ((belt.breaking_strength == null)) {
+return NaN;
+}
+(asked = $m.get($c52, $bound(belt, "kind"), NaN));
+if ((belt.rating != null)) {
+(asked = (belt.breaking_strength / belt.rating));
+}
+return (asked / rules__tension_factor(belt, kind));
+}
+function numbers__safety_of(strength, tension, asked) {
+let safety;
+
+(safety = (strength / tension));
+return (((safety < asked) && $truth(numbers__same_shown(tension, (strength / asked)))) ? asked : safety);
+}
+function of_drive__face_pressure(drive, case_, pulley) {
+let belt, place, tensions, tight, title, value, why;
+
+([belt, title] = [drive.belt, "Pressure on the pulley face"]);
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((belt.largest_wrap_pressure == null)) {
+(why = "the largest wrap pressure of the belt is not given");
+return of_drive__not_checked("face_pressure", title, why, place);
+}
+(tensions = $at(case_.tensions, pulley.name));
+(tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
+(value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
+return of_drive__judged($at($c44, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
+}
+function rules__wrap_pressure(tension, width, diameter, centrifugal) {
+
+return ($mul(2.0, $sub(tension, centrifugal)) / $mul(width, diameter));
+}
+function* of_arc__lagging_stress(pulley, result) {
+let fatigue, more, often, pitch, place;
+
+(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
+yield of_arc___known(of_arc__bond(pulley, $bound(result, "peak_shear_stress"), place), result);
+(often = "");
+(more = $map([]));
+if ((result.arc.belt_speed != null)) {
+(often = ", {passes} times an hour,");
+(pitch = $add(result.arc.radius, result.arc.offset));
+$put(more, "passes", [pitch__turns_an_hour($bound(result.arc, "belt_speed"), pitch), "number"]);
+}
+(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass of the belt" + $str(often) + " the shear stress rises to {value}, more than the fatigue limit {limit}."), more));
+yield of_arc___known(fatigue, result);
+}
+function of_arc__bond(pulley, stress, place) {
+let title;
+
+(title = "Shear stress of lagging and bond, steady");
+if ($truth(place.event)) {
+(title = "Largest shear stress of lagging and bond");
+}
+return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.");
+}
+function of_arc___stress(pulley, stress, place, name, key, title, short, says, more = null) {
+let lagging, limit, why;
+(lagging = pulley.lagging);
+(limit = $b.getattr(lagging, key));
+if ((limit == null)) {
+(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
+return of_drive__not_checked(name, title, why, place);
+}
+return of_drive__judged($at($c44, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
+}
+function of_arc___known(check, result) {
+
+if (($truth($told($c40, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
+return check;
+}
+return of_drive__not_checked($bound(check, "name"), $bound(check, "title"), of_arc__no_state(result), $bound(check, "place"));
+}
+function pitch__turns_an_hour(speed, pitch) {
+
+return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
+}
+function* of_drive__tested_pressure(drive, case_, pulley) {
+let limit, more, name, of_tension, otherwise, place, tension, tensions, tested, title, why;
+
+(tested = pulley.lagging.law.tested);
+(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
+if ((tested == null)) {
+(why = "the friction law states no tests");
+yield of_drive__not_checked("tested_pressure", "Wrap pressure within the tests", why, place);
+return null;
+}
+(tensions = $at(case_.tensions, pulley.name));
+for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
+(more = ($truth($at($c44, name).at_most) ? "above" : "below"));
+yield of_drive__judged($at($c44, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
+}
+}
+function of_drive__tests_of(pulley) {
+
+return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(of_drive__origin(pulley.lagging.source_of("law"))));
+}
+function* of_data__condition(case_, pulley) {
+let _, grounds, lagging, of, says;
+
+(lagging = pulley.lagging);
+if (($in("condition", lagging.sources))) {
+([grounds, _] = of_data__law_words(lagging));
+(of = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
+(of = (($in("illustrative", grounds)) ? "an illustrative one" : of));
+(says = ("" + "its law is " + $str(of) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
+yield of_data___untested(case_, pulley, $bound(lagging, "condition"), "condition", says);
+}
+if (($in("worn", lagging.sources))) {
+(says = "its law is that of before, and what wear takes off the friction is not known");
+yield of_data___untested(case_, pulley, "worn", "worn", says);
+}
+}
+function of_data___untested(case_, pulley, state, part, says) {
+let lagging;
+(lagging = pulley.lagging);
+return new Check($at($c44, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
+}
+function* of_data__fit(case_, pulley) {
+let first, lagging, more, others;
+
+(lagging = pulley.lagging);
+if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
+return null;
+}
+([first, ...more] = lagging.fit.misfit);
+(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
+yield new Check($at($c44, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
+}
+function of_data___accepted(reason) {
+return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
+}
+function* of_arc__tested_slip(pulley, result) {
+let check, place, slip, speed;
+
+(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
+(slip = Infinity); (speed = slip);
+if ($truth($told($c40, result.status, "solved"))) {
+([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
+} else {
+if ((result.arc.belt_speed == null)) {
+(speed = NaN);
+}
+}
+for (check of $iter(of_arc__slip_in_tests(pulley, slip, speed, place))) {
+yield of_arc___known(check, result);
+}
+}
+function in_page_checks__largest_slip(result) {
+
+return result.found.largest_slip;
+}
+function in_page_checks__slip_speed(result) {
+
+return result.found.slip_speed;
+}
+function* of_arc__slip_in_tests(pulley, slip, speed, place) {
+let found, tested, title, unchecked, why;
+
+(tested = pulley.lagging.law.tested);
+if ((tested == null)) {
+return null;
+}
+yield of_drive__judged($at($c44, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
+(title = "Slip speed, tested");
+if ((tested.slip_speed == null)) {
+(why = "the friction law does not say at which speed it was tested");
+(unchecked = of_drive__not_checked("tested_slip_speed", title, why, place));
+(found = ($truth($math.isfinite(speed)) ? speed : NaN));
+yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
+} else {
+if ($truth($math.isnan(speed))) {
+yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
+} else {
+yield of_drive__judged($at($c44, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
+}
+}
+}
+function of_drive__sense(case_, pulley) {
+let none, tensions, told;
+
+(tensions = $at(case_.tensions, pulley.name));
+(none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+(told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
+return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+}
+function of_arc__balance(result) {
+let arc, error, g, pull, value;
+
+(error = result.energy.identity_error);
+if ((!$truth($told($c40, result.status, "solved")) || $truth($math.isnan(error)))) {
+return null;
+}
+(arc = result.arc);
+([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
+(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
+return of_drive__judged($at($c44, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+}
+function numbers__balance_miss(error, pull, g, entry, compliance) {
+let exact, scale, told;
+
+(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
+(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
+(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
+return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
+}
+function of_drive__sag(drive, case_) {
+let driving, first, last, tension;
+
+([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
+(driving = (first.entry >= last.exit));
+(tension = ($truth(driving) ? last.exit : first.entry));
+return of_drive__sags(drive, tension, new Place($bound($at(drive.pulleys, ($truth(driving) ? $neg(1) : 0)), "name"), $bound(case_, "name")));
+}
+function of_drive__sags(drive, tension, place) {
+let limits, title;
+
+([title, limits] = ["Slack-side tension, for sag", drive.criteria.sag]);
+if ((limits == null)) {
+return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
+}
+return of_drive__judged($at($c44, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
+}
+function* in_page_checks__across(_result) {
+
+yield* $iter([]);
+}
+function* of_drive__take_up(drive) {
+let after, case_, first, fixed, held, high, kind, last, low, ordered, what;
+
+(kind = drive.criteria.take_up.kind);
+if ((!$truth(kind) || (drive.conveyor != null))) {
+return null;
+}
+(fixed = drive.criteria.take_up.fixed);
+(held = $map([]));
+for (case_ of $iter(drive.load_cases)) {
+([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
+$put(held, case_.name, ($truth(fixed) ? $add(first.entry, last.exit) : drive.take_up_tension(case_)));
+}
+(ordered = alike__falling(held, ((name) => $at(held, name))));
+([high, low] = [$at(ordered, 0), $at(ordered, $neg(1))]);
+if ($truth(numbers__held_alike($at(held, low), $at(held, high)))) {
+return null;
+}
+(after = drive.criteria.take_up.after);
+(what = ($truth(fixed) ? "the sum of both tensions" : "the slack-side tension"));
+(what = ($truth(after) ? ("" + "the tension behind pulley " + $str(check__escaped(after))) : what));
+yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + ", and it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), "Correct the tensions, or the kind under [take_up].", undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
+}
+function alike__falling(items, key) {
+let every, numbers, rounded, step;
+
+(every = $b.list(items));
+(numbers = [...(function* () { for (const item of $iter(every)) { yield key(item); } })()]);
+(step = $mul(1e-09, $b.max((function* () { for (const n of $iter(numbers)) { if (!(($b.abs(n) < Infinity))) continue; yield $b.abs(n); } })(), $k({default: 0.0}))));
+(rounded = [...(function* () { for (const n of $iter(numbers)) { yield (($truth(step) && ($b.abs(n) < Infinity)) ? $b.round((n / step)) : n); } })()]);
+return [...(function* () { for (const i of $iter($b.sorted($b.range($b.len(every)), $k({key: ((i) => $neg($at(rounded, i)))})))) { yield $at(every, i); } })()];
+}
+function numbers__held_alike(least, most) {
+
+return ($sub(most, least) <= $mul(0.1, most));
+}
+function of_drive__pulley_diameter(drive, pulley) {
+let belt, ends, least, title, why;
+
+([belt, title, why] = [drive.belt, "Pulley diameter, least for the belt", ""]);
+(ends = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
+(least = belt.least_pulley_diameter);
+if ((least == null)) {
+(why = "the least pulley of the belt is not given");
+} else {
+if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
+(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+}
+}
+if (($truth(why) || (least == null))) {
+return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
+}
+return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
+}
+function* usual__usual_sizes(drive, ...others) {
+let odd, parts, title;
+
+(parts = [...$iter(usual___others(drive, others))]);
+(odd = $map([...(function* () { for (const check of $iter([...$iter(usual__unusual_sizes(drive, $b.bool(parts))), ...$iter(parts)])) { yield [check.said, check]; } })()]));
+yield* $iter($m.values(odd));
+if (!$truth(odd)) {
+(title = "What is given is of usual size");
+yield new Check("usual_sizes", title, "OK", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
+}
+}
+function* usual___others(drive, others) {
+let ends, fabric, lagging, owner, place, pulley, rating, solid, stiff, width;
+for (owner of $iter([...$iter(usual___owners(drive)), ...$iter(others)])) {
+yield* $iter(usual___of_owner(owner));
+if (($in(owner.kinds, [$c47, $c46]))) {
+yield* $iter(usual___turning(drive, owner));
+}
+}
+yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c47)))) continue; yield o.of; } })()]));
+if ((drive.conveyor != null)) {
+yield* $iter(usual___conveyor_sizes($bound(drive, "conveyor"), $bound(drive.belt, "width")));
+}
+(width = drive.belt.width);
+for (pulley of $iter(drive.pulleys)) {
+if ((pulley.mass != null)) {
+(solid = $mul($mul($mul($mul(7850.0, 0.25), 3.141592653589793), $pow(pulley.diameter, 2)), width));
+(ends = [$mul(0.02, solid), $mul(1.5, solid)]);
+if (!$truth(numbers__usual($bound(pulley, "mass"), ...$iter(ends)))) {
+(place = new Place($bound(pulley, "name")));
+yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place, $bound(pulley, "mass"), ends);
+}
+}
+}
+([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c63, 11))))));
+if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
+yield usual__unusual("modulus over the rating of the belt", "number", $c56, (stiff / rating), [15.0, 250.0]);
+}
+for (lagging of $iter(drive.laggings)) {
+yield* $iter(usual___law_sizes(lagging));
+}
+}
+function* usual___owners(drive) {
+let criteria, factor, lagging, name, of, place, pulley;
+
+(criteria = drive.criteria);
+yield new Owner($bound(drive, "belt"), ["Belt"], "of the belt");
+yield new Owner($bound(criteria, "take_up"), ["TakeUp"], "of the take-up");
+yield new Owner($bound(criteria, "standard"), ["DesignStandard"], "of the design standard");
+yield new Owner($bound(criteria, "safety"), ["SafetyFactors"], "safety factor");
+yield new Owner($bound(criteria, "sag"), ["Sag"], "for the sag of the belt");
+yield new Owner($bound(drive, "conveyor"), ["Conveyor"], "of the conveyor");
+for (lagging of $iter(drive.laggings)) {
+(of = ("" + "of lagging " + $str(lagging.name)));
+yield new Owner(lagging, ["Lagging"], of);
+yield new Owner($bound(lagging, "block"), ["Block"], ("" + "of the blocks " + $str(of)));
+yield new Owner($bound(lagging, "cost"), ["Cost"], ("" + "that the cost " + $str(of) + " is for"));
+for ([name, factor] of $iter($m.items(lagging.condition_factors))) {
+yield new Owner(factor, ["ConditionFactor"], ("" + "on the friction " + $str(of) + ", " + $str(name)));
+}
+}
+for (pulley of $iter(drive.pulleys)) {
+([place, of] = [new Place($bound(pulley, "name")), ("" + "of pulley " + $str(pulley.name))]);
+if ((pulley.across != null)) {
+yield new Owner($bound(pulley, "across"), ["Across"], of, place);
+yield new Owner($bound(pulley.across, "before"), $c53, ("" + "before pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "after"), $c53, ("" + "behind pulley " + $str(pulley.name)), place);
+}
+}
+}
+function* usual___of_owner(owner) {
+let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
+
+([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
+(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c54, kind, $map([])); } })())]);
+for ([key, limit] of $iter($m.items(limits))) {
+([ends, value] = [$b.next((function* () { for (const t of $iter(tables)) { if (!(($in(key, t)))) continue; yield $at(t, key); } })(), null), $b.getattr(of, key)]);
+if (($truth(ends) && $truth(value) && !$truth(numbers__usual(value, ...$iter(ends))))) {
+(name = $m.rstrip(("" + $str($m.replace(key, "_", " ")) + " " + $str(owner.words))));
+yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), value, ends);
+}
+}
+for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
+if ((happening.at >= of.duration)) {
+(name = ("" + "begin (at) of what happens " + $str(owner.words)));
+(check = usual__unusual(name, "time", $c56, $bound(happening, "at"), [0.0, of.duration]));
+yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
+}
+}
+if (($in("Across", owner.kinds))) {
+for ([key, most] of $iter($m.items($c57))) {
+(profile = $b.getattr(of, key));
+(heights = ((profile == null) ? [] : [profile.largest, $neg($b.min([...$iter(profile.value), 0.0]))]));
+if (($b.max(heights, $k({default: 0.0})) > most)) {
+(name = $m.rstrip(("" + $str($m.replace(key, "_", " ")) + " " + $str(owner.words))));
+yield usual__unusual(name, "length", $bound(owner, "place"), $b.max(heights), [0.0, most]);
+}
+}
+}
+}
+function numbers__usual(value, least, most) {
+
+return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
+}
+function usual__unusual(name, dimension, place, value, ends) {
+let least, meant, most, near, remedy;
+
+([least, most] = ends);
+(meant = $m.join(" or ", parse__meant_by(value, dimension, least, most)));
+(remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
+if (($eq(dimension, "number"))) {
+(near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
+(remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
+}
+if ((($eq(dimension, "angle")) && (value > most))) {
+(remedy = "Is it the sum of two pulleys? Give each of them its own.");
+} else {
+if ((($eq(dimension, "angle")) && !$truth(meant))) {
+(remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
+}
+}
+if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
+(remedy = "Check the diameter and the rating.");
+}
+if (($eq(name, "strength over the rating of the belt"))) {
+(remedy = "Check strength and rating.");
+}
+if ((($eq(name, "mass of the belt")) && (value > most))) {
+(remedy = "Is it that of the whole belt? Give the mass of a metre.");
+}
+if (($eq(name, "modulus over the rating of the belt"))) {
+(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
+}
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+}
+function parse__meant_by(value, dimension, least, most) {
+let found, inside, number, short, text, unit, units, written;
+
+(found = []);
+(units = $m.get($c55, dimension, []));
+for (written of $iter(units)) {
+(number = (value / parse__unit_factor(written, dimension)));
+(short = $b.float(("" + $format(number, ("" + ".3g")))));
+if (($b.abs($sub(number, short)) > $mul(1e-09, $b.abs(short)))) {
+continue;
+}
+for (unit of $iter(units)) {
+(text = ("" + $format(short, ("" + "g")) + " " + $str(unit)));
+(inside = (least <= $mul(short, parse__unit_factor(unit, dimension)) && $mul(short, parse__unit_factor(unit, dimension)) <= most));
+if (($truth(inside) && (!$eq(unit, written)) && (!$in(text, (function* () { for (const [_, t] of $iter(found)) { yield t; } })())))) {
+$m.append(found, [!(1.0 <= short && short < 1000.0), text]);
+}
+}
+}
+return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
+}
+function* usual___turning(drive, owner) {
+let belt, check, dimension, ends, motor, name, power, pulley, remedy, setting, speed, turns, value, values;
+
+([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
+([turns, remedy] = [motor, "Check the speeds of the drums, the diameter and the belt speed."]);
+if ($truth($b.isinstance(motor, Motor))) {
+([power, speed] = [motor.rated_power, motor.rated_speed]);
+(setting = ($truth($b.isinstance(motor, VariableSpeed)) ? motor.setting : 1.0));
+(turns = ($mul(setting, speed) / motor.gear_ratio));
+(remedy = "Check gear_ratio, rated_speed, diameter and belt speed.");
+}
+(belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
+(values = numbers__compared_motor(power, speed, turns, $mul(0.5, pulley.diameter), belt));
+for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({strict: true})))) {
+if (!$truth(numbers__usual(value, ...$iter(ends)))) {
+(check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
+yield (($eq(name, "speed of the drum over that of the belt")) ? $replaced(check, new Map([["remedy", remedy]])) : check);
+}
+}
+}
+function numbers__compared_motor(power, speed, drum, radius, belt) {
+
+return [power, speed, ($mul(drum, radius) / belt)];
+}
+function* usual___motor_sizes(drive, motors) {
+let needed, pulls, rated, told;
+
+(pulls = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $b.abs($sub($at(case_.tensions, $at(drive.pulleys, 0).name).entry, $at(case_.tensions, $at(drive.pulleys, $neg(1)).name).exit)); } })()]);
+(needed = $mul($b.max(pulls), $or(drive.belt.speed, () => NaN)));
+(rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
+if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
+(told = "rated power of the motors over that of the largest pull");
+yield usual__unusual(told, "number", $c56, (rated / needed), [0.0, 6.0]);
+}
+}
+function* usual___conveyor_sizes(of, width) {
+let dimension, ends, key, least, load, most, name, odd, slope, value;
+
+(odd = false);
+for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c60, $k({strict: true})))) {
+([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c61)) ? width : 1.0)); } })());
+if (!$truth(numbers__usual(value, least, most))) {
+(odd = true);
+(name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
+(dimension = $at($c62, key).dimension);
+yield usual__unusual(name, dimension, $c56, value, [least, most]);
+}
+}
+([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
+if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
+(name = "load per length of the full belt (capacity, speed and width)");
+yield usual__unusual(name, "mass_per_length", $c56, $bound(of, "material"), load);
+}
+if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
+(name = "lift over length of the conveyor");
+yield usual__unusual(name, "number", $c56, slope, [$neg(0.5), 0.5]);
+}
+}
+function* usual___law_sizes(lagging) {
+let dimension, ends, friction, key, law, name, odd, of, pressures, slip, tested, value;
+
+([tested, of] = [lagging.law.tested, ("" + "lagging " + $str(lagging.name))]);
+if ((!$eq(lagging.condition, "dry"))) {
+(of = $add(of, ("" + ", " + $str(lagging.condition))));
+}
+(odd = false);
+for ([key, [name, dimension, ends]] of $iter($m.items($c64))) {
+(value = $b.getattr(tested, key, null));
+if (((value != null) && !$truth(numbers__usual(value, ...$iter(ends))))) {
+(odd = true);
+yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c56, value, ends);
+}
+}
+if ($truth(odd)) {
+return null;
+}
+([pressures, slip] = [[100000.0], 0.01]);
+if ((tested != null)) {
+([pressures, slip] = [[tested.pressure_min, tested.pressure_max], tested.slip_max]);
+}
+(law = lagging.law.compact());
+for (friction of $iter([...(function* () { for (const pressure of $iter(pressures)) { yield summary__available(law, slip, pressure); } })()])) {
+if (!$truth(numbers__usual(friction, ...$iter($c65)))) {
+yield usual__unusual(("" + "friction of " + $str(of)), "number", $c56, friction, $c65);
+return null;
+}
+}
+}
+function* usual__unusual_sizes(drive, odd) {
+let case_, dimension, least, made, most, name, names, place, pulley, size, value, values;
+
+for (case_ of $iter(drive.load_cases)) {
+for (pulley of $iter(drive.in_case(case_).pulleys)) {
+(names = usual___names(pulley, case_));
+(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c63, $k({strict: true})))) {
+(made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
+if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
+(size = (($in(dimension, $c66)) ? drive.belt.width : 1.0));
+(odd = true);
+yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
+}
+}
+}
+}
+}
+function usual___names(pulley, case_) {
+let at, belt, drum, lagging, of;
+
+([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
+([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
+return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+}
+function usual___sizes(drive, case_, pulley) {
+let belt, idle, lagging, sag, tensions;
+([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
+(tensions = $at(case_.tensions, pulley.name));
+(idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
+function known(value) {
+return ((value == null) ? NaN : value);
+}
+$sig(known, ["value"], false);
+return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.diameter, ($truth(idle) ? pulley.wrap_angle : NaN), ($truth(idle) ? NaN : pulley.wrap_angle), drive.creep_limit_of(pulley), known($bound(pulley, "overrun")), lagging.thickness, lagging.shear_modulus, lagging.compression_modulus, known($bound(belt, "rating")), known($bound(belt, "breaking_strength")), known($bound(lagging, "bond_strength")), known($bound(lagging, "fatigue_limit")), known($bound(belt, "largest_wrap_pressure")), known($bound(belt, "least_pulley_diameter")), known(((sag == null) ? null : sag.tension)), tensions.entry, tensions.exit, (($truth(idle) || ($b.len($bound(drive, "pulleys")) > 1)) ? NaN : tensions.effective), known($bound(belt, "mass")));
+}
+function numbers__compared_sizes(of) {
+
+return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
+}
+function of_data__data(drive, pulley) {
+let found, grounds, kind, lagging, what, words, worst;
+
+(lagging = pulley.lagging);
+(found = $map([]));
+for ([kind, what] of $iter(of_data__weak_sources(drive, pulley))) {
+$m.append($m.setdefault(found, kind, []), what);
+}
+([grounds, words] = of_data__law_words(lagging));
+(words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c67))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
+}
+function least_tension__least_tension(result) {
+let one;
+
+if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
+return null;
+}
+(one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
+if ((!$in(one, $c68))) {
+$put($c68, one, least_tension___of(one));
+}
+return $at($c68, one);
+}
+function least_tension___of(result) {
+let drive, either, ends, figure, found, given, held, take_up, weight, worst;
+(drive = result.drive);
+(ends = $map([...(function* () { for (const case_ of $iter(drive.load_cases)) { yield [case_.name, drive.take_up_tension(case_)]; } })()]));
+if ($truth($b.any((function* () { for (const a of $iter(result)) { yield $and(least_tension___pulls(a), () => $math.isnan($bound(a.capacities, "gross_slip_capacity"))); } })()))) {
+return null;
+}
+(worst = $map([]));
+for (figure of $iter(least_tension__figures(result))) {
+(held = $m.get(worst, $bound(figure, "name")));
+(either = ((held == null) ? [figure] : [held, figure]));
+$put(worst, figure.name, ($truth(figure.at_least) ? alike__largest : alike__least)(either, least_tension___tension));
+}
+if (!$truth($b.any((function* () { for (const f of $iter($m.values(worst))) { yield $and(f.at_least, () => f.binding); } })()))) {
+return null;
+}
+(found = new LeastTension($b.tuple($m.values(worst)), 0.0, 0.0));
+([given, take_up] = [$at(ends, found.governing.place.load_case), found.tension]);
+if ((drive.conveyor != null)) {
+(take_up = $sub($add(drive.conveyor.take_up, take_up), given));
+}
+(weight = drive.criteria.take_up.counterweight(take_up));
+return new LeastTension($bound(found, "figures"), given, weight);
+}
+function least_tension___pulls(result) {
+return !$truth(rules__idle($bound(result, "arc")));
+}
+function* least_tension__figures(result) {
+let arcs, case_, drive, name;
+
+(drive = result.drive);
+for ([name, arcs] of $iter($m.items(least_tension___by_case(result)))) {
+(case_ = drive.load_case(name));
+yield* $iter(least_tension___figures(drive.in_case(case_), case_, arcs, drive.take_up_tension(case_)));
+}
+}
+function least_tension___by_case(result) {
+let arc, by_case;
+(by_case = $map([]));
+for (arc of $iter(result)) {
+$m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
+}
+return by_case;
+}
+function* least_tension___figures(drive, case_, arcs, end) {
+let arc, index, least, lift, offset, place, result, slack, tight;
+
+for ([index, result] of $iter($b.enumerate(arcs))) {
+([arc, place] = [result.arc, new Place($bound(result.arc, "pulley"), $bound(case_, "name"))]);
+(tight = $b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
+(slack = $b.min($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
+(offset = $sub(end, slack));
+if ($truth(least_tension___pulls(result))) {
+(least = result.capacities.least_exit_tension);
+yield new Figure("creep", "Creep", $add(offset, ($truth($math.isnan(least)) ? Infinity : least)), place);
+yield* $iter(least_tension___slip(result, offset, place));
+yield* $iter(least_tension___standard(drive, case_, result, offset, place));
+yield least_tension___gross_slip(drive, case_, arcs, index, end);
+}
+yield* $iter(least_tension___pressures(drive, case_, arc, $sub(end, slack), $sub(end, tight), place));
+}
+if ((drive.criteria.sag != null)) {
+(place = new Place("", $bound(case_, "name")));
+(lift = $sub(end, drive.slack_end(case_)));
+yield new Figure("sag", "Belt sag", $add(drive.criteria.sag.tension, lift), place);
+}
+}
+function* least_tension___slip(result, offset, place) {
+let least, tested;
+
+(tested = result.arc.law.tested);
+if (((tested != null) && (tested.slip_max < result.arc.creep_limit))) {
+(least = in_page_checks__least_with_slip(result, $bound(tested, "slip_max")));
+yield new Figure("tested_slip", "Largest slip, tested", $add(offset, least), place);
+}
+}
+function in_page_checks__least_with_slip(result, _limit) {
+
+return result.found.least_for_slip;
+}
+function* least_tension___standard(drive, case_, result, offset, place) {
+let binding, criteria, lagging, rule, tension;
+([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
+(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+if ((rule == null)) {
+return null;
+}
+([binding, tension] = [criteria.standard.binding, Infinity]);
+if (!$truth($math.isnan($bound(rule, "wrap_factor")))) {
+(tension = $add(offset, of_arc__design_slack(drive, case_, result, $bound(rule, "wrap_factor"))));
+} else {
+if (!($truth(binding) && $truth(criteria.standard.name))) {
+return null;
+}
+}
+yield new Figure("design_standard", $bound(rule, "rule"), tension, place, binding);
+}
+function least_tension___gross_slip(drive, case_, arcs, index, end) {
+let arc, factor, raised, rise, title;
+
+([arc, factor] = [$at(arcs, index).arc, drive.criteria.safety.of($bound(case_, "kind"))]);
+(rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, $bound(drive.criteria, "take_up")));
+(raised = in_page_checks__lift($at(arcs, index), factor, $bound(rise, "tight")));
+(title = ("" + "Safety " + $format(factor, ("" + "g")) + " against gross slip"));
+(raised = ($truth($math.isnan(raised)) ? Infinity : raised));
+return new Figure("gross_slip", title, $add(end, raised), new Place($bound(arc, "pulley"), $bound(case_, "name")));
+}
+function in_page_checks__lift(result, _factor, _tight_rise) {
+
+return result.found.lift;
+}
+function* least_tension___pressures(drive, case_, arc, of_slack, of_tight, place) {
+let area, belt, high, low, most, tested, title;
+([belt, tested, area] = [drive.belt, arc.law.tested, $mul(arc.width, arc.radius)]);
+if ((tested != null)) {
+([low, high] = (function* () { for (const p of $iter([tested.pressure_min, tested.pressure_max])) { yield $add($mul(p, area), arc.centrifugal); } })());
+yield new Figure("tested_pressure_min", "Least wrap pressure, tested", $add(of_slack, low), place);
+(title = "Largest wrap pressure, tested");
+yield new Figure("tested_pressure_max", title, $add(of_tight, high), place, undefined, false);
+}
+if ((belt.largest_wrap_pressure != null)) {
+([title, most] = ["Pressure on the pulley face", $add($mul(belt.largest_wrap_pressure, area), arc.centrifugal)]);
+yield new Figure("face_pressure", title, $add(of_tight, most), place, undefined, false);
+}
+if ((belt.rating != null)) {
+(most = $add(of_tight, $mul($mul(rules__tension_factor(belt, $bound(case_, "kind")), belt.rating), belt.width)));
+yield new Figure("belt_tension", "Belt tension", most, place, undefined, false);
+}
+}
+function least_tension___tension(figure) {
+return figure.tension;
+}
+function alike__largest(items, key) {
+let every, found, item, most, number;
+
+(every = [...(function* () { for (const item of $iter(items)) { yield [key(item), item]; } })()]);
+if (!$truth(every)) {
+throw new $ValueError("nothing to choose from");
+}
+([most, found] = $at(every, 0));
+for ([number, item] of $iter($slice(every, 1, null))) {
+if (((number > most) && !$truth($math.isclose(number, most, ({rel_tol: 1e-09}))))) {
+([most, found] = [number, item]);
+}
+}
+return found;
+}
+function alike__least(items, key) {
+
+return alike__largest(items, ((item) => $neg(key(item))));
+}
+function judge__sound(checks, least) {
+let both, missed, names;
+
+(missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
+(names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
+(both = $and($b.bool($common(names, $c69)), () => $b.bool($common(names, $c70))));
+function advised(check) {
+if (($in([$m.get($c71, $bound(check, "name"), ""), check.place], missed))) {
+return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
+}
+if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
+return $replaced(check, new Map([["remedy", check.otherwise]]));
+}
+return check;
+}
+$sig(advised, ["check"], false);
+return $b.tuple($b.map(advised, checks));
+}
+function judge___helps(check, least, both) {
+let own, too_much, top;
+
+if ((least == null)) {
+return !$truth(both);
+}
+(own = $b.next((function* () { for (const f of $iter(least.figures)) { if (!(($eq(f.name, check.name)))) continue; yield f; } })(), null));
+if (((own == null) && $truth(both))) {
+return false;
+}
+(top = least.highest);
+(too_much = $and((own != null), () => $and((top != null), () => $and(own.at_least, () => (own.tension > top.tension)))));
+return $and($math.isfinite($bound(least, "tension")), () => !$truth(too_much));
+}
+function judge___wet(result) {
+let arc, condition, creep, drive, factor, most, over;
+
+([most, over, drive] = [$neg(1.0), false, result.drive]);
+for (arc of $iter(result)) {
+(condition = drive.load_case($bound(arc.arc, "load_case")).condition);
+(factor = of_data__wet_factor(drive.pulley($bound(arc.arc, "pulley")).lagging_in(condition)));
+if (($eq(factor, 0.0))) {
+return [$neg(1.0), false];
+}
+if (!$truth(rules__idle($bound(arc, "arc")))) {
+(creep = in_page_checks__wet(arc, factor));
+(most = ($truth($math.isnan(creep)) ? creep : $b.max(most, creep)));
+(over = $or(over, () => !($truth($math.isnan(creep)) || $truth(numbers__kept(creep, $bound(arc.arc, "creep_limit"), true)))));
+}
+}
+return [most, over];
+}
+function in_page_checks__wet(result, _factor) {
+
+return result.found.wet;
+}
+function least_tension__least_sentence(result) {
+let as_now, asked, described, found, given, governs, least, standard, text, what, why;
+
+(found = least_tension__least_tension(result));
+if ((found == null)) {
+return "";
+}
+([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
+(governs = found.governing);
+(why = $at($c44, governs.name).what);
+if ($truth($math.isinf($bound(found, "tension")))) {
+return least_tension___none(found, result);
+}
+(what = least_tension__least_name(result));
+(as_now = ($truth(least_tension__divides_anew(result)) ? ", the load divided as it is," : ""));
+(described = ($truth($b.isinstance(result, DriveResult)) ? result.drive : result.train));
+if ($truth($b.any((function* () { for (const pulley of $iter(described.pulleys)) { yield pulley.across; } })()))) {
+(as_now = $add(as_now, ", were the pulley even,"));
+}
+(text = ("" + "The least " + $str(what) + " with which every binding check is kept" + $str(as_now) + " is " + $str(least) + ", set by " + $str(why) + " (" + $str(governs.place) + "); given " + $str(given)));
+(standard = found.standard);
+if (((standard != null) && (found.tension < $mul(standard.tension, $sub(1.0, 1e-09))))) {
+(asked = least_tension__at_least($bound(standard, "tension")));
+(text = $add(text, ("" + "; that is below the " + $str(asked) + " that " + $str(standard.title) + " asks for")));
+}
+return ("" + $str(text) + ".");
+}
+function least_tension__at_least(tension) {
+
+return cellOf(tension, "force", 3, "up", undefined, "tension");
+}
+function sheet__named(name, value) {
+
+return cell__quantity(value, $bound(term(name), "dimension"), 3, name);
+}
+function least_tension___none(found, result) {
+let asked, governs, most, top;
+([governs, top] = [found.governing, found.highest]);
+if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "design_standard")))) {
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
+}
+if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c44, governs.name).what) + " (" + $str(governs.place) + ").");
+}
+([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c44, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c44, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+}
+function least_tension__least_name(result) {
+let after;
+
+(after = least_tension___after(result));
+return ($truth(after) ? ("" + "tension at the take-up behind pulley " + $str(after)) : "slack-side tension");
+}
+function least_tension___after(result) {
+let of;
+(of = ($truth($b.isinstance(result, TrainResult)) ? result.train : result.drive));
+return of.criteria.take_up.after;
+}
+function least_tension__at_most(tension) {
+
+return cellOf(tension, "force", 3, "down", undefined, "tension");
+}
+function least_tension__divides_anew(result) {
+
+return $and($b.isinstance(result, TrainResult), () => !$truth($b.all((function* () { for (const c of $iter(result)) { yield c.case.pulls_given; } })())));
+}
+function least_tension__least_table(result) {
+let after, bound, figure, found, given, governs, least, note, rows, shown, symbol, text, weight, where;
+
+(found = least_tension__least_tension(result));
+if ((found == null)) {
+return null;
+}
+([rows, after] = [[], least_tension___after(result)]);
+if (!$truth($math.isinf($bound(found, "tension")))) {
+(weight = cellOf($bound(found, "counterweight"), "mass", 3, "up"));
+(given = ("" + "given " + $str(sheet__named("tension", $bound(found, "given")))));
+(least = least_tension__at_least($bound(found, "tension")));
+(symbol = ($truth(after) ? "" : "T2_min"));
+$m.append(rows, new Row(("" + "Least " + $str(least_tension__least_name(result))), [least], symbol, given));
+$m.append(rows, new Row("Counterweight for it", [weight], "", "if the take-up is a weight"));
+}
+for (figure of $iter($b.sorted($bound(found, "figures"), $k({key: ((f) => [!$truth(f.at_least), $neg(f.tension)])})))) {
+(bound = ($truth(figure.at_least) ? "at least" : "at most"));
+(shown = ($truth(figure.at_least) ? least_tension__at_least : least_tension__at_most));
+(text = ($truth($math.isinf($bound(figure, "tension"))) ? "none" : shown($bound(figure, "tension"))));
+(governs = (figure === found.governing));
+(note = ($truth(governs) ? "governs" : ($truth(figure.binding) ? "" : "not binding")));
+(note = $m.join(", ", (function* () { for (const part of $iter([note, $b.str($bound(figure, "place"))])) { if (!($truth(part))) continue; yield part; } })()));
+$m.append(rows, new Row(("" + $str(figure.title) + ", " + $str(bound)), [text], "", note));
+}
+(where = ($truth(after) ? ("" + "at the take-up behind pulley " + $str(after)) : "of the slack side behind the drives"));
+(note = ("" + "Tension " + $str(where) + " with which each check is kept, every pulley pulling as it does."));
+return new Table(("" + "Least " + $str(least_tension__least_name(result))), $b.tuple(rows), undefined, note, "least");
+}
+function least_tension__shown_least(result) {
+let found;
+
+(found = least_tension__least_tension(result));
+return ((found == null) ? "-" : ($truth($math.isinf($bound(found, "tension"))) ? "none" : least_tension__at_least($bound(found, "tension"))));
+}
+function checks_table__check_table(verdict, of = null, title = "Checks") {
+let judged, rows;
+
+(judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
+(rows = $b.tuple((function* () { for (const check of $iter(judged)) { yield checks_table___row(check, of); } })()));
+return new Table(title, rows, ["found", "limit", "margin"], ("" + $str("Margin: how far the value is from its limit, over the limit; positive on the safe side. Each check is shown where it comes off worst.") + $str(checks_table___left(verdict))), "checks", checks_table___nearest(verdict, title), $m.strip(("" + $str(($truth(verdict.missed) ? ("" + $str(checks_table___counted(verdict)) + ". ") : "")) + $str(checks_table___unchecked(verdict)))));
+}
+function checks_table___row(check, of) {
+let _, found, note, number, values;
+([found, _] = check.texts());
+(values = [$or(found, () => "-"), $or(check.bound(), () => "-"), checks_table__margin_text(check)]);
+(number = ((of == null) ? "" : of.number($bound(check, "source"))));
+(note = $m.join(" ", (function* () { for (const part of $iter([$b.str($bound(check, "place")), number])) { if (!($truth(part))) continue; yield part; } })()));
+return new Row($bound(check, "title"), values, undefined, note, undefined, check.level);
+}
+function checks_table__margin_text(check) {
+let margin;
+
+(margin = check.margin);
+if ($truth(check.below)) {
+return "-";
+}
+if (!$truth($math.isnan($bound(check, "times")))) {
+return ("" + $str(cell__quantity($bound(check, "times"), "number")) + " times the limit");
+}
+if (!$truth($math.isfinite(margin))) {
+return "-";
+}
+if ((0.9995 <= margin && margin < $sub(1.0, 1e-09))) {
+return "> +99.9 %";
+}
+if (($b.abs(margin) < 1e-09)) {
+return "0 %";
+}
+return ("" + $format($mul(100.0, margin), ("" + "+.3g")) + " %");
+}
+function checks_table___left(verdict) {
+let left, told;
+
+(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c; } })()]);
+(told = (function* () { for (const c of $iter(left)) { yield ("" + $str($m.lower($slice(c.title, null, 1))) + $str($slice(c.title, 1, null)) + " (" + $str(checks_table___why(c)) + ")"); } })());
+return ($truth(left) ? ("" + " Not checked: " + $str($m.join("; ", told)) + ".") : "");
+}
+function checks_table___why(check) {
+let _, found;
+([found, _] = check.texts());
+return ($truth(found) ? ("" + $str(check.short) + "; here it is " + $str(found)) : check.short);
+}
+function checks_table___nearest(verdict, title) {
+let rows, told;
+
+(told = [...(function* () { for (const c of $iter(verdict.listed)) { if (!(($truth(c.compares) && ($truth(c.missed) || $truth($math.isfinite($bound(c, "margin"))))))) continue; yield c; } })()]);
+(told = $b.sorted((function* () { for (const c of $iter(told)) { if (!(!$truth(c.below))) continue; yield c; } })(), $k({key: verdict.nearness})));
+(rows = (function* () { for (const c of $iter($slice(told, null, $b.max(4, $b.len($bound(verdict, "missed")))))) { yield new Row($bound(c, "title"), [$or($at(c.texts(), 0), () => "-"), $or(c.bound(), () => "-")], "", $b.str($bound(c, "level"))); } })());
+return new Table(title, $b.tuple(rows), ["found", "limit"], undefined, "checks");
+}
+function checks_table___counted(verdict) {
+let judged;
+(judged = [...(function* () { for (const c of $iter(verdict.listed)) { if (!($truth(c.compares))) continue; yield c; } })()]);
+return ("" + $str($b.sum((function* () { for (const c of $iter(judged)) { yield !$truth(c.missed); } })())) + " of " + $str($b.len(judged)) + " checks are kept");
+}
+function checks_table___unchecked(verdict) {
+let heads, left, told;
+(left = [...(function* () { for (const c of $iter(verdict.listed)) { if (!((c.level === "NOT CHECKED"))) continue; yield c.title; } })()]);
+(heads = [...(function* () { for (const title of $iter(left)) { yield $at($m.partition(title, ","), 0); } })()]);
+(told = (function* () { for (const [head, title] of $iter($b.zip(heads, left, $k({strict: true})))) { yield (($m.count(heads, head) > 1) ? head : title); } })());
+return ($truth(left) ? ("" + "Not checked: " + $str($m.join("; ", $b.fromkeys(told))) + ".") : "");
+}
+function words__short(result, arc) {
+let worst;
+
+if ((arc.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+return "breaks away";
+}
+(worst = judge__judge(result).at($bound(arc.arc, "pulley"), $bound(arc.arc, "load_case")).governing);
+if (((worst != null) && $truth(worst.missed))) {
+return worst.short;
+}
+return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
+}
+function words__alone_of(result, arc) {
+let known;
+
+(known = $m.setdefault($c72, result, $map([])));
+if ((!$in(arc, known))) {
+$put(known, arc, words__alone($bound(result, "drive"), arc));
+}
+return $at(known, arc);
+}
+function words__alone(drive, arc) {
+let case_, name, own, pulley, solved, tensions;
+
+([name, solved] = [arc.arc.load_case, arc.arc]);
+(tensions = new Tensions(solved.entry_tension, solved.exit_tension));
+(own = $b.next((function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })(), null));
+(case_ = new LoadCase(name, $map([[arc.arc.pulley, tensions]]), ($truth(own) ? own.kind : "running"), ($truth(own) ? own.condition : "")));
+(pulley = drive.pulley($bound(arc.arc, "pulley")));
+return new DriveResult($replaced(drive, new Map([["pulleys", [pulley]], ["load_cases", [case_]]])), [arc]);
+}
 function errors___stopped(sentence) {
 return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
 }
@@ -1299,7 +2905,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c43, key))) {
+for ([name, position] of $iter($m.findall($c73, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -1329,10 +2935,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c44, report));
-(common = $map([...(function* () { for (const key of $iter($c45)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c74, report));
+(common = $map([...(function* () { for (const key of $iter($c75)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c46.built($m.get(record, "cost"), report));
+$put(common, "cost", $c76.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -1351,8 +2957,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c47)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c47)))) {
+(given = [...(function* () { for (const key of $iter($c77)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c77)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -1374,7 +2980,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c48)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c78)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -1396,7 +3002,7 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c49, "built", [shape, report], [...height]));
+(block = $method($c79, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -1410,19 +3016,6 @@ let square;
 (square = ($eq(block.shape, "square")));
 return compression__block_modulus(elastic_modulus, square, $bound(block, "width"), $bound(block, "height"), $bound(block, "stiffening"), $bound(block, "contact_fraction"));
 }
-function compression__block_modulus(elastic_modulus, square, width, height, k, contact) {
-let s2;
-
-(s2 = $pow(compression__shape_factor(square, width, height), 2));
-if ($truth(square)) {
-return $mul($mul(contact, elastic_modulus), $add(1.0, $mul($mul(2.0, k), s2)));
-}
-return $mul($mul($mul(contact, (4.0 / 3.0)), elastic_modulus), $add(1.0, $mul(k, s2)));
-}
-function compression__shape_factor(square, width, height) {
-
-return (width / $mul(($truth(square) ? 4.0 : 2.0), height));
-}
 function lagging_build___compression_note(block, modulus) {
 if ((block == null)) {
 return ("" + "E_c = " + $str(modulus) + ", no stiffening by the shape of blocks");
@@ -1435,7 +3028,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c50, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c80, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -1453,7 +3046,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c57.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c87.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -1462,7 +3055,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c51, $map([["pressure", $m.get($c52, kind, "tested_pressure")]])));
+(names = $merged($c81, $map([["pressure", $m.get($c82, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -1471,7 +3064,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c53, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c83, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -1510,24 +3103,24 @@ if ((slip == null)) {
 }
 throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given"), "Give both or none.");
 }
-return $call(TestedRange, [], [["pressure_min", $at(pressures, 0)], ["pressure_max", $at(pressures, 1)], ["slip_max", slip], ["slip_speed", speed]]);
+return new TestedRange($at(pressures, 0), $at(pressures, 1), slip, speed);
 }
 function laws___problem(key, message, remedy = "", value = "") {
-return new InputError($call(Problem, [], [["message", message], ["remedy", remedy], ["key", key], ["value", value]]));
+return new InputError(new Problem(message, remedy, undefined, key, value));
 }
 function laws___table(record) {
 let problems, rows, slips;
 (rows = $at(record, "rows"));
 laws___check_order(rows, "rows");
 (slips = $b.len($at(record, "slip")));
-(problems = [...(function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((!$eq($b.len($at(row, "friction")), slips)))) continue; yield $call(Problem, [], [["key", ("" + "rows[" + $str(number) + "].friction")], ["message", ("" + $str($b.len($at(row, "friction"))) + " values for " + $str(slips) + " slips")], ["remedy", "Give one for each slip."]]); } })()]);
+(problems = [...(function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((!$eq($b.len($at(row, "friction")), slips)))) continue; yield new Problem(("" + $str($b.len($at(row, "friction"))) + " values for " + $str(slips) + " slips"), "Give one for each slip.", undefined, ("" + "rows[" + $str(number) + "].friction")); } })()]);
 laws___raise(problems);
-return $call(MeasuredTable, [], [["slip", $b.tuple($at(record, "slip"))], ["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["values", $b.tuple((function* () { for (const row of $iter(rows)) { yield $b.tuple($at(row, "friction")); } })())]]);
+return new MeasuredTable(undefined, $b.tuple($at(record, "slip")), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $b.tuple($at(row, "friction")); } })()));
 }
 function laws___check_order(rows, key) {
 let problems;
 
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield $call(Problem, [], [["key", ("" + $str(key) + "[" + $str(number) + "].pressure")], ["message", ("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure"))))], ["remedy", "Write the rows in order of rising pressure."]]); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($at(row, "pressure") <= $at(before, "pressure")))) continue; yield new Problem(("" + "not above the pressure of the row before, " + $str($shown($at(before.raw, "pressure")))), "Write the rows in order of rising pressure.", undefined, ("" + $str(key) + "[" + $str(number) + "].pressure")); } })()]);
 laws___raise(problems);
 }
 function laws___raise(problems) {
@@ -1549,14 +3142,14 @@ if (($in("knots", record))) {
 }
 (p = coefficients.pressure);
 (tested = laws___tested(record, (($b.len(p) > 1) ? [$at(p, 0), $at(p, $neg(1))] : null)));
-return $call(IntegralLog, [], [["coefficients", coefficients], ["tested", tested]]);
+return new IntegralLog(undefined, coefficients, tested);
 }
 function laws___pieces(record) {
 let error, more, number, pieces, pressure_unit, problems, row, rows, slip_unit;
 (slip_unit = laws___unit(record, "slip_unit", "length", "mm"));
 (pressure_unit = laws___unit(record, "pressure_unit", "pressure", "kPa"));
 (rows = $at(record, "pieces"));
-(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str(number) + "].from")], ["message", ("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to"))))], ["remedy", "Let the pieces follow each other without gap or overlap."]]); } })()]);
+(problems = [...(function* () { for (const [number, [before, row]] of $iter($b.enumerate($b.pairwise(rows), $k({start: 2})))) { if (!(($b.abs($sub(($at(row, "from") / $at(before, "to")), 1.0)) > 1e-09))) continue; yield new Problem(("" + "not where the piece before ends, " + $str($shown($at(before.raw, "to")))), "Let the pieces follow each other without gap or overlap.", undefined, ("" + "pieces[" + $str(number) + "].from")); } })()]);
 (pieces = []);
 for ([number, row] of $iter($b.enumerate(rows, $k({start: 1})))) {
 try {
@@ -1564,7 +3157,7 @@ $m.append(pieces, laws___piece(row, slip_unit, pressure_unit));
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
-(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", ("" + "pieces[" + $str(number) + "]." + $str(p.key))]]); } })()]));
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield new Problem(p.message, p.remedy, undefined, ("" + "pieces[" + $str(number) + "]." + $str(p.key))); } })()]));
 } else throw $error;
 }
 }
@@ -1604,7 +3197,7 @@ $put(trends, $m.lower(key), trends__read_trend($at(row, key), pressure_unit, $at
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
-(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield $call(Problem, [], [["message", p.message], ["remedy", p.remedy], ["key", key]]); } })()]));
+(problems = $add(problems, [...(function* () { for (const p of $iter(error.problems)) { yield new Problem(p.message, p.remedy, undefined, key); } })()]));
 } else throw $error;
 }
 }
@@ -1612,7 +3205,7 @@ laws___raise(problems);
 return $call(Piece, [], [...trends]);
 }
 function laws___useless_slope(key) {
-return $call(Problem, [], [["key", key], ["message", "missing, and without it friction stays at its peak, whatever the slope"], ["remedy", "Give the level that friction falls to."]]);
+return new Problem("missing, and without it friction stays at its peak, whatever the slope", "Give the level that friction falls to.", undefined, key);
 }
 function trends__read_trend(text, pressure_unit = 1.0, factor = 1.0) {
 let exponent, single, terms, trend;
@@ -1623,7 +3216,7 @@ if (($truth(single) && (single.exponent != null))) {
 (trend = trends___scaled_exponent($bound(single, "exponent"), $mul(single.coefficient, $b.Decimal(factor)), text));
 } else {
 if (($truth(single) && ($eq(single.function, "p")) && (!$in(single.power, [0, 1, 2, 3])))) {
-(exponent = $call(Trend, [], [["form", "logarithmic"], ["coefficients", [0.0, single.power]]]));
+(exponent = new Trend("logarithmic", [0.0, single.power]));
 (trend = trends___scaled_exponent(exponent, $mul(single.coefficient, $b.Decimal(factor)), text));
 } else {
 (trend = trends___sum(terms, text, $b.Decimal(factor)));
@@ -1654,11 +3247,11 @@ return terms;
 }
 function trends___grammar() {
 
-return $c54;
+return $c84;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
-return new InputError($call(Problem, [], [["message", message], ["remedy", "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."], ["value", $shown(text)]]));
+return new InputError(new Problem(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text)));
 }
 function trends___term(match, text) {
 let coefficient, factor, inner, power;
@@ -1698,7 +3291,7 @@ $put(coefficients, $b.int($bound(term, "power")), trends___finite($mul(term.coef
 }
 (count = $add(1, $b.int($b.max(seen))));
 (form = (($eq(functions, new Set(["ln"]))) ? "logarithmic" : "polynomial"));
-return $call(Trend, [], [["form", form], ["coefficients", $b.tuple($slice(coefficients, null, count))]]);
+return new Trend(form, $b.tuple($slice(coefficients, null, count)));
 }
 function trends___finite(number, text) {
 let value;
@@ -1719,7 +3312,7 @@ throw trends___refused(text, "is 0 everywhere");
 (first = $add($at(c, 0), $math.log(size)));
 (form = (($eq(exponent.form, "logarithmic")) ? "power" : "exponential"));
 (sign = ((coefficient > 0) ? 1 : $neg(1)));
-return $call(Trend, [], [["form", form], ["coefficients", [first, ...$iter($slice(c, 1, null))]], ["sign", sign]]);
+return new Trend(form, [first, ...$iter($slice(c, 1, null))], sign);
 }
 function trends___over_pascal(trend, unit) {
 let c;
@@ -1732,7 +3325,7 @@ if (($in(trend.form, ["logarithmic", "power"]))) {
 (c = $b.tuple((function* () { for (const [power, value] of $iter($b.enumerate(c))) { yield (value / $pow(unit, power)); } })()));
 }
 }
-return $call(Trend, [], [["form", trend.form], ["coefficients", c], ["sign", trend.sign]]);
+return new Trend(trend.form, c, trend.sign);
 }
 function trends___shifted(c, shift) {
 
@@ -1749,13 +3342,13 @@ throw laws___problem(key, "belongs to pieces; each number of knots has its own u
 laws___check_order(rows, "knots");
 laws___raise((function* () { for (const [number, row] of $iter($b.enumerate(rows, $k({start: 1})))) { if (!((($m.get(row, "post_peak_slope", 0.0) < 0.0) && (!$in("residual_friction", row))))) continue; yield laws___useless_slope(("" + "knots[" + $str(number) + "].residual_friction")); } })());
 (tail = $b.any((function* () { for (const row of $iter(rows)) { yield $or(($in("post_peak_slope", row)), () => ($in("residual_friction", row))); } })()));
-return $call(PressureKnots, [], [["pressure", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })())], ["peak_friction", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_friction"); } })())], ["peak_slip", $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_slip"); } })())], ["post_peak_slope", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "post_peak_slope", 0.0); } })()) : [])], ["residual_friction", ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "residual_friction", $at(row, "peak_friction")); } })()) : [])]]);
+return new PressureKnots($b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "pressure"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_friction"); } })()), $b.tuple((function* () { for (const row of $iter(rows)) { yield $at(row, "peak_slip"); } })()), ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "post_peak_slope", 0.0); } })()) : []), ($truth(tail) ? $b.tuple((function* () { for (const row of $iter(rows)) { yield $m.get(row, "residual_friction", $at(row, "peak_friction")); } })()) : []));
 }
 function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c55], ["temperature", $c56]])) {
+for ([key, table] of $iter([["slip_speed", $c85], ["temperature", $c86]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -1803,7 +3396,7 @@ function lagging_file___catalogue_record(name, text) {
 let record;
 (record = lagging_file___record(text, ("" + "catalogue lagging " + $str(name))));
 if ((!$eq($at(record, "name"), name))) {
-throw new InputError($call(Problem, [], [["file", ("" + "catalogue lagging " + $str(name))], ["key", "name"], ["value", $shown($at(record, "name"))], ["message", "is not the name of its file"], ["remedy", ("" + "Write name = " + $str($shown(name)) + ", or rename the file.")]]));
+throw new InputError(new Problem("is not the name of its file", ("" + "Write name = " + $str($shown(name)) + ", or rename the file."), ("" + "catalogue lagging " + $str(name)), "name", $shown($at(record, "name"))));
 }
 return record;
 }
@@ -1814,7 +3407,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c58, document, file));
+([record, report] = source__read_tables($c88, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -1830,7 +3423,7 @@ return laggings;
 }
 function drive_build___at_home(error) {
 
-return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : $call(Problem, [], [["message", ("" + $str(problem.file) + " " + $str(problem.message))], ["remedy", problem.remedy]])); } })());
+return new InputError((function* () { for (const problem of $iter(error.problems)) { yield (($truth(problem.key) || $truth(problem.line) || !$truth(problem.file)) ? problem : new Problem(("" + $str(problem.file) + " " + $str(problem.message)), problem.remedy)); } })());
 }
 function lagging_file__lagging_record(name_or_path, folder, allow_paths) {
 let path, text;
@@ -1840,7 +3433,7 @@ if (!$truth(lagging_file__is_path(name_or_path))) {
 return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
 }
 if (!$truth(allow_paths)) {
-throw new InputError($call(Problem, [], [["message", "the path of a file cannot be used here"], ["remedy", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table.")], ["value", $shown(name_or_path)]]));
+throw new InputError(new Problem("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path)));
 }
 (path = readText(folder, name_or_path));
 return [lagging_file___record(readText(path), path), path];
@@ -1850,7 +3443,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c60)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c90)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -1869,7 +3462,7 @@ for ([key, limit] of $iter($m.items(limits))) {
 (message = ((value == null) ? "" : limit.refusal(value)));
 if ($truth(message)) {
 (given = ($truth(isNumber(value)) ? display__display($b.float(value), $bound(limit, "dimension")) : $shown(value)));
-$m.append(problems, $call(Problem, [], [["key", key], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, given));
 }
 }
 return problems;
@@ -1877,12 +3470,12 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw new InputError($call(Problem, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+throw new InputError(new Problem(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard)));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
@@ -1898,43 +3491,12 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c61)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
-}
-function tension_rules__overridden(of, over, fixed, at, runs) {
-let between, by, ends, half, pull;
-
-if (($b.len(tension_rules__families(over)) >= 2)) {
-return over;
-}
-(pull = tension_rules__pull_given(over, at));
-if (($truth(fixed) && (pull != null) && ($eq($b.len(tension_rules__effective_keys(over)), 1)))) {
-(ends = tension_rules__ends_of(tension_rules__less_runs(of, $bound(runs, "base"), at), at));
-if (((ends.entry == null) || (ends.exit == null))) {
-return over;
-}
-([half, between] = [$mul(0.5, $add(ends.entry, ends.exit)), $mul(0.5, $sub(pull, runs.case))]);
-return new LoadGiven($add(half, between), $sub(half, between), null, null, null);
-}
-(by = (($b.len(tension_rules__effective_keys(over)) > 0) ? over : of));
-return new LoadGiven(((over.entry_tension == null) ? of.entry_tension : over.entry_tension), ((over.exit_tension == null) ? of.exit_tension : over.exit_tension), $bound(by, "effective_tension"), $bound(by, "torque"), $bound(by, "power"));
-}
-function tension_rules__less_runs(of, runs, at) {
-let pull;
-
-(pull = tension_rules__pull_given(of, at));
-if ((($eq(runs, 0.0)) || (pull == null))) {
-return of;
-}
-return new LoadGiven($bound(of, "entry_tension"), $bound(of, "exit_tension"), $sub(pull, runs), null, null);
-}
-function load_case__exit_behind(entry, leaving) {
-
-return (($b.abs($sub(entry, leaving)) <= $mul(1e-12, entry)) ? entry : leaving);
 }
 function criteria__choice_problems(thing, choices) {
 
-return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield $call(Problem, [], [["key", key], ["value", $shown($b.getattr(thing, key))], ["message", ("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })())))]]); } })()];
+return [...(function* () { for (const [key, words] of $iter($m.items(choices))) { if (!((!$in($b.getattr(thing, key), words)))) continue; yield new Problem(("" + "must be one of " + $str($m.join(", ", (function* () { for (const word of $iter(words)) { if (!($truth(word))) continue; yield word; } })()))), undefined, undefined, key, $shown($b.getattr(thing, key))); } })()];
 }
 function limits__name_problems(key, name) {
 let message;
@@ -1943,18 +3505,53 @@ if (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($b.len(nam
 return [];
 }
 (message = "must be a printable text of 1 to 60 characters");
-return [$call(Problem, [], [["key", key], ["value", $shown(name)], ["message", message]])];
+return [new Problem(message, undefined, undefined, key, $shown(name))];
 }
 function drive___wrong_pulleys(case_, names) {
 let missing, parts, unknown;
 ([missing, unknown] = [$b.sorted($sub(names, $m.keys(case_.tensions))), $b.sorted($sub($m.keys(case_.tensions), names))]);
 (parts = ($truth(missing) ? [("" + "no tensions for " + $str($shown(missing)))] : []));
 (parts = $add(parts, ($truth(unknown) ? [("" + "tensions for " + $str($shown(unknown)) + ", which the drive does not have")] : [])));
-return $call(Problem, [], [["key", ("" + "load_case." + $str(case_.name))], ["message", $m.join(" and ", parts)]]);
+return new Problem($m.join(" and ", parts), undefined, undefined, ("" + "load_case." + $str(case_.name)));
 }
 function drive__condition_problems(case_, condition, pulleys) {
 
-return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield $call(Problem, [], [["key", ("" + "load_case." + $str(case_) + ".condition")], ["value", $shown(condition)], ["message", ("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition")]]); } })()];
+return [...(function* () { for (const p of $iter(pulleys)) { if (!(($truth(condition) && (!$in(condition, (function* () { for (const lagging of $iter(p.conditions)) { yield lagging.condition; } })()))))) continue; yield new Problem(("" + "pulley " + $str($shown($bound(p, "name"))) + " does not say its lagging in this condition"), undefined, undefined, ("" + "load_case." + $str(case_) + ".condition"), $shown(condition)); } })()];
+}
+function drive__named(what, name, among, of = "the drive") {
+let one;
+
+for (one of $iter(among)) {
+if (($in(name, [null, one.name]))) {
+return one;
+}
+}
+throw errors__no_such(what, name, [...(function* () { for (const one of $iter(among)) { yield one.name; } })()], of);
+}
+function errors__no_such(what, name, known, of = "the drive") {
+let names, there;
+
+(names = $b.list(known));
+(there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
+return new InputError(new Problem(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name)));
+}
+function load_case__heaviest(cases, pull) {
+let running;
+
+(running = [...(function* () { for (const case_ of $iter(cases)) { if (!(($eq(case_.kind, "running")))) continue; yield case_; } })()]);
+return alike__largest($or(running, () => cases), ((case_) => $b.abs(pull(case_))));
+}
+function drive__laggings_of(pulleys, conditions) {
+let condition, found, lagging, pulley;
+
+(found = $map([]));
+for (condition of $iter(conditions)) {
+for (pulley of $iter(pulleys)) {
+(lagging = pulley.lagging_in(condition));
+$m.setdefault(found, [lagging.name, lagging.condition], lagging);
+}
+}
+return $b.tuple($m.values(found));
 }
 function train___count_problems(key, values, count) {
 let message;
@@ -1962,7 +3559,7 @@ if (($eq($b.len(values), count))) {
 return [];
 }
 (message = ("" + "must have one value for each of the " + $str(count) + " pulleys"));
-return [$call(Problem, [], [["key", key], ["value", ("" + $str($b.len(values)) + " values")], ["message", message]])];
+return [new Problem(message, undefined, undefined, key, ("" + $str($b.len(values)) + " values"))];
 }
 function train___case_problems(case_, names) {
 let count, division, given, message, problems, speeds, where;
@@ -1972,10 +3569,10 @@ let count, division, given, message, problems, speeds, where;
 if (($truth(case_.runs) && (!$eq($b.len($bound(case_, "runs")), $sub(count, 1))))) {
 (message = ("" + "must have one value for each of the " + $str($sub(count, 1)) + " runs between pulleys"));
 (given = ("" + $str($b.len($bound(case_, "runs"))) + " values"));
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, ("" + $str(where) + ".run"), given));
 } else {
 if (!$truth($b.all($b.map($math.isfinite, $bound(case_, "runs"))))) {
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".run")], ["message", "must be finite"]]));
+$m.append(problems, new Problem("must be finite", undefined, undefined, ("" + $str(where) + ".run")));
 }
 }
 if ($truth(problems)) {
@@ -1993,7 +3590,7 @@ if ($truth($b.isinstance(division, Speeds))) {
 (problems = train___count_problems(("" + $str(where) + ".speeds"), speeds, count));
 if (!$truth($b.all((function* () { for (const speed of $iter(speeds)) { yield (0.0 < speed && speed < Infinity); } })()))) {
 (message = "every speed must be positive and finite");
-$m.append(problems, $call(Problem, [], [["key", ("" + $str(where) + ".speeds")], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, ("" + $str(where) + ".speeds")));
 }
 return problems;
 }
@@ -2007,7 +3604,7 @@ if ((!$truth(problems) && !($b.abs($sub(total, 1.0)) <= 1e-06))) {
 (given = $m.join(", ", (function* () { for (const f of $iter(fractions)) { yield ("" + $format(f, ("" + "g"))); } })()));
 (message = ("" + "the shares must sum to 1 and sum to " + $format(total, ("" + ".6g"))));
 (remedy = "Give fractions like 0.5 or 50 %.");
-$m.append(problems, $call(Problem, [], [["key", key], ["value", ("" + "[" + $str(given) + "]")], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, key, ("" + "[" + $str(given) + "]")));
 }
 (pulls = [...(function* () { for (const f of $iter(fractions)) { yield $mul(f, case_.effective_tension); } })()]);
 return $or(problems, () => train___slack_problems(key, pulls, case_));
@@ -2020,7 +3617,7 @@ return [];
 }
 (message = ("" + "leaves a tension of " + $str(display__display(low, "force")) + " in the belt, and a belt cannot push"));
 (remedy = "Give other shares, or more tension on the slack side.");
-return [$call(Problem, [], [["key", key], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, key)];
 }
 function train__tensions_at(case_, pulls) {
 let runs;
@@ -2046,8 +3643,8 @@ let asked, message, problems, size, total;
 ([total, asked] = [$math.fsum(pulls), case_.effective_tension]);
 (size = $b.max($bound(case_, "entry_tension"), $bound(case_, "exit_tension")));
 if ((!$truth(problems) && !($b.abs($sub(total, asked)) <= $mul(1e-06, size)))) {
-(message = ("" + "the pulleys together pull " + $str($call(display__display, [total, "force"], [["digits", 6]])) + ", and the tensions at both ends ask for " + $str($call(display__display, [asked, "force"], [["digits", 6]]))));
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+(message = ("" + "the pulleys together pull " + $str(display__display(total, "force", undefined, 6)) + ", and the tensions at both ends ask for " + $str(display__display(asked, "force", undefined, 6))));
+$m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return $or(problems, () => train___slack_problems(key, pulls, case_));
 }
@@ -2066,17 +3663,17 @@ continue;
 (where = ("" + $str(key) + "." + $str(name) + ".master"));
 if ((leads == null)) {
 (message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, names)))));
-$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
 } else {
 if ($truth($b.isinstance(leads, TorqueFollower))) {
 (message = "the drive that is followed must not follow another one itself");
-$m.append(problems, $call(Problem, [], [["key", where], ["value", $shown($bound(motor, "master"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, where, $shown($bound(motor, "master"))));
 }
 }
 }
 if (($eq($at($b.Counter($b.map($b.type, motors)), TorqueFollower), $b.len(motors)))) {
 (message = "every drive follows another one: one must hold the speed");
-$m.append(problems, $call(Problem, [], [["key", key], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key));
 }
 return problems;
 }
@@ -2084,23 +3681,99 @@ function train___case_of(drive, case_) {
 let pairs, runs;
 (pairs = [...(function* () { for (const p of $iter(drive.pulleys)) { yield $at(case_.tensions, p.name); } })()]);
 (runs = $b.tuple((function* () { for (const [a, b] of $iter($b.pairwise(pairs))) { yield $sub(b.entry, a.exit); } })()));
-return $call(TrainCase, [], [["name", case_.name], ["entry_tension", $at(pairs, 0).entry], ["exit_tension", $at(pairs, $neg(1)).exit], ["division", new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })()))], ["runs", ($truth($b.any(runs)) ? runs : [])], ["kind", case_.kind], ["condition", case_.condition]]);
+return new TrainCase(case_.name, $at(pairs, 0).entry, $at(pairs, $neg(1)).exit, new Pulls($b.tuple((function* () { for (const pair of $iter(pairs)) { yield pair.effective; } })())), ($truth($b.any(runs)) ? runs : []), case_.kind, case_.condition);
 }
-function tension_rules__behind_take_up(now, first, after, before) {
-let lost, pull, pull_0;
+function wrap_arc__of_belt(belt, side, law) {
+let counted, cover;
 
-if (((now.entry == null) || (now.exit == null) || (first.entry == null) || (first.exit == null))) {
-return null;
+([counted, cover] = [pitch__counts_shear(law, "cover shear"), pitch__cover_compliance(belt, side)]);
+return $map([["pitch_offset", pitch__pitch_offset(belt, side)], ["cover_compliance", ((counted === false) ? cover : 0.0)], ["cover_left_out", ((counted == null) ? cover : 0.0)], ["side_of_belt", side], ["belt_thickness", pitch__whole_thickness(belt)], ["centrifugal", pitch__centrifugal_of(belt)]]);
 }
-([pull, pull_0] = [$sub(now.entry, now.exit), $sub(first.entry, first.exit)]);
-(lost = $sub($mul(after.share, $add(pull, after.runs)), after.behind));
-(lost = $sub(lost, $sub($mul(before.share, $add(pull_0, before.runs)), before.behind)));
-return new NipTensions($add($sub(first.exit, lost), pull), $sub(first.exit, lost));
+function pitch__counts_shear(law, part) {
+
+return ((law.slip_includes == null) ? null : ($in(part, law.slip_includes)));
+}
+function pitch__cover_compliance(belt, side) {
+let cover, modulus;
+
+(cover = pitch__touching_cover(pitch__layers_of(belt), ($eq(side, "carry"))));
+(modulus = ((belt.cover_shear_modulus == null) ? 1000000.0 : belt.cover_shear_modulus));
+return ($truth($math.isnan(cover)) ? 0.0 : (cover / modulus));
+}
+function pitch__whole_thickness(belt) {
+let total;
+
+(total = ((belt.thickness == null) ? $b.sum(pitch__layers_of(belt)) : belt.thickness));
+return ($truth($math.isnan(total)) ? null : total);
+}
+function numbers__margin_of(value, limit, at_most) {
+
+if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || ($eq(limit, 0.0)))) {
+return NaN;
+}
+if (!$truth($math.isfinite(value))) {
+return ($truth(at_most) ? NaN : Infinity);
+}
+return $add($mul(($truth(at_most) ? 1.0 : $neg(1.0)), $sub(1.0, (value / limit))), 0.0);
+}
+function numbers__times_of(value, limit) {
+
+if (($truth($math.isnan(value)) || $truth($math.isnan(limit)) || (limit <= 0.0) || !$truth($math.isfinite(value)))) {
+return NaN;
+}
+return (((value / limit) >= 10.0) ? (value / limit) : NaN);
+}
+function check__quantity_text(value, dimension, against = NaN) {
+let form;
+
+if ($truth($math.isnan(value))) {
+return "";
+}
+if ($truth($math.isinf(value))) {
+return cell__quantity(value, dimension);
+}
+(form = ($truth($math.isnan(against)) ? "slip" : "slip apart"));
+return cellOf(value, dimension, undefined, form, against);
+}
+function numbers__beyond(value, fails, at_most) {
+
+return ($truth(at_most) ? (value > fails) : (value < fails));
+}
+function check___badness(check) {
+let order, unknown;
+
+(order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
+(unknown = (check.level === "NOT CHECKED"));
+return [$neg(($truth(unknown) ? $add($told($c98, "OK", "rank"), 0.5) : $told($c98, check.level, "rank"))), order];
+}
+function numbers__order_of(margin, missed, binding, advises, leads) {
+let found;
+
+(found = (($b.abs(margin) < 1000000000.0) ? $mul($math.floor($add((margin / 1e-09), 0.5)), 1e-09) : margin));
+if ($truth($math.isnan(margin))) {
+(found = (($truth(missed) && $truth(binding)) ? -2000000000.0 : Infinity));
+}
+if ($truth(leads)) {
+return $sub($b.min(found, 1000000000.0), 4000000000.0);
+}
+return (($truth(missed) && $truth(advises)) ? $add($b.max(found, $neg(1000000000.0)), $mul(2.0, 1000000000.0)) : found);
+}
+function check__placed(check) {
+let said, where;
+
+([where, said] = [check___capital($b.str($bound(check, "place"))), check.said]);
+return ((!$truth(where) || $truth($m.startswith(said, where))) ? said : ("" + $str(where) + ": " + $str(said)));
+}
+function check___capital(text) {
+return $add($m.upper($slice(text, null, 1)), $slice(text, 1, null));
+}
+function check___small(text) {
+return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
 }
 function base__check(...tests) {
 let failed;
 
-(failed = [...(function* () { for (const [passed, key, value, message] of $iter(tests)) { if (!(!$truth(passed))) continue; yield $call(Problem, [], [["key", key], ["value", value], ["message", message]]); } })()]);
+(failed = [...(function* () { for (const [passed, key, value, message] of $iter(tests)) { if (!(!$truth(passed))) continue; yield new Problem(message, undefined, undefined, key, value); } })()]);
 if ($truth(failed)) {
 throw new InputError(failed);
 }
@@ -2130,7 +3803,7 @@ return [];
 if ((table == null)) {
 (message = ("" + "given, and the law has no " + $str(key) + "_factor"));
 (remedy = ("" + "Leave it out, or add [law." + $str(key) + "_factor] with its source."));
-return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, key, display__display(value, dimension))];
 }
 ([low, high] = [(($eq(key, "slip_speed")) ? 0.0 : $at(table.at, 0)), $at(table.at, $neg(1))]);
 if ((low <= value && value <= high)) {
@@ -2138,7 +3811,7 @@ return [];
 }
 (ends = ("" + $str(display__display($at(table.at, 0), dimension)) + " to " + $str(display__display(high, dimension))));
 (message = ("" + "outside the " + $str(ends) + " that its factor is known for"));
-return [$call(Problem, [], [["key", key], ["value", display__display(value, dimension)], ["message", message], ["remedy", "Test the lagging there, and add the factor to its table."]])];
+return [new Problem(message, "Test the lagging there, and add the factor to its table.", undefined, key, display__display(value, dimension))];
 }
 function tables___kind_of(owner, attribute) {
 let kind, rigid, types;
@@ -2194,7 +3867,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c602, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c838, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -2204,14 +3877,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c606, 0), 0));
-return [$call(Problem, [], [["key", "length"], ["value", display__display(length, "length")], ["message", ("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated")], ["remedy", "Give secondary_resistance, or a length_coefficient of your own."]])];
+(least = $at($at($c843, 0), 0));
+return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c606, 0), 0)) ? NaN : $at($at($c606, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c606))) {
+(found = ((length < $at($at($c843, 0), 0)) ? NaN : $at($at($c843, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c843))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -2227,7 +3900,7 @@ let message, remedy, where;
 (where = (($in(least, [state.entry, state.exit])) ? "beside the drive pulley" : "at the far end"));
 (message = ("" + "leaves a belt tension of " + $str(display__display(least, "force")) + " " + $str(where) + " in load case " + $str(state.name) + ", and a belt cannot push"));
 (remedy = "Give a larger take-up tension.");
-return $call(Problem, [], [["key", "take_up_tension"], ["message", message], ["remedy", remedy]]);
+return new Problem(message, remedy, undefined, "take_up_tension");
 }
 function resistance__main_resistance(friction_factor, length, lift, rotating, carried) {
 let cosine;
@@ -2272,6 +3945,9 @@ let names;
 (names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
 return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
 }
+function simple___edges(tested) {
+return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
+}
 function quantity_text__quantity_text(value, dimension) {
 let digits, exact, factor, number, plain, text, unit;
 
@@ -2288,13 +3964,12 @@ return text;
 return ("" + $repr(value) + " " + $str($at($c12, dimension).si_unit));
 }
 function display__display_unit(dimension, system = "si") {
-let unit;
+let row;
 
-(unit = (($eq(dimension, "temperature")) ? "K" : $at($at($at($c11, system), dimension), 0)));
-return [unit, parse__unit_factor(unit, dimension)];
+(row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
+return [row.unit, row.factor];
 }
 class Problem extends $Object {
-$init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
 __str__() {
 const self = this; let given, place, sentence;
 (place = self.file);
@@ -2306,6 +3981,7 @@ if ((self.line != null)) {
 return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null});
 class WraparcError extends $Error {
 }
 class InputError extends WraparcError {
@@ -2339,7 +4015,7 @@ if ($truth(self.full)) {
 return null;
 }
 (given = ((value === $c7) ? "" : $shown(value)));
-self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", problems__place_text(place)], ["value", given]]));
+self._append(new Problem(message, remedy, undefined, problems__place_text(place), given));
 }
 take(error, place, raw = $c7, names = null) {
 const self = this; let below, given, key, problem, value;
@@ -2396,7 +4072,7 @@ const self = this; let message;
 
 if ($truth(self._left_out)) {
 (message = ("" + $str(self._left_out) + " more problems are not listed"));
-$m.append(self.problems, $call(Problem, [], [["message", message], ["file", self.file]]));
+$m.append(self.problems, new Problem(message, undefined, self.file));
 }
 if ($truth(self.problems)) {
 throw new InputError($bound(self, "problems"));
@@ -2420,10 +4096,9 @@ return ($truth(keys) ? $m.isdisjoint(self.faulty, keys) : !$truth(self.faulty));
 }
 }
 class Provenance extends $Object {
-$init(kind = "given", source = "", date = "", note = "") { this.kind = kind; this.source = source; this.date = date; this.note = note; this.__post_init__?.(); }
 __post_init__() {
 const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
-throw new InputError($call(Problem, [], [["message", "a published number without a source"], ["remedy", "Name the publication, or call the number given or illustrative."]]));
+throw new InputError(new Problem("a published number without a source", "Name the publication, or call the number given or illustrative."));
 }
 }
 __str__() {
@@ -2433,6 +4108,7 @@ const self = this; let origin, stated;
 return ($truth(self.note) ? ("" + $str(stated) + " (" + $str(self.note) + ")") : stated);
 }
 }
+$sig(Provenance, ["kind", "source", "date", "note"], false, {kind: () => "given", source: () => "", date: () => "", note: () => ""});
 class Laggings extends $Object {
 $init(own, folder, allow_paths, report) {
 const self = this; (self._report = report);
@@ -2496,7 +4172,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c59)) {
+for (group of $iter($c89)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -2512,7 +4188,6 @@ return new Record(values, $bound(given, "place"), $bound(given, "raw"), $bound(g
 }
 }
 class Condition extends $Object {
-$init(name, factor = null, factors = new Map(), standard = "", source = new Provenance()) { this.name = name; this.factor = factor; this.factors = factors; this.standard = standard; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all($add(limits__limit_problems(self, $bound(self, "LIMITS")), self._wetter()));
 }
@@ -2524,7 +4199,7 @@ if ((!$in("wet", $m.split($m.lower(self.name))))) {
 return [];
 }
 ([message, remedy] = ["more friction wet than dry", "Give friction when wet over dry, 0.8 say."]);
-return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield $call(Problem, [], [["key", key], ["value", ("" + $format(factor, ("" + "g")))], ["message", message], ["remedy", remedy]]); } })()];
+return [...(function* () { for (const [key, factor] of $iter($m.items(factors))) { if (!(((factor != null) && (factor > 1.0)))) continue; yield new Problem(message, remedy, undefined, key, ("" + $format(factor, ("" + "g")))); } })()];
 }
 lagging(lagging) {
 const self = this; let factor, source;
@@ -2574,7 +4249,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c61)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -2594,18 +4269,18 @@ if (!$truth(lagging.surface)) {
 (covered = "its surface is not said, so that no published value applies");
 }
 (name = $shown($bound(self, "name")));
-return $call(Problem, [], [["key", ("" + "condition." + $str(self.name))], ["message", ("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")")], ["remedy", $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })())]]);
+return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " was tested " + $str(lagging.condition) + ", and nothing is published on its friction when " + $str(self.name) + " (covered: " + $str(covered) + ")"), $m.join(" ", (function* () { for (const part of $iter([errors__nearest($bound(self, "name"), known), ("" + "Give what it leaves of the friction, condition = { name = " + $str(name) + ", friction_factor = 0.8 }, or add a law for it to the lagging.")])) { if (!($truth(part))) continue; yield part; } })()), undefined, ("" + "condition." + $str(self.name)));
 }
 }
+$sig(Condition, ["name", "factor", "factors", "standard", "source"], false, {factor: () => null, factors: () => new Map(), standard: () => "", source: () => new Provenance()});
 class Conditions extends $Object {
-$init(main = [], cases = []) { this.main = main; this.cases = cases;  }
 get several() {
 const self = this; 
 return [...$iter((($b.len($bound(self, "main")) > 1) ? self.main : [])), ...$iter(self.cases)];
 }
 }
+$sig(Conditions, ["main", "cases"], false, {main: () => [], cases: () => []});
 class Point extends $Object {
-$init(x, y, diameter = 0.0, turn = "clockwise") { this.x = x; this.y = y; this.diameter = diameter; this.turn = turn; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
@@ -2614,38 +4289,44 @@ const self = this;
 return $mul((self.diameter / 2.0), (($eq(self.turn, "counterclockwise")) ? 1.0 : $neg(1.0)));
 }
 }
+$sig(Point, ["x", "y", "diameter", "turn"], false, {diameter: () => 0.0, turn: () => "clockwise"});
 class _UnitTextError extends $Error {
 $init(message, remedy) {
 const self = this; super.$init(message);
 (self.remedy = remedy);
 }
 }
-class Unit extends $Object {
-$init(factor, powers, zero = $c67) { this.factor = factor; this.powers = powers; this.zero = zero;  }
-*[Symbol.iterator]() { yield this.factor; yield this.powers; yield this.zero; }
+class Unit extends $Tuple {
 }
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c99});
+class UnitRow extends $Tuple {
+}
+$sig(UnitRow, ["unit", "factor", "larger"], false, {});
 class WidthProfile extends $Object {
-$init(position = [], value = [], crown = 0.0, uncertainty = null) { this.position = position; this.value = value; this.crown = crown; this.uncertainty = uncertainty; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, numbers, problems, wrong;
 (problems = []);
 (numbers = [...$iter(self.position), ...$iter(self.value), self.crown]);
 if ((!$truth($b.all($b.map($math.isfinite, numbers))) || (!$eq($b.len($bound(self, "position")), $b.len($bound(self, "value")))))) {
 (message = "must be pairs of finite numbers, position and value");
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", $b.str($b.len($bound(self, "position")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "rows", $b.str($b.len($bound(self, "position")))));
 } else {
 if (($eq($b.len($bound(self, "position")), 1))) {
 (message = "one row alone makes no profile");
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["message", message], ["remedy", "Give two rows or more."]]));
+$m.append(problems, new Problem(message, "Give two rows or more.", undefined, "rows"));
 }
 }
 (wrong = [...(function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "position")))) { if (!((b <= a))) continue; yield b; } })()]);
 if ($truth(wrong)) {
-$m.append(problems, $call(Problem, [], [["key", "rows"], ["value", display__display($at(wrong, 0), "length")], ["message", "the positions must ascend from one edge of the belt to the other"], ["remedy", "Sort the rows by position, the middle of the belt being 0."]]));
+$m.append(problems, new Problem("the positions must ascend from one edge of the belt to the other", "Sort the rows by position, the middle of the belt being 0.", undefined, "rows", display__display($at(wrong, 0), "length")));
 }
 limits__raise_all(problems);
 }
 
+get largest() {
+const self = this; 
+return $add($b.max([...$iter(self.value), 0.0]), $b.max($bound(self, "crown"), 0.0));
+}
 problems(key, width) {
 const self = this; let beyond, edge;
 
@@ -2654,38 +4335,33 @@ const self = this; let beyond, edge;
 if (!$truth(beyond)) {
 return [];
 }
-return [$call(Problem, [], [["key", key], ["value", display__display($at(beyond, 0), "length")], ["message", ("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length")))], ["remedy", "Give positions from the middle of the belt, and leave out rows beside it."]])];
-}
-get largest() {
-const self = this; 
-return $add($b.max([...$iter(self.value), 0.0]), $b.max($bound(self, "crown"), 0.0));
+return [new Problem(("" + "beyond the belt, which reaches from " + $str(display__display($mul($neg(0.5), width), "length")) + " to " + $str(display__display($mul(0.5, width), "length"))), "Give positions from the middle of the belt, and leave out rows beside it.", undefined, key, display__display($at(beyond, 0), "length"))];
 }
 }
+$sig(WidthProfile, ["position", "value", "crown", "uncertainty"], false, {position: () => [], value: () => [], crown: () => 0.0, uncertainty: () => null});
 class Criteria extends $Object {
-$init(take_up = new TakeUp(), standard = new DesignStandard(), safety = new SafetyFactors(), sag = null) { this.take_up = take_up; this.standard = standard; this.safety = safety; this.sag = sag;  }
 }
-class Layers extends $Object {
-$init(pulley_cover, carry_cover, carcass) { this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass;  }
-*[Symbol.iterator]() { yield this.pulley_cover; yield this.carry_cover; yield this.carcass; }
+$sig(Criteria, ["take_up", "standard", "safety", "sag"], false, {take_up: () => new TakeUp(), standard: () => new DesignStandard(), safety: () => new SafetyFactors(), sag: () => null});
+class Layers extends $Tuple {
 }
+$sig(Layers, ["pulley_cover", "carry_cover", "carcass"], false, {});
 class Given extends $Object {
-$init(name, place, values, raw, diameter, inherited = []) { this.name = name; this.place = place; this.values = values; this.raw = raw; this.diameter = diameter; this.inherited = inherited;  }
 static of(name, record, diameter) {
 const cls = this; let values;
 
-(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c34)) { yield $m.get(record, key); } })())));
+(values = new LoadGiven(...$iter((function* () { for (const key of $iter($c33)) { yield $m.get(record, key); } })())));
 return new cls(name, $bound(record, "place"), values, $bound(record, "raw"), diameter);
 }
 at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c62) {
+overridden(record, fixed = false, speed = null, runs = $c91) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
 (values = tension_rules__overridden($bound(self, "values"), $bound(over, "values"), fixed, self.at(speed), runs));
-(own = $b.zip($c34, values, $bound(self, "values"), $k({strict: true})));
+(own = $b.zip($c33, values, $bound(self, "values"), $k({strict: true})));
 (kept = $b.tuple((function* () { for (const [key, now, before] of $iter(own)) { if (!(((now != null) && (now === before)))) continue; yield key; } })()));
 return new Given($bound(self, "name"), $bound(over, "place"), values, $bound(over, "raw"), $bound(self, "diameter"), kept);
 }
@@ -2694,16 +4370,11 @@ const self = this;
 return $replaced(self, new Map([["values", tension_rules__less_runs($bound(self, "values"), runs, self.at(speed))]]));
 }
 }
-class NipTensions extends $Object {
-$init(entry, exit) { this.entry = entry; this.exit = exit;  }
-*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+$sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"], false, {inherited: () => []});
+class NipTensions extends $Tuple {
 }
-class LoadFault extends $Object {
-$init(message, remedy, lacks) { this.message = message; this.remedy = remedy; this.lacks = lacks;  }
-*[Symbol.iterator]() { yield this.message; yield this.remedy; yield this.lacks; }
-}
+$sig(NipTensions, ["entry", "exit"], false, {});
 class Tensions extends $Object {
-$init(entry, exit, computed = new Map()) { this.entry = entry; this.exit = exit; this.computed = computed; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 (self.exit = load_case__exit_behind($bound(self, "entry"), $bound(self, "exit")));
@@ -2713,26 +4384,26 @@ const self = this;
 return $sub(self.entry, self.exit);
 }
 }
+$sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()});
 class LoadCase extends $Object {
-$init(name, tensions, kind = "running", condition = "") { this.name = name; this.tensions = tensions; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c63]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c92]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
+$sig(LoadCase, ["name", "tensions", "kind", "condition"], false, {kind: () => "running", condition: () => ""});
 class Viewable extends $Object {
 
 
 }
 class Drive extends Viewable {
-$init(title = "", belt, pulleys, load_cases, creep_limit = 0.00635, criteria = new Criteria(), description = "", conveyor = null) { this.title = title; this.belt = belt; this.pulleys = pulleys; this.load_cases = load_cases; this.creep_limit = creep_limit; this.criteria = criteria; this.description = description; this.conveyor = conveyor; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let case_, key, message, names, problems, pulley;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if (!(1 <= $b.len($bound(self, "pulleys")) && $b.len($bound(self, "pulleys")) <= 10)) {
 (message = ("" + "a drive needs 1 to " + $str(10) + " pulleys"));
-$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str($b.len($bound(self, "pulleys")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "pulley", $b.str($b.len($bound(self, "pulleys")))));
 }
 (problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
 (problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.load_cases)) { yield c.name; } })())));
@@ -2764,22 +4435,38 @@ return problems;
 }
 if (((self.conveyor != null) && ($b.abs($sub((self.conveyor.belt_mass / mass), 1.0)) > 0.005))) {
 (other = display__display($bound(self.conveyor, "belt_mass"), "mass_per_length"));
-$m.append(problems, $call(Problem, [], [["message", ("" + "the belt of [conveyor] has belt_mass = " + $str(other))], ["remedy", "Both are the mass of a metre of belt: give one, or the same twice."], ["key", "belt.mass"], ["value", display__display(mass, "mass_per_length")]]));
+$m.append(problems, new Problem(("" + "the belt of [conveyor] has belt_mass = " + $str(other)), "Both are the mass of a metre of belt: give one, or the same twice.", undefined, "belt.mass", display__display(mass, "mass_per_length")));
 }
 for ([key, least] of $iter($m.items(drive__least_tensions($bound(self, "load_cases"))))) {
 (problems = $add(problems, drive__flying_problems($bound(self, "belt"), key, least)));
 }
 return problems;
 }
+pulley(name = null) {
+const self = this; 
+return drive__named("pulley", name, $bound(self, "pulleys"));
+}
+load_case(name = null) {
+const self = this; 
+if ((name == null)) {
+return load_case__heaviest($bound(self, "load_cases"), ((case_) => $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })())));
+}
+return drive__named("load case", name, $bound(self, "load_cases"));
+}
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.load_cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
 }
-take_up_tension(case_) {
-const self = this; let after;
-
-(after = self.criteria.take_up.after);
-return ($truth(after) ? $at(case_.tensions, after).exit : self.slack_end(case_));
+get laggings() {
+const self = this; 
+return drive__laggings_of($bound(self, "pulleys"), [...(function* () { for (const case_ of $iter(self.load_cases)) { yield case_.condition; } })()]);
+}
+in_case(case_) {
+const self = this; 
+if (!$truth(case_.condition)) {
+return self;
+}
+return $replaced(self, new Map([["pulleys", $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.in_condition($bound(case_, "condition")); } })())]]));
 }
 slack_end(case_) {
 const self = this; let first, last, pull;
@@ -2788,29 +4475,39 @@ const self = this; let first, last, pull;
 (pull = $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })()));
 return ((pull >= 0.0) ? last.exit : first.entry);
 }
+take_up_tension(case_) {
+const self = this; let after;
+
+(after = self.criteria.take_up.after);
+return ($truth(after) ? $at(case_.tensions, after).exit : self.slack_end(case_));
 }
+creep_limit_of(pulley) {
+const self = this; 
+return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
+}
+}
+$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"], false, {title: () => "", creep_limit: () => 0.00635, criteria: () => new Criteria(), description: () => "", conveyor: () => null});
 class Train extends $Object {
-$init(title = "", description = "", belt, pulleys, cases, nominal_diameters = [], creep_limit = 0.00635, criteria = new Criteria()) { this.title = title; this.description = description; this.belt = belt; this.pulleys = pulleys; this.cases = cases; this.nominal_diameters = nominal_diameters; this.creep_limit = creep_limit; this.criteria = criteria; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let case_, count, given, least, message, names, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (count = $b.len($bound(self, "pulleys")));
 if (!(1 <= count && count <= 10)) {
 (message = ("" + "a train needs 1 to " + $str(10) + " pulleys"));
-$m.append(problems, $call(Problem, [], [["key", "pulley"], ["value", $b.str(count)], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "pulley", $b.str(count)));
 }
 (problems = $add(problems, drive__repeated("pulley", (function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })())));
 (problems = $add(problems, drive__repeated("load_case", (function* () { for (const c of $iter(self.cases)) { yield c.name; } })())));
 (problems = $add(problems, self.criteria.take_up.place_problems([...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()])));
 if (!$truth(self.cases)) {
-$m.append(problems, $call(Problem, [], [["key", "load_case"], ["message", "a train needs a load case"]]));
+$m.append(problems, new Problem("a train needs a load case", undefined, undefined, "load_case"));
 }
 if ($truth(self.nominal_diameters)) {
 (problems = $add(problems, train___count_problems("nominal_diameters", $bound(self, "nominal_diameters"), count)));
 if (!$truth($b.all((function* () { for (const d of $iter(self.nominal_diameters)) { yield (0.0 < d && d < Infinity); } })()))) {
 (message = "must be positive and finite");
 (given = $b.str($b.list($bound(self, "nominal_diameters"))));
-$m.append(problems, $call(Problem, [], [["key", "nominal_diameters"], ["value", given], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "nominal_diameters", given));
 }
 }
 (names = [...(function* () { for (const p of $iter(self.pulleys)) { yield p.name; } })()]);
@@ -2831,12 +4528,34 @@ get nominal() {
 const self = this; 
 return $or(self.nominal_diameters, () => $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.diameter; } })()));
 }
-
+case(name = "") {
+const self = this; 
+if (!$truth(name)) {
+return load_case__heaviest($bound(self, "cases"), ((case_) => $sub(case_.entry_tension, case_.exit_tension)));
+}
+return drive__named("load case", name, $bound(self, "cases"), "the train");
+}
 get conditions() {
 const self = this; 
 return $b.tuple($b.fromkeys((function* () { for (const c of $iter(self.cases)) { if (!($truth(c.condition))) continue; yield c.condition; } })()));
 }
+get laggings() {
+const self = this; 
+return drive__laggings_of($bound(self, "pulleys"), [...(function* () { for (const case_ of $iter(self.cases)) { yield case_.condition; } })()]);
 }
+in_case(case_) {
+const self = this; 
+if (!$truth(case_.condition)) {
+return self;
+}
+return $replaced(self, new Map([["pulleys", $b.tuple((function* () { for (const p of $iter(self.pulleys)) { yield p.in_condition($bound(case_, "condition")); } })())]]));
+}
+creep_limit_of(pulley) {
+const self = this; 
+return ((pulley.creep_limit == null) ? self.creep_limit : pulley.creep_limit);
+}
+}
+$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"], false, {title: () => "", description: () => "", nominal_diameters: () => [], creep_limit: () => 0.00635, criteria: () => new Criteria()});
 class Reader extends $Object {
 $init(record, belt, pulleys, report, take_up) {
 const self = this; ([self.belt, self.pulleys, self._report, self._take_up] = [belt, pulleys, report, take_up]);
@@ -2903,7 +4622,7 @@ self._report.add([...$iter(place), "share"], message, "Leave one of them out.");
 return null;
 }
 try {
-return $call(TrainCase, [], [["name", name], ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["division", division], ["runs", ($truth($b.any(runs)) ? runs : [])]]);
+return new TrainCase(name, tensions.entry, tensions.exit, division, ($truth($b.any(runs)) ? runs : []));
 } catch ($error) {
 if ($error instanceof InputError) {
 error = $error;
@@ -2918,7 +4637,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c62, self._take_up.fixed]);
+([runs, fixed] = [$c91, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -2931,7 +4650,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c35), ...$iter($c64), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c93), ...$iter($c94), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -2975,10 +4694,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c64)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c94)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c64)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c94)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -3032,7 +4751,7 @@ return null;
 }
 ([kind, values] = [$at($at($at(record, "speeds"), 0), 0), [...(function* () { for (const [_, value] of $iter($at(record, "speeds"))) { yield value; } })()]]);
 if (($eq(kind, "rotation_speed"))) {
-return $call(Speeds, [$b.tuple(values)], [["absolute", true]]);
+return new Speeds($b.tuple(values), true);
 }
 return new Speeds($b.tuple((function* () { for (const [v, d] of $iter($b.zip(values, $bound(self, "nominal"), $k({strict: true})))) { yield (v / d); } })()));
 }
@@ -3054,7 +4773,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c65))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c95))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -3066,66 +4785,700 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c66.built(record, $bound(self, "_report")));
+(motor = $c96.built(record, $bound(self, "_report")));
 return motor;
 }
 }
 class CatalogueBelt extends $Object {
-$init(name, kind, rating, modulus, least_pulley_diameter = null, carcass = null, carcass_mass = null, cover_mass = null, provenance, carcass_source = null) { this.name = name; this.kind = kind; this.rating = rating; this.modulus = modulus; this.least_pulley_diameter = least_pulley_diameter; this.carcass = carcass; this.carcass_mass = carcass_mass; this.cover_mass = cover_mass; this.provenance = provenance; this.carcass_source = carcass_source;  }
 get sources() {
 const self = this; 
 return ($truth(self.carcass_source) ? $map([["carcass", self.carcass_source]]) : $map([]));
 }
 }
-class OfBelt extends $Dict {
+$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"], false, {least_pulley_diameter: () => null, carcass: () => null, carcass_mass: () => null, cover_mass: () => null, carcass_source: () => null});
+class WrapArc extends $Object {
+__post_init__() {
+const self = this; let ends, key, least, message, most, problems, unit, value;
+(problems = [...(function* () { for (const [key, value, unit] of $iter([["entry_tension", self.entry_tension, "N"], ["exit_tension", self.exit_tension, "N"], ["diameter", self.diameter, "m"], ["wrap_angle", self.wrap_angle, "rad"], ["width", self.width, "m"], ["creep_limit", self.creep_limit, "m"]])) { if (!(!(0.0 < value && value < Infinity))) continue; yield new Problem("must be positive and finite", undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))); } })()]);
+if (!(0.0 <= self.thickness && self.thickness < Infinity)) {
+(message = "must be 0 or positive, and finite");
+$m.append(problems, new Problem(message, undefined, undefined, "thickness", ("" + $format(self.thickness, ("" + "g")) + " m")));
 }
+if (((self.overrun != null) && !$truth($math.isfinite($bound(self, "overrun"))))) {
+(message = "must be finite");
+$m.append(problems, new Problem(message, undefined, undefined, "overrun", ("" + $format(self.overrun, ("" + "g")) + " m")));
+}
+(problems = $add(problems, [...(function* () { for (const [key, value, unit] of $iter([["axial_stiffness", self.axial_stiffness, "N"], ["shear_modulus", self.shear_modulus, "Pa"], ["compression_modulus", self.compression_modulus, "Pa"]])) { if (!(!(value > 0.0))) continue; yield new Problem("must be positive", undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))); } })()]));
+(least = $b.min($bound(self, "entry_tension"), $bound(self, "exit_tension")));
+(least = ((least > 0.0) ? least : Infinity));
+for ([key, value, unit, most] of $iter([["pitch_offset", $or(self.pitch_offset, () => 0.0), "m", Infinity], ["cover_compliance", self.cover_compliance, "m/Pa", Infinity], ["centrifugal", self.centrifugal, "N", least]])) {
+if (!(0.0 <= value && value < most)) {
+(ends = $add("at least 0", (($eq(most, Infinity)) ? "" : ", and less than the tensions")));
+(message = ("" + "must be " + $str(ends)));
+$m.append(problems, new Problem(message, undefined, undefined, key, ("" + $format(value, ("" + "g")) + " " + $str(unit))));
+}
+}
+if (!$truth(problems)) {
+(problems = self._law_problems());
+}
+if ($truth(problems)) {
+throw new InputError(problems);
+}
+}
+_law_problems() {
+const self = this; let fall, held, law, problems, top;
+(problems = []);
+(top = self.wrap_pressure($b.max($bound(self, "entry_tension"), $bound(self, "exit_tension"))));
+if ($truth(summary__too_steep(self.described(), self.law.steepest_fall()))) {
+(fall = ($neg(1.0) / $mul(self.shear_compliance, top)));
+$m.append(problems, new Problem(("" + "friction falls so steeply past its peak that slip and shear of the lagging are not unique; at " + $format(top, ("" + "g")) + " Pa the slope must stay above " + $format(fall, ("" + "g")) + " 1/m (-G/(h p))"), "Check the unit of the slope, the thickness and the shear modulus.", undefined, "lagging", ("" + "post_peak_slope " + $format(self.law.steepest_fall(), ("" + "g")) + " 1/m")));
+}
+(law = self.law.compact());
+if ($truth(summary__overrun_loosens(law, self.geometry(), $bound(self, "entry_pressure")))) {
+(held = summary__held_creep(law, $bound(self, "shear_compliance"), $bound(self, "entry_pressure")));
+$m.append(problems, new Problem(("" + "this friction law holds the belt without slip up to a creep of " + $format(held, ("" + "g")) + " m; with an overrun beyond that the creep of a belt that comes to rest again is not unique"), "Set overrun = \"0 mm\" for this law.", undefined, "overrun", ("" + $format(self.entry_overrun, ("" + "g")) + " m")));
+}
+return problems;
+}
+static of(drive, pulley, case_) {
+const cls = this; let lagging, tensions;
+
+([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
+return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt($bound(drive, "belt"), $bound(pulley, "side"), $bound(lagging, "law")), ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", drive.belt.width], ["axial_stiffness", drive.belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["wear_coefficient", lagging.wear_coefficient], ["fit", lagging.fit], ["pulley", pulley.name], ["load_case", case_.name]]);
+}
+get radius() {
+const self = this; 
+return $mul(0.5, self.diameter);
+}
+get length() {
+const self = this; 
+return $mul(self.radius, self.wrap_angle);
+}
+get effective_tension() {
+const self = this; 
+return $sub(self.entry_tension, self.exit_tension);
+}
+get side() {
+const self = this; 
+return ((self.entry_tension >= self.exit_tension) ? 1.0 : $neg(1.0));
+}
+wrap_pressure(tension) {
+const self = this; 
+return ($mul(2.0, $sub(tension, self.centrifugal)) / $mul(self.width, self.diameter));
+}
+get entry_pressure() {
+const self = this; 
+return self.wrap_pressure($bound(self, "entry_tension"));
+}
+get offset() {
+const self = this; 
+return $or(self.pitch_offset, () => 0.0);
+}
+get shear_compliance() {
+const self = this; 
+return $add(self.lagging_compliance, self.cover_compliance);
+}
+get lagging_compliance() {
+const self = this; 
+return ($truth(self.slip_with_shear) ? 0.0 : (self.thickness / self.shear_modulus));
+}
+get slip_with_shear() {
+const self = this; 
+return (pitch__counts_shear($bound(self, "law"), "lagging shear") === true);
+}
+get compliance() {
+const self = this; 
+return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
+}
+get entry_overrun() {
+const self = this; let found, pressure;
+
+([found, pressure] = [self.geometry(), self.entry_pressure]);
+return $add(found.overrun_constant, $mul($mul(found.overrun_coefficient, pressure), $math.sqrt(pressure)));
+}
+described() {
+const self = this; 
+return new Description(self.entry_tension, self.exit_tension, self.diameter, self.wrap_angle, self.width, self.axial_stiffness, self.thickness, self.shear_modulus, self.compression_modulus, ((self.overrun == null) ? NaN : self.overrun), self.recovery, ((self.belt_speed == null) ? NaN : self.belt_speed), ((self.wear_coefficient == null) ? NaN : self.wear_coefficient), self.shear_compliance, self.offset, self.centrifugal);
+}
+geometry() {
+const self = this; 
+return summary__geometry_of(self.described());
+}
+get recovery_compliance() {
+const self = this; 
+return summary__recovery_compliance(self.described());
+}
+load() {
+const self = this; let ends, tested;
+
+(tested = self.law.tested);
+(ends = [NaN, NaN, NaN]);
+if ((tested != null)) {
+(ends = [tested.pressure_min, tested.pressure_max, tested.slip_max]);
+}
+return new Load($sub(self.entry_tension, self.centrifugal), $sub(self.exit_tension, self.centrifugal), $bound(self, "creep_limit"), ...$iter(ends), self.law.steepest_fall());
+}
+}
+$sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, pulley: () => "", load_case: () => ""});
+class in_page$Given extends $Tuple {
+}
+$sig(in_page$Given, ["entry_tension", "exit_tension", "effective_tension", "torque", "power", "diameter", "wrap_angle", "overrun", "recovery", "width", "modulus", "speed", "thickness", "shear_modulus", "compression_modulus", "wear_coefficient", "creep_limit", "steepest_fall", "pitch_offset", "cover_compliance", "mass", "slip_with_shear", "belt_speed"], false, {});
+class Rise extends $Object {
+}
+$sig(Rise, ["tight", "slack"], false, {});
+class in_page$Criteria extends $Tuple {
+}
+$sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"], false, {});
+class ArcResult extends Viewable {
+get covered_creep() { return $kept(this, "covered_creep", this.$find_covered_creep()); }
+get effective_tension() {
+const self = this; 
+return $sub(self.entry_tension, self.exit_tension);
+}
+$find_covered_creep() {
+const self = this; let arc, found, geometry, load, series;
+
+(arc = self.arc);
+if ((!$truth($told($c40, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+return NaN;
+}
+([load, geometry] = [arc.load(), arc.geometry()]);
+(series = $replaced(geometry, new Map([["shear", $add(geometry.shear, arc.cover_left_out)]])));
+(found = answer__operating_point(arc.law.compact(), series, $bound(load, "entry_tension"), $bound(load, "exit_tension")));
+if ((!$eq(found.outcome, 0))) {
+return $math.copysign(Infinity, $bound(arc, "side"));
+}
+return $at(found.met.course.creep, $neg(1));
+}
+}
+$sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
+class FoundArc extends ArcResult {
+get covered_creep() {
+const self = this; 
+return self.found.covered_creep;
+}
+}
+$sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
+class DriveResult extends Viewable {
+__iter__() {
+const self = this; return $b.iter($bound(self, "arcs"));
+}
+arc(pulley, load_case = "") {
+const self = this; let result;
+
+for (result of $iter(self.arcs)) {
+if ((($eq(result.arc.pulley, pulley)) && ($in(load_case, ["", result.arc.load_case])))) {
+return result;
+}
+}
+throw new $KeyError([pulley, load_case]);
+}
+get governing() {
+const self = this; let worst;
+
+function severity(result) {
+let margin;
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return [2.0, 0.0];
+}
+if ((result.status === "Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.")) {
+(margin = result.capacities.gross_slip_margin);
+return [1.0, ($truth($math.isfinite(margin)) ? $neg(margin) : 0.0)];
+}
+return [0.0, ($b.abs($bound(result, "exit_creep")) / result.arc.creep_limit)];
+}
+$sig(severity, ["result"], false);
+(worst = $b.max((function* () { for (const result of $iter(self.arcs)) { yield $at(severity(result), 0); } })()));
+return alike__largest((function* () { for (const result of $iter(self.arcs)) { if (!(($eq($at(severity(result), 0), worst)))) continue; yield result; } })(), ((result) => $at(severity(result), 1)));
+}
+get solved() {
+const self = this; 
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c40, r.status, "solved"); } })());
+}
+}
+$sig(DriveResult, ["drive", "arcs"], false, {});
+class TrainResult extends Viewable {
+__iter__() {
+const self = this; return $b.iter($bound(self, "cases"));
+}
+get adrift() {
+const self = this; 
+return $b.any((function* () { for (const c of $iter(self.cases)) { yield c.adrift; } })());
+}
+get solved() {
+const self = this; 
+return $b.all((function* () { for (const c of $iter(self.cases)) { yield $told($c40, c.status, "solved"); } })());
+}
+get governing() {
+const self = this; let solved;
+
+function severity(case_) {
+let creeps;
+(creeps = [...(function* () { for (const m of $iter(case_.members)) { yield ($b.abs($bound(m.arc, "exit_creep")) / m.arc.arc.creep_limit); } })()]);
+return $b.max((function* () { for (const c of $iter(creeps)) { yield ($truth($math.isfinite(c)) ? c : 0.0); } })());
+}
+$sig(severity, ["case"], false);
+(solved = $told($c40, self, "solved"));
+return alike__largest((function* () { for (const c of $iter(self.cases)) { if (!(($truth(solved) || !$truth($told($c40, c.status, "solved"))))) continue; yield c; } })(), severity);
+}
+drive_result() {
+const self = this; let arcs, cases;
+
+(cases = [...(function* () { for (const result of $iter(self.cases)) { yield new LoadCase(result.case.name, $map([...(function* () { for (const m of $iter(result.members)) { yield [m.name, new Tensions(m.arc.entry_tension, m.arc.exit_tension)]; } })()]), result.case.kind, result.case.condition); } })()]);
+(arcs = $b.tuple((function* () { for (const case_ of $iter(self.cases)) { for (const m of $iter(case_.members)) { yield m.arc; }} })()));
+return new DriveResult(result__drive_with($bound(self, "train"), cases), arcs);
+}
+}
+$sig(TrainResult, ["train", "cases"], false, {});
+class CaseResult extends $Object {
+__iter__() {
+const self = this; return $b.iter($bound(self, "members"));
+}
+get adrift() {
+const self = this; 
+return $and((self.status === "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
+}
+}
+$sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"], false, {other_splits: () => [], tension_error: () => 0.0, speed_error: () => 0.0});
+class MemberResult extends $Object {
+get name() {
+const self = this; 
+return self.arc.arc.pulley;
+}
+}
+$sig(MemberResult, ["arc", "share", "speed_ratio", "contraction_term", "creep_term", "compression_term", "thickness_term", "drum_ratio", "surface_speed", "rotation_speed", "speed_trim", "drum_torque", "drum_power", "motor"], false, {motor: () => null});
+class Place extends $Tuple {
+__str__() {
+const self = this; let parts;
+(parts = ($truth(self.pulley) ? [("" + "pulley " + $str(self.pulley))] : []));
+(parts = $add(parts, ($truth(self.load_case) ? [("" + "load case " + $str(self.load_case))] : [])));
+(parts = $add(parts, ($truth(self.event) ? [("" + "event " + $str(self.event))] : [])));
+return $m.join(", ", parts);
+}
+}
+$sig(Place, ["pulley", "load_case", "event"], false, {pulley: () => "", load_case: () => "", event: () => ""});
+class Check extends $Object {
+get margin() {
+const self = this; 
+return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
+}
+get compares() {
+const self = this; 
+return $and((!$in(self.name, $c97)), () => (self.level !== "NOT CHECKED"));
+}
+get below() {
+const self = this; 
+return $and(self.numerical, () => (self.level === "OK"));
+}
+get share() {
+const self = this; let share, silent;
+
+(silent = $or((self.level === "NOT CHECKED"), () => $or(self.numerical, () => !$truth(self.limit))));
+(share = ($truth(silent) ? NaN : (self.value / self.limit)));
+return ($truth($math.isfinite(share)) ? share : NaN);
+}
+get reason() {
+const self = this; 
+return ($truth(self.missed) ? $replaced(self, new Map([["remedy", ""]])).said : "");
+}
+get times() {
+const self = this; 
+return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
+}
+get missed() {
+const self = this; 
+return ($told($c98, self.level, "rank") >= $told($c98, "ATTENTION", "rank"));
+}
+texts() {
+const self = this; let limit;
+
+if ($truth(self.below)) {
+(limit = check__quantity_text($bound(self, "limit"), $bound(self, "dimension")));
+return [("" + "below " + $str(limit)), limit];
+}
+if (!$truth(self.missed)) {
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"))];
+}
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
+}
+bound() {
+const self = this; 
+if ($truth($math.isnan($bound(self, "limit")))) {
+return "";
+}
+return ("" + $str(($truth(self.at_most) ? "at most" : "at least")) + " " + $str($at(self.texts(), 1)));
+}
+get said() {
+const self = this; let bound, limit, value, words;
+
+([value, limit] = self.texts());
+if (!$truth(self.says)) {
+(bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
+return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
+}
+(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d)]; } })()]));
+(words = $merged(words, $map([["value", value], ["limit", limit]])));
+return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
+}
+get numerical() {
+const self = this; 
+return ($in(self.name, $c829));
+}
+get advises() {
+const self = this; 
+return $or(($in(self.name, $c830)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+}
+get leads() {
+const self = this; 
+return $and((self.level === "FAILS"), () => ($in(self.name, $c831)));
+}
+}
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+class Miss extends $Tuple {
+at(value, at_most) {
+const self = this; let says;
+
+if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
+return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+}
+(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
+return [self.level, $m.rstrip(says)];
+}
+}
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
+class Motors extends $Object {
+}
+$sig(Motors, ["motors"], false, {});
+class Motor extends $Object {
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
+(message = "must be a whole number of motors");
+$m.append(problems, new Problem(message, undefined, undefined, "count", ("" + $format(self.count, ("" + "g")))));
+}
+limits__raise_all($add(problems, self._problems()));
+}
+_problems() {
+const self = this; 
+return [];
+}
+bears(momentary) {
+const self = this; 
+return ($truth(momentary) ? $b.min(1.6, self.largest_load()) : 1.0);
+}
+load(drum_torque) {
+const self = this; let eta;
+
+(eta = ((drum_torque >= 0.0) ? self.gear_efficiency : (1.0 / self.gear_efficiency)));
+return (drum_torque / $mul(eta, self.drum_torque));
+}
+get drum_torque() {
+const self = this; 
+return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
+}
+get rated_torque() {
+const self = this; 
+return (self.rated_power / self.rated_speed);
+}
+}
+$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
+class Pulls extends $Object {
+}
+$sig(Pulls, ["effective_tensions"], false, {});
+class Speeds extends $Object {
+}
+$sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
+class Owner extends $Tuple {
+}
+$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c56, more: () => []});
+class Sliding extends $Tuple {
+}
+$sig(Sliding, ["place", "cause"], false, {});
+class Asked extends $Object {
+}
+$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+class VariableSpeed extends Motor {
+largest_load() {
+const self = this; let stall;
+
+(stall = ((self.droop > 0.0) ? ($mul(0.9, self.setting) / self.droop) : Infinity));
+return $b.min($bound(self, "torque_limit"), stall);
+}
+shaft_speed(load) {
+const self = this; 
+return $mul(self.rated_speed, $b.max($sub(self.setting, $mul(self.droop, load)), 0.001));
+}
+}
+$sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, setting: () => 1.0, droop: () => 0.0, torque_limit: () => Infinity});
+class Sizes extends $Tuple {
+}
+$sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle", "creep_limit", "overrun", "thickness", "shear_modulus", "compression_modulus", "rating", "strength", "bond_strength", "fatigue_limit", "face_pressure", "least_diameter", "sag", "entry", "leaving", "pull", "mass"], false, {});
+class Figure extends $Object {
+}
+$sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
+class LeastTension extends $Object {
+get governing() { return $kept(this, "governing", this.$find_governing()); }
+get highest() { return $kept(this, "highest", this.$find_highest()); }
+$find_governing() {
+const self = this; 
+return alike__largest((function* () { for (const f of $iter(self.figures)) { if (!(($truth(f.binding) && $truth(f.at_least)))) continue; yield f; } })(), least_tension___tension);
+}
+get tension() {
+const self = this; let top;
+
+(top = self.highest);
+if (((top != null) && (top.tension < $mul(self.governing.tension, $sub(1.0, 1e-09))))) {
+return Infinity;
+}
+return self.governing.tension;
+}
+get level() {
+const self = this; 
+return ((self.tension <= self.given) ? "OK" : "ATTENTION");
+}
+get raise_to() {
+const self = this; 
+return (((self.tension <= self.given) || $truth($math.isinf($bound(self, "tension")))) ? null : self.tension);
+}
+$find_highest() {
+const self = this; let above;
+
+(above = [...(function* () { for (const f of $iter(self.figures)) { if (!(!$truth(f.at_least))) continue; yield f; } })()]);
+return ($truth(above) ? alike__least(above, least_tension___tension) : null);
+}
+get standard() {
+const self = this; 
+return $b.next((function* () { for (const f of $iter(self.figures)) { if (!(($eq(f.name, "design_standard")))) continue; yield f; } })(), null);
+}
+}
+$sig(LeastTension, ["figures", "given", "counterweight"], false, {});
+class Verdict extends $Object {
+get governing() { return $kept(this, "governing", this.$find_governing()); }
+get listed() { return $kept(this, "listed", this.$find_listed()); }
+get missed() { return $kept(this, "missed", this.$find_missed()); }
+get _at() { return $kept(this, "_at", this.$find__at()); }
+get _places() { return $kept(this, "_places", this.$find__places()); }
+get odd() { return $kept(this, "odd", this.$find_odd()); }
+get qualifier() { return $kept(this, "qualifier", this.$find_qualifier()); }
+$find_governing() {
+const self = this; let judged;
+
+(judged = [...(function* () { for (const c of $iter(self.checks)) { if (!((c.level !== "NOT CHECKED"))) continue; yield c; } })()]);
+return $b.min(judged, $k({key: check___badness, default: null}));
+}
+get level() {
+const self = this; 
+return ((self.governing == null) ? "OK" : self.governing.level);
+}
+get word() {
+const self = this; let ok;
+
+if ((self.level !== "OK")) {
+return $b.str($bound(self, "level"));
+}
+(ok = ((self.wet < 0.0) ? $b.str("OK") : ("" + $str("OK") + " dry only")));
+return ($truth(self.qualifier) ? ("" + $str(ok) + ", " + $str(self.qualifier)) : ok);
+}
+$find_listed() {
+const self = this; let check, held, worst;
+
+(worst = $map([]));
+for (check of $iter(self.checks)) {
+(held = $m.get(worst, $bound(check, "name"), check));
+$put(worst, check.name, $b.min(held, check, $k({key: check___badness})));
+}
+return $b.tuple($m.values(worst));
+}
+$find_missed() {
+const self = this; 
+return $b.tuple($b.sorted((function* () { for (const c of $iter(self.listed)) { if (!($truth(c.missed))) continue; yield c; } })(), $k({key: check___badness})));
+}
+nearness(check) {
+const self = this; 
+return check___badness(check);
+}
+get data() {
+const self = this; let told;
+
+(told = (function* () { for (const c of $iter(self.checks)) { if (!((($eq(c.name, "data")) && $truth(c.says)))) continue; yield c.said; } })());
+return $b.tuple($b.fromkeys(told));
+}
+at(pulley, load_case) {
+const self = this; let known, mine, own, places, there;
+
+(known = $m.setdefault(self._at, load_case, $map([])));
+if ((!$in(pulley, known))) {
+(places = $b.fromkeys(["", load_case]));
+(there = $b.sorted((function* () { for (const place of $iter(places)) { for (const n of $iter($m.get(self._places, place, []))) { yield n; }} })()));
+(mine = [...(function* () { for (const number of $iter(there)) { yield $at(self.checks, number); } })()]);
+(own = $b.tuple((function* () { for (const check of $iter(mine)) { if (!(($in(check.place.pulley, ["", pulley])))) continue; yield check; } })()));
+$put(known, pulley, (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own)));
+}
+return $at(known, pulley);
+}
+$find__at() {
+const self = this; return $map([]);
+}
+$find__places() {
+const self = this; let check, found, number;
+(found = $map([]));
+for ([number, check] of $iter($b.enumerate($bound(self, "checks")))) {
+$m.append($m.setdefault(found, $bound(check.place, "load_case"), []), number);
+}
+return found;
+}
+get lead() {
+const self = this; let _, odd, said, text, value, where, worst;
+
+(worst = self.governing);
+if ((worst == null)) {
+return "Nothing could be checked.";
+}
+if ((self.odd != null)) {
+([said, odd] = (function* () { for (const check of $iter([worst, self.odd])) { yield $replaced(check, new Map([["remedy", ""]])); } })());
+return $m.rstrip(("" + $str(check__placed(said)) + $str(self._sense()) + " " + $str(odd.said) + " " + $str(self.action)));
+}
+if ($truth(worst.missed)) {
+return ("" + $str(check__placed(worst)) + $str(self._sense()));
+}
+(text = self._kept($b.sum((function* () { for (const c of $iter(self.listed)) { yield c.compares; } })())));
+if (($truth($math.isnan($bound(worst, "margin"))) || $truth($math.isinf($bound(worst, "margin"))))) {
+return ("" + $str(text) + "." + $str(self._sense()));
+}
+([value, _] = worst.texts());
+(where = ($truth($b.str($bound(worst, "place"))) ? ("" + " (" + $str(worst.place) + ")") : ""));
+return ("" + $str(text) + "; nearest to its limit is " + $str(check___small($bound(worst, "title"))) + ", " + $str(value) + ", " + $str(worst.bound()) + $str(where) + "." + $str(self._sense()));
+}
+get action() {
+const self = this; let told;
+
+(told = (function* () { for (const check of $iter([self.odd, self.governing])) { if (!(((check != null) && $truth(check.missed) && $truth(check.says)))) continue; yield $m.strip($m.removeprefix(check.said, $bound($replaced(check, new Map([["remedy", ""]])), "said"))); } })());
+return $m.join(" ", $b.filter(null, told));
+}
+_sense() {
+const self = this; let braking, every, here, some, title, told;
+
+(every = $sub(new Set((function* () { for (const c of $iter(self.checks)) { yield c.place.load_case; } })()), new Set([""])));
+(braking = [...(function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "sense")))) continue; yield c; } })()]);
+(told = "");
+for (title of $iter($b.fromkeys((function* () { for (const c of $iter(braking)) { yield c.title; } })()))) {
+(here = new Set((function* () { for (const c of $iter(braking)) { if (!(($eq(c.title, title)))) continue; yield c.place.load_case; } })()));
+(some = (($b.len(here) < $b.len(every)) ? ("" + " in " + $str($b.len(here)) + " of " + $str($b.len(every)) + " load cases") : ""));
+(told = $add(told, ("" + " " + $str(title) + $str(some) + ".")));
+}
+return told;
+}
+_kept(count) {
+const self = this; let known, told;
+
+if ($truth(self.over_wet)) {
+return ("" + $str(self.beyond_wet()) + ": all " + $str(count) + " checks are kept dry only");
+}
+(told = ("" + "All " + $str(count) + " checks are kept"));
+if ((self.wet < 0.0)) {
+return told;
+}
+(known = !$truth($math.isnan($bound(self, "wet"))));
+return ("" + $str(told) + ", dry only" + $str(($truth(known) ? ("" + " (" + $str(self._when_wet()) + ")") : "")));
+}
+_when_wet() {
+const self = this; let digits;
+if ($truth($math.isinf($bound(self, "wet")))) {
+return "wet it slips through";
+}
+(digits = $add(3, self.over_wet));
+return ("" + "wet it creeps " + $str(cell__quantity($bound(self, "wet"), "length", digits)));
+}
+beyond_wet() {
+const self = this; let limit;
+
+if (!$truth(self.over_wet)) {
+return "";
+}
+(limit = ($truth($math.isfinite($bound(self, "wet"))) ? ", beyond its limit" : ""));
+return ("" + $str(check___capital(self._when_wet())) + $str(limit));
+}
+get others() {
+const self = this; let first, others, told;
+
+(first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
+(others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
+(told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
+if ((($told($c98, self.level, "rank") > $told($c98, "OK", "rank")) && $truth(self.qualifier))) {
+$m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
+}
+return $b.tuple(told);
+}
+$find_odd() {
+const self = this; let worst;
+
+(worst = self.governing);
+if (((worst == null) || ($eq(worst.name, "usual_sizes")))) {
+return null;
+}
+return $b.next((function* () { for (const c of $iter(self.listed)) { if (!((($eq(c.name, "usual_sizes")) && $truth(c.missed)))) continue; yield c; } })(), null);
+}
+$find_qualifier() {
+const self = this; let found;
+
+(found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
+return $b.next((function* () { for (const word of $iter($c832)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+}
+}
+$sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
+class Row extends $Object {
+}
+$sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
+class Table extends $Object {
+}
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c100, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class TestedRange extends $Object {
-$init(pressure_min, pressure_max, slip_max, slip_speed = null) { this.pressure_min = pressure_min; this.pressure_max = pressure_max; this.slip_max = slip_max; this.slip_speed = slip_speed; this.__post_init__?.(); }
 __post_init__() {
 const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
 }
 }
+$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"], false, {slip_speed: () => null});
 class FrictionLaw extends $Object {
-$init(slip_includes = null) { this.slip_includes = slip_includes;  }
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
 return (($eq(friction, slip) && $eq(slip, 1.0)) ? self : self._scaled(friction, slip));
 }
 }
+$sig(FrictionLaw, ["slip_includes"], false, {slip_includes: () => null});
 class MeasuredTable extends FrictionLaw {
-$init(slip_includes = null, slip, pressure, values) { this.slip_includes = slip_includes; this.slip = slip; this.pressure = pressure; this.values = values; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let m, numbers;
 (m = $b.len($bound(self, "slip")));
 (numbers = [...$iter(self.slip), ...$iter(self.pressure), ...$iter((function* () { for (const row of $iter(self.values)) { for (const v of $iter(row)) { yield v; }} })())]);
 base__check([$b.all($b.map($math.isfinite, numbers)), "values", "", "the table must hold finite numbers only"], [$and((m >= 2), () => ($eq($at(self.slip, 0), 0.0))), "slip", ("" + $str(m) + " slips"), "at least two slips, the first of them 0, are needed"], [table___ascending($bound(self, "slip")), "slip", "", "the slips must be in ascending order"], [$or($b.all((function* () { for (const [a, b] of $iter($b.pairwise($bound(self, "slip")))) { yield ($sub(b, a) >= 1e-09); } })()), () => !$truth(table___ascending($bound(self, "slip")))), "slip", "", "the slips must be at least 1 nm apart"], [!$truth($b.any((function* () { for (const slip of $iter(self.slip)) { yield (1000.0 < slip && slip < Infinity); } })())), "slip", ("" + $format($b.max($bound(self, "slip"), $k({default: 0.0})), ("" + "g")) + " m"), "the slips must be at most 1 km"], [$and($b.bool($bound(self, "pressure")), () => $and(table___ascending($bound(self, "pressure")), () => $b.all((function* () { for (const p of $iter(self.pressure)) { yield (p > 0); } })()))), "pressure", "", "the pressures must be positive and in ascending order"], [$and(($eq($b.len($bound(self, "values")), $b.len($bound(self, "pressure")))), () => $b.all((function* () { for (const row of $iter(self.values)) { yield ($eq($b.len(row), m)); } })())), "friction", "", ("" + "the table must have a row of " + $str(m) + " values for each of " + $str($b.len($bound(self, "pressure"))) + " pressures")], [$and($b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, null, 1))) { yield $or(($eq(v, 0.0)), () => (v >= 1e-06)); }} })()), () => $b.all((function* () { for (const row of $iter(self.values)) { for (const v of $iter($slice(row, 1, null))) { yield (v >= 1e-06); }} })())), "friction", "", ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " past slip 0, that or 0 at slip 0")], [($b.len(new Set((function* () { for (const row of $iter(self.values)) { if (!($truth(row))) continue; yield ($at(row, 0) > 0); } })())) <= 1), "friction", "", "friction at slip 0 must be 0 at every pressure or positive at every pressure"]);
 }
+get tested() {
+const self = this; 
+return new TestedRange($at(self.pressure, 0), $at(self.pressure, $neg(1)), $at(self.slip, $neg(1)));
+}
+
 
 _scaled(friction, slip) {
 const self = this; let rows;
 (rows = $b.tuple((function* () { for (const row of $iter(self.values)) { yield $b.tuple((function* () { for (const mu of $iter(row)) { yield $mul(mu, friction); } })()); } })()));
 return $replaced(self, new Map([["slip", $b.tuple((function* () { for (const x of $iter(self.slip)) { yield $mul(x, slip); } })())], ["values", rows]]));
 }
-get tested() {
-const self = this; 
-return $call(TestedRange, [], [["pressure_min", $at(self.pressure, 0)], ["pressure_max", $at(self.pressure, $neg(1))], ["slip_max", $at(self.slip, $neg(1))]]);
 }
+$sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"], false, {slip_includes: () => null});
+class _Term extends $Tuple {
 }
-class _Term extends $Object {
-$init(coefficient, function_, power, exponent) { this.coefficient = coefficient; this.function = function_; this.power = power; this.exponent = exponent;  }
-*[Symbol.iterator]() { yield this.coefficient; yield this.function; yield this.power; yield this.exponent; }
-}
+$sig(_Term, ["coefficient", "function", "power", "exponent"], false, {});
 class Trend extends $Object {
-$init(form = "polynomial", coefficients, sign = 1) { this.form = form; this.coefficients = coefficients; this.sign = sign; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c597)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c597)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c833)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c833)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c597, self.form));
+([logarithmic, exponential] = $at($c833, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -3141,12 +5494,19 @@ return $replaced(self, new Map([["coefficients", [$add($at(c, 0), $math.log(fact
 }
 return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (const v of $iter(c)) { yield $mul(v, factor); } })())]]));
 }
+row() {
+const self = this; let c, exponential, logarithmic;
+
+([logarithmic, exponential] = $at($c833, self.form));
+(c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
+return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
+}
+$sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
-$init(a, b, post_peak_slope = $c68, residual_friction = $c69) { this.a = a; this.b = b; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction;  }
 }
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c101, residual_friction: () => $c102});
 class CoefficientPieces extends $Object {
-$init(pressure, pieces, slip_unit = 1.0, continuity = 0.02) { this.pressure = pressure; this.pieces = pieces; this.slip_unit = slip_unit; this.continuity = continuity; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n, problems;
 (n = $b.len($bound(self, "pieces")));
@@ -3169,17 +5529,17 @@ const self = this; let a, b, bad, high, key, low, piece, places, residual, slope
 (bad = []);
 if (!$truth($b.all((function* () { for (const v of $iter(a)) { yield $and($math.isfinite(v), () => (v < 0.0)); } })()))) {
 (worst = $b.max([...(function* () { for (const v of $iter(a)) { if (!(($eq(v, v)))) continue; yield v; } })()], $k({default: NaN})));
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".a")], ["value", ("" + $format(worst, ("" + "g")) + " 1/m")], ["message", ("" + "A must be negative " + $str(where) + ", else the law gives no positive friction")]]));
+$m.append(bad, new Problem(("" + "A must be negative " + $str(where) + ", else the law gives no positive friction"), undefined, undefined, ("" + $str(key) + ".a"), ("" + $format(worst, ("" + "g")) + " 1/m")));
 } else {
 if (!$truth($b.all((function* () { for (const [u, v] of $iter($b.zip(a, b, $k({strict: true})))) { yield $and((-700.0 <= $sub((v / u), 1.0) && $sub((v / u), 1.0) < 709.0), () => (1e-09 <= $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) && $mul($math.exp($sub((v / u), 1.0)), self.slip_unit) <= 1000.0)); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".b")], ["value", ("" + $format($at(b, 0), ("" + "g")) + " 1/m")], ["message", ("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where))]]));
+$m.append(bad, new Problem(("" + "the slip at the peak exp(b/A - 1) must be 1 nm to 1 km " + $str(where)), undefined, undefined, ("" + $str(key) + ".b"), ("" + $format($at(b, 0), ("" + "g")) + " 1/m")));
 }
 }
 if (!$truth($b.all((function* () { for (const v of $iter(slope)) { yield (v <= 0.0); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".post_peak_slope")], ["value", ("" + $format($b.max(slope), ("" + "g")) + " 1/m")], ["message", ("" + "the slope past the peak must be 0 or negative " + $str(where))]]));
+$m.append(bad, new Problem(("" + "the slope past the peak must be 0 or negative " + $str(where)), undefined, undefined, ("" + $str(key) + ".post_peak_slope"), ("" + $format($b.max(slope), ("" + "g")) + " 1/m")));
 }
 if (!$truth($b.all((function* () { for (const v of $iter(residual)) { yield (v >= 1e-06); } })()))) {
-$m.append(bad, $call(Problem, [], [["key", ("" + $str(key) + ".residual_friction")], ["value", ("" + $format($b.min(residual), ("" + "g")))], ["message", ("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where))]]));
+$m.append(bad, new Problem(("" + "residual friction must be at least " + $format(1e-06, ("" + "g")) + " " + $str(where)), undefined, undefined, ("" + $str(key) + ".residual_friction"), ("" + $format($b.min(residual), ("" + "g")))));
 }
 return bad;
 }
@@ -3191,7 +5551,7 @@ for (i of $iter($b.range($sub($b.len($bound(self, "pieces")), 1)))) {
 ([low, high] = (function* () { for (const s of $iter($slice(self.pieces, i, $add(i, 2)))) { yield coefficients__peak_from_ab(s.a.at(p), s.b.at(p)); } })());
 for ([name, u, v] of $iter([["peak friction", $at(low, 0), $at(high, 0)], ["peak slip", $at(low, 1), $at(high, 1)]])) {
 if (($b.abs($sub((v / u), 1.0)) > self.continuity)) {
-$m.append(bad, $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]")], ["value", ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %")]]));
+$m.append(bad, new Problem(("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %"), undefined, undefined, ("" + "pieces[" + $str($add(i, 2)) + "]"), ("" + $format(u, ("" + "g")) + " and " + $format(v, ("" + "g")))));
 }
 }
 (bad = $add(bad, self._tail_jumps(i, p, low, high)));
@@ -3208,7 +5568,7 @@ $m.append(slopes, (($at(levels, $neg(1)) < friction) ? piece.post_peak_slope.at(
 }
 (apart = ($mul($mul($b.abs($sub($at(slopes, 1), $at(slopes, 0))), self.slip_unit), $at(low, 1)) / $at(low, 0)));
 (lower = ($truth($b.all(slopes)) ? ($mul($at(levels, 1), $at(low, 0)) / $mul($at(levels, 0), $at(high, 0))) : 1.0));
-return [...(function* () { for (const [name, key, pair, unit, of, jump] of $iter([["the slope past the peak", "post_peak_slope", slopes, " 1/m", " of the peak friction over a peak slip", apart], ["residual friction", "residual_friction", levels, "", "", $b.abs($sub(lower, 1.0))]])) { if (!((jump > self.continuity))) continue; yield $call(Problem, [], [["key", ("" + "pieces[" + $str($add(i, 2)) + "]." + $str(key))], ["value", ("" + $format($at(pair, 0), ("" + "g")) + " and " + $format($at(pair, 1), ("" + "g")) + $str(unit))], ["message", ("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %" + $str(of))]]); } })()];
+return [...(function* () { for (const [name, key, pair, unit, of, jump] of $iter([["the slope past the peak", "post_peak_slope", slopes, " 1/m", " of the peak friction over a peak slip", apart], ["residual friction", "residual_friction", levels, "", "", $b.abs($sub(lower, 1.0))]])) { if (!((jump > self.continuity))) continue; yield new Problem(("" + $str(name) + " jumps at the transition pressure " + $format(p, ("" + "g")) + " Pa; pieces must meet within " + $format($mul(100, self.continuity), ("" + "g")) + " %" + $str(of)), undefined, undefined, ("" + "pieces[" + $str($add(i, 2)) + "]." + $str(key)), ("" + $format($at(pair, 0), ("" + "g")) + " and " + $format($at(pair, 1), ("" + "g")) + $str(unit))); } })()];
 }
 
 scaled(friction, slip) {
@@ -3216,8 +5576,8 @@ const self = this;
 return $replaced(self, new Map([["slip_unit", $mul(self.slip_unit, slip)], ["pieces", $b.tuple((function* () { for (const piece of $iter(self.pieces)) { yield $replaced(piece, new Map([["a", piece.a.times(friction)], ["b", piece.b.times(friction)], ["post_peak_slope", piece.post_peak_slope.times((friction / slip))], ["residual_friction", piece.residual_friction.times(friction)]])); } })())]]));
 }
 }
+$sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"], false, {slip_unit: () => 1.0, continuity: () => 0.02});
 class PressureKnots extends $Object {
-$init(pressure, peak_friction, peak_slip, post_peak_slope = [], residual_friction = []) { this.pressure = pressure; this.peak_friction = peak_friction; this.peak_slip = peak_slip; this.post_peak_slope = post_peak_slope; this.residual_friction = residual_friction; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "pressure")));
@@ -3230,9 +5590,10 @@ scaled(friction, slip) {
 const self = this; 
 return $replaced(self, new Map([["peak_friction", $b.tuple((function* () { for (const v of $iter(self.peak_friction)) { yield $mul(v, friction); } })())], ["peak_slip", $b.tuple((function* () { for (const v of $iter(self.peak_slip)) { yield $mul(v, slip); } })())], ["post_peak_slope", $b.tuple((function* () { for (const v of $iter(self.post_peak_slope)) { yield ($mul(v, friction) / slip); } })())], ["residual_friction", $b.tuple((function* () { for (const v of $iter(self.residual_friction)) { yield $mul(v, friction); } })())]]));
 }
+
 }
+$sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => [], residual_friction: () => []});
 class IntegralLog extends FrictionLaw {
-$init(slip_includes = null, coefficients, tested = null) { this.slip_includes = slip_includes; this.coefficients = coefficients; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let p, t;
 if (((self.tested == null) || ($b.len($bound(self.coefficients, "pressure")) < 2))) {
@@ -3243,13 +5604,15 @@ return null;
 base__check([$and(($b.abs($sub((t.pressure_min / $at(p, 0)), 1.0)) < 1e-06), () => ($b.abs($sub((t.pressure_max / $at(p, $neg(1))), 1.0)) < 1e-06)), "tested", ("" + $format(t.pressure_min, ("" + "g")) + " .. " + $format(t.pressure_max, ("" + "g")) + " Pa"), ("" + "the tested pressures must be the ends of the law, " + $format($at(p, 0), ("" + "g")) + " .. " + $format($at(p, $neg(1)), ("" + "g")) + " Pa")]);
 }
 
+
+
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["coefficients", self.coefficients.scaled(friction, slip)]]));
 }
 
 }
+$sig(IntegralLog, ["slip_includes", "coefficients", "tested"], false, {slip_includes: () => null, tested: () => null});
 class Factors extends $Object {
-$init(law, by_slip_speed = null, by_temperature = null, slip_speed = null, temperature = null) { this.law = law; this.by_slip_speed = by_slip_speed; this.by_temperature = by_temperature; this.slip_speed = slip_speed; this.temperature = temperature; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all([...$iter(factors___outside("slip_speed", $bound(self, "slip_speed"), $bound(self, "by_slip_speed"), "speed")), ...$iter(factors___outside("temperature", $bound(self, "temperature"), $bound(self, "by_temperature"), "temperature"))]);
 }
@@ -3294,48 +5657,50 @@ return table.least($bound(self, "temperature"), $bound(self, "temperature"));
 return $b.min($bound(table, "factor"));
 }
 }
+$sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"], false, {by_slip_speed: () => null, by_temperature: () => null, slip_speed: () => null, temperature: () => null});
 class Lagging extends Viewable {
-$init(name, law, thickness = 0.0, shear_modulus = Infinity, compression_modulus = Infinity, title = "", condition = "dry", surface = "", elastic_modulus = null, wear_coefficient = null, belt_energy_share = null, bond_strength = null, fatigue_limit = null, cost = null, fit = null, factors = null, condition_factors = new Map(), block = null, provenance = new Provenance(), sources = new Map(), notes = [], description = "") { this.name = name; this.law = law; this.thickness = thickness; this.shear_modulus = shear_modulus; this.compression_modulus = compression_modulus; this.title = title; this.condition = condition; this.surface = surface; this.elastic_modulus = elastic_modulus; this.wear_coefficient = wear_coefficient; this.belt_energy_share = belt_energy_share; this.bond_strength = bond_strength; this.fatigue_limit = fatigue_limit; this.cost = cost; this.fit = fit; this.factors = factors; this.condition_factors = condition_factors; this.block = block; this.provenance = provenance; this.sources = sources; this.notes = notes; this.description = description; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c598)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c598))));
-$m.append(problems, $call(Problem, [], [["key", "surface"], ["value", $shown($bound(self, "surface"))], ["message", message]]));
+if (($truth(self.surface) && (!$in(self.surface, $c834)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c834))));
+$m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
 }
+get shear_compliance() {
+const self = this; 
+if (($in("lagging shear", $or(self.law.slip_includes, () => [])))) {
+return 0.0;
 }
-class LoadGiven extends $Object {
-$init(entry_tension = null, exit_tension = null, effective_tension = null, torque = null, power = null) { this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.effective_tension = effective_tension; this.torque = torque; this.power = power;  }
-*[Symbol.iterator]() { yield this.entry_tension; yield this.exit_tension; yield this.effective_tension; yield this.torque; yield this.power; }
+return (self.thickness / self.shear_modulus);
 }
-class DrumAt extends $Object {
-$init(diameter, speed) { this.diameter = diameter; this.speed = speed;  }
-*[Symbol.iterator]() { yield this.diameter; yield this.speed; }
+source_of(part) {
+const self = this; 
+return $m.get(self.sources, part, $bound(self, "provenance"));
 }
+}
+$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, title: () => "", condition: () => "dry", surface: () => "", elastic_modulus: () => null, wear_coefficient: () => null, belt_energy_share: () => null, bond_strength: () => null, fatigue_limit: () => null, cost: () => null, fit: () => null, factors: () => null, condition_factors: () => new Map(), block: () => null, provenance: () => new Provenance(), sources: () => new Map(), notes: () => [], description: () => ""});
+class LoadGiven extends $Tuple {
+}
+$sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"], false, {entry_tension: () => null, exit_tension: () => null, effective_tension: () => null, torque: () => null, power: () => null});
+class DrumAt extends $Tuple {
+}
+$sig(DrumAt, ["diameter", "speed"], false, {});
 class Shares extends $Object {
-$init(fractions) { this.fractions = fractions;  }
 }
-class Pair extends $Object {
-$init(entry, exit) { this.entry = entry; this.exit = exit;  }
-*[Symbol.iterator]() { yield this.entry; yield this.exit; }
+$sig(Shares, ["fractions"], false, {});
+class Pair extends $Tuple {
 }
-class Pulls extends $Object {
-$init(effective_tensions) { this.effective_tensions = effective_tensions;  }
-}
-class Speeds extends $Object {
-$init(rotation_speeds, absolute = false) { this.rotation_speeds = rotation_speeds; this.absolute = absolute;  }
-}
+$sig(Pair, ["entry", "exit"], false, {});
 class TorqueFollower extends $Object {
-$init(master, ratio = 1.0) { this.master = master; this.ratio = ratio; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(TorqueFollower, ["master", "ratio"], false, {ratio: () => 1.0});
 class TrainCase extends $Object {
-$init(name, entry_tension, exit_tension, division, runs = [], kind = "running", condition = "") { this.name = name; this.entry_tension = entry_tension; this.exit_tension = exit_tension; this.division = division; this.runs = runs; this.kind = kind; this.condition = condition; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
 }
@@ -3343,33 +5708,37 @@ get effective_tension() {
 const self = this; 
 return $add($sub(self.entry_tension, self.exit_tension), $b.sum($bound(self, "runs")));
 }
+get pulls_given() {
+const self = this; 
+return $b.isinstance(self.division, Shares, Pulls);
+}
 run(index) {
 const self = this; 
 return ((index < $b.len($bound(self, "runs"))) ? $at(self.runs, index) : 0.0);
 }
 }
-class RunsGain extends $Object {
-$init(base = 0.0, case_ = 0.0) { this.base = base; this.case = case_;  }
-*[Symbol.iterator]() { yield this.base; yield this.case; }
+$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"], false, {runs: () => [], kind: () => "running", condition: () => ""});
+class RunsGain extends $Tuple {
 }
-class BehindTakeUp extends $Object {
-$init(share, behind, runs) { this.share = share; this.behind = behind; this.runs = runs;  }
-*[Symbol.iterator]() { yield this.share; yield this.behind; yield this.runs; }
+$sig(RunsGain, ["base", "case"], false, {base: () => 0.0, case: () => 0.0});
+class BehindTakeUp extends $Tuple {
 }
-class Motors extends $Object {
-$init(motors) { this.motors = motors;  }
+$sig(BehindTakeUp, ["share", "behind", "runs"], false, {});
+class OfBelt extends $Dict {
 }
+class Description extends $Tuple {
+}
+$sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"], false, {});
 class TakeUp extends $Object {
-$init(kind = "", sheave_ratio = 2.0, after = "") { this.kind = kind; this.sheave_ratio = sheave_ratio; this.after = after; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c599)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c835)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
 (given = $shown($bound(self, "after")));
-$m.append(problems, $call(Problem, [], [["key", "after"], ["value", given], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "after", given));
 }
 limits__raise_all(problems);
 }
@@ -3382,7 +5751,7 @@ return [];
 (message = ("" + "no such pulley; the pulleys are " + $str($m.join(", ", $b.map($shown, pulleys)))));
 (remedy = $or(errors__nearest($bound(self, "after"), pulleys), () => "Leave it out for a take-up on the slack side of the drives or at the tail."));
 (given = $shown($bound(self, "after")));
-return [$call(Problem, [], [["key", "take_up.after"], ["value", given], ["message", message], ["remedy", remedy]])];
+return [new Problem(message, remedy, undefined, "take_up.after", given)];
 }
 get fixed() {
 const self = this; 
@@ -3393,11 +5762,11 @@ const self = this;
 return ($mul(self.sheave_ratio, tension) / 9.80665);
 }
 }
+$sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_ratio: () => 2.0, after: () => ""});
 class DesignStandard extends $Object {
-$init(name = "", condition = "", friction = null, start_factor = 1.0, binding = false) { this.name = name; this.condition = condition; this.friction = friction; this.start_factor = start_factor; this.binding = binding; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c600)]], ["condition", ["", ...$iter($c601)]]]));
+(words = $map([["name", ["", ...$iter($c836)]], ["condition", ["", ...$iter($c837)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -3406,17 +5775,17 @@ if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 if ($truth(given)) {
 ([message, remedy] = ["only a standard of your own has one", "Write name = \"own\"."]);
 }
-$m.append(problems, $call(Problem, [], [["key", "friction"], ["value", given], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "friction", given));
 }
 if ((($eq(self.name, "none")) && $truth(self.binding))) {
 (message = "no standard was chosen that could bind");
-$m.append(problems, $call(Problem, [], [["key", "binding"], ["value", "true"], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "binding", "true"));
 }
 limits__raise_all(problems);
 }
 }
+$sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"], false, {name: () => "", condition: () => "", friction: () => null, start_factor: () => 1.0, binding: () => false});
 class SafetyFactors extends $Object {
-$init(running = 1.25, starting = 1.1, braking = 1.1, source = "") { this.running = running; this.starting = starting; this.braking = braking; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
@@ -3425,16 +5794,18 @@ const self = this;
 return $b.float($b.getattr(self, kind));
 }
 }
+$sig(SafetyFactors, ["running", "starting", "braking", "source"], false, {running: () => 1.25, starting: () => 1.1, braking: () => 1.1, source: () => ""});
 class Kind extends $Object {
 built(value, report, more = new Map()) {
 const self = this; 
 return value;
 }
 }
-class Table extends Kind {
+class tables$Table extends Kind {
+get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c602) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c838) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -3497,20 +5868,19 @@ $put(given, entry.key, value);
 }
 return given;
 }
-get _fields() {
+$find__fields() {
 const self = this; 
 return ($truth(self.of) ? $b.frozenset((function* () { for (const f of $iter($fields(self.of))) { yield f.name; } })()) : $b.frozenset());
 }
 }
 class Entry extends $Object {
-$init(key, meaning = "", kind = $c602, title = "", required = false, alias = "", example = "", attribute = "", unless = "", stated = false) { this.key = key; this.meaning = meaning; this.kind = kind; this.title = title; this.required = required; this.alias = alias; this.example = example; this.attribute = attribute; this.unless = unless; this.stated = stated; this.__post_init__?.(); }
 __post_init__() {
-const self = this; (self.title = $or(self.title, () => $m.replace(self.key, "_", " ").capitalize()));
+const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(self.key, "_", " "))));
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c838, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
-$init(longest = 60) { this.longest = longest;  }
 read(raw, place, report) {
 const self = this; let value;
 
@@ -3522,8 +5892,8 @@ return $c7;
 return value;
 }
 }
+$sig(Name, ["longest"], false, {longest: () => 60});
 class Text extends Kind {
-$init(longest = 200, lines = false) { this.longest = longest; this.lines = lines;  }
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "str"))) {
@@ -3532,7 +5902,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c603) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c839) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -3542,8 +5912,8 @@ return raw;
 return $c7;
 }
 }
+$sig(Text, ["longest", "lines"], false, {longest: () => 200, lines: () => false});
 class Quantity extends Kind {
-$init(dimension, limit = null) { this.dimension = dimension; this.limit = limit;  }
 read(raw, place, report) {
 const self = this; let error, refusal, value;
 
@@ -3564,30 +5934,8 @@ return $c7;
 return value;
 }
 }
-class WordOr extends Kind {
-$init(word, kind, meaning = null) { this.word = word; this.kind = kind; this.meaning = meaning;  }
-read(raw, place, report) {
-const self = this; 
-return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
-}
-}
-class ByName extends Kind {
-$init(kind, most = 200) { this.kind = kind; this.most = most;  }
-read(raw, place, report) {
-const self = this; 
-if (!$truth($b.isinstance(raw, "dict"))) {
-report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
-return $c7;
-}
-if (($b.len(raw) > self.most)) {
-report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
-return $c7;
-}
-return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
-}
-}
+$sig(Quantity, ["dimension", "limit"], false, {limit: () => null});
 class Limit extends $Object {
-$init(dimension, least = 0.0, most = Infinity, open = false, rigid = false) { this.dimension = dimension; this.least = least; this.most = most; this.open = open; this.rigid = rigid;  }
 __str__() {
 const self = this; let least;
 
@@ -3604,7 +5952,7 @@ return ("" + "more than " + $str(least) + " and at most " + $str(self._shown($bo
 return ("" + "between " + $str(least) + " and " + $str(self._shown($bound(self, "most"))));
 }
 _shown(bound) {
-const self = this; return $call(display__display, [bound, $bound(self, "dimension")], [["digits", 3]]);
+const self = this; return display__display(bound, $bound(self, "dimension"), undefined, 3);
 }
 refusal(value) {
 const self = this; let unit;
@@ -3622,8 +5970,30 @@ return ("" + "must be " + $str(self));
 return "";
 }
 }
+$sig(Limit, ["dimension", "least", "most", "open", "rigid"], false, {least: () => 0.0, most: () => Infinity, open: () => false, rigid: () => false});
+class WordOr extends Kind {
+read(raw, place, report) {
+const self = this; 
+return (($eq(raw, self.word)) ? self.meaning : self.kind.read(raw, place, report));
+}
+}
+$sig(WordOr, ["word", "kind", "meaning"], false, {meaning: () => null});
+class ByName extends Kind {
+read(raw, place, report) {
+const self = this; 
+if (!$truth($b.isinstance(raw, "dict"))) {
+report.add(place, "must be a table", ("" + "Write [" + $str($at(place, $neg(1))) + ".NAME]."), raw);
+return $c7;
+}
+if (($b.len(raw) > self.most)) {
+report.add(place, ("" + "must have at most " + $str(self.most) + " entries, and has " + $str($b.len(raw))));
+return $c7;
+}
+return $map([...(function* () { for (const [name, item] of $iter($m.items(raw))) { if (!((new Name().read(name, [...$iter(place), name], report) !== $c7))) continue; yield [name, self.kind.read(item, [...$iter(place), name], report)]; } })()]);
+}
+}
+$sig(ByName, ["kind", "most"], false, {most: () => 200});
 class Belt extends $Object {
-$init(name, width, modulus, rating = null, strength = null, speed = null, kind = "", momentary_factor = null, least_pulley_diameter = null, largest_wrap_pressure = null, in_plane_shear_stiffness = null, pulley_cover = null, carry_cover = null, carcass = null, thickness = null, cover_shear_modulus = null, mass = null, provenance = new Provenance(), sources = new Map()) { this.name = name; this.width = width; this.modulus = modulus; this.rating = rating; this.strength = strength; this.speed = speed; this.kind = kind; this.momentary_factor = momentary_factor; this.least_pulley_diameter = least_pulley_diameter; this.largest_wrap_pressure = largest_wrap_pressure; this.in_plane_shear_stiffness = in_plane_shear_stiffness; this.pulley_cover = pulley_cover; this.carry_cover = carry_cover; this.carcass = carcass; this.thickness = thickness; this.cover_shear_modulus = cover_shear_modulus; this.mass = mass; this.provenance = provenance; this.sources = sources; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
@@ -3653,20 +6023,34 @@ if ($truth(short)) {
 return [];
 }
 (message = ("" + $str($m.join(" + ", given)) + " = " + $str(display__display(total, "length")) + ", " + $str(message)));
-return [$call(Problem, [], [["message", message], ["remedy", remedy], ["key", key]])];
+return [new Problem(message, remedy, undefined, key)];
+}
+source_of(part) {
+const self = this; 
+return $m.get(self.sources, part, $bound(self, "provenance"));
+}
+get breaking_strength() {
+const self = this; let found;
+
+(found = $m.search($c840, $m.upper(self.name)));
+return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
+}
+get axial_stiffness() {
+const self = this; 
+return $mul(self.modulus, self.width);
 }
 }
+$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"], false, {rating: () => null, strength: () => null, speed: () => null, kind: () => "", momentary_factor: () => null, least_pulley_diameter: () => null, largest_wrap_pressure: () => null, in_plane_shear_stiffness: () => null, pulley_cover: () => null, carry_cover: () => null, carcass: () => null, thickness: () => null, cover_shear_modulus: () => null, mass: () => null, provenance: () => new Provenance(), sources: () => new Map()});
 class _Nothing extends $Object {
 }
 class TextOr extends Kind {
-$init(text, table) { this.text = text; this.table = table;  }
 read(raw, place, report) {
 const self = this; 
 return ($truth($b.isinstance(raw, "dict")) ? self.table : self.text).read(raw, place, report);
 }
 }
+$sig(TextOr, ["text", "table"], false, {});
 class Flag extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 if ($truth($b.isinstance(raw, "bool"))) {
@@ -3676,8 +6060,8 @@ report.add(place, "must be true or false", "Write it without quotes.", raw);
 return $c7;
 }
 }
+$sig(Flag, [], false, {});
 class Choice extends Kind {
-$init(options) { this.options = options;  }
 read(raw, place, report) {
 const self = this; let allowed;
 
@@ -3689,21 +6073,21 @@ report.add(place, ("" + "must be one of " + $str(allowed)), errors__nearest(raw,
 return $c7;
 }
 }
+$sig(Choice, ["options"], false, {});
 class Across extends $Object {
-$init(shell_profile = null, worn_depth = null, build_up = null, misalignment = 0.0, deflection = 0.0, entry_profile = null, before = null, after = null, strips = 32) { this.shell_profile = shell_profile; this.worn_depth = worn_depth; this.build_up = build_up; this.misalignment = misalignment; this.deflection = deflection; this.entry_profile = entry_profile; this.before = before; this.after = after; this.strips = strips; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let key, least, message, problems, profile;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 if (!(4 <= self.strips && self.strips <= 128)) {
 (message = ("" + "must be a whole number from " + $str(4) + " to " + $str(128)));
-$m.append(problems, $call(Problem, [], [["key", "strips"], ["value", $b.str($bound(self, "strips"))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "strips", $b.str($bound(self, "strips"))));
 }
 for (key of $iter(["worn_depth", "build_up"])) {
 (profile = $b.getattr(self, key));
 if (((profile != null) && ($b.min([...$iter(profile.value), profile.crown]) < 0.0))) {
 (least = display__display($b.min([...$iter(profile.value), profile.crown]), "length"));
 (message = "must not be negative");
-$m.append(problems, $call(Problem, [], [["key", key], ["value", least], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, least));
 }
 }
 limits__raise_all(problems);
@@ -3713,7 +6097,7 @@ const self = this; let found;
 
 (found = [...(function* () { for (const [name, profile] of $iter($m.items(self.profiles()))) { for (const problem of $iter(profile.problems(("" + $str(key) + "." + $str(name)), width))) { yield problem; }} })()]);
 if (($truth($b.isinstance(self.before, Transition)) && (self.before.centre_roll >= width))) {
-$m.append(found, $call(Problem, [], [["key", ("" + $str(key) + ".before.centre_roll")], ["value", display__display($bound(self.before, "centre_roll"), "length")], ["message", ("" + "wider than the belt, " + $str(display__display(width, "length")))], ["remedy", "Give the width of belt on the centre roll."]]));
+$m.append(found, new Problem(("" + "wider than the belt, " + $str(display__display(width, "length"))), "Give the width of belt on the centre roll.", undefined, ("" + $str(key) + ".before.centre_roll"), display__display($bound(self.before, "centre_roll"), "length")));
 }
 return found;
 }
@@ -3724,18 +6108,17 @@ const self = this; let found;
 return $map([...(function* () { for (const [k, v] of $iter($m.items(found))) { if (!($truth($b.isinstance(v, WidthProfile)))) continue; yield [k, v]; } })()]);
 }
 }
-class DimensionText extends $Object {
-$init(si_unit, name, example) { this.si_unit = si_unit; this.name = name; this.example = example;  }
-*[Symbol.iterator]() { yield this.si_unit; yield this.name; yield this.example; }
+$sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"], false, {shell_profile: () => null, worn_depth: () => null, build_up: () => null, misalignment: () => 0.0, deflection: () => 0.0, entry_profile: () => null, before: () => null, after: () => null, strips: () => 32});
+class DimensionText extends $Tuple {
 }
-class Definition extends $Object {
-$init(names, factor, unit, zero = $c609) { this.names = names; this.factor = factor; this.unit = unit; this.zero = zero;  }
-*[Symbol.iterator]() { yield this.names; yield this.factor; yield this.unit; yield this.zero; }
+$sig(DimensionText, ["si_unit", "name", "example"], false, {});
+class Definition extends $Tuple {
 }
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c847});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
-(self.tables = $map([...(function* () { for (const t of $iter(tables)) { yield [t.title, $call(Table, [$bound(t, "title"), tables__need(tag, meaning, new Choice([t.title])), ...$iter(t.entries)], [["of", t.of]])]; } })()]));
+(self.tables = $map([...(function* () { for (const t of $iter(tables)) { yield [t.title, $call(tables$Table, [$bound(t, "title"), tables__need(tag, meaning, new Choice([t.title])), ...$iter(t.entries)], [["of", t.of]])]; } })()]));
 }
 built(value, report, more = new Map()) {
 const self = this; 
@@ -3762,33 +6145,57 @@ return ((word === $c7) ? $c7 : $at(self.tables, word).read(raw, place, report));
 }
 }
 class Pulley extends $Object {
-$init(name, diameter, wrap_angle, lagging, overrun = null, recovery = true, creep_limit = null, side = "pulley", mass = null, across = null, sources = new Map(), conditions = []) { this.name = name; this.diameter = diameter; this.wrap_angle = wrap_angle; this.lagging = lagging; this.overrun = overrun; this.recovery = recovery; this.creep_limit = creep_limit; this.side = side; this.mass = mass; this.across = across; this.sources = sources; this.conditions = conditions; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c604]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c841]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
-$m.append(problems, $call(Problem, [], [["key", "across.worn_depth"], ["value", display__display($bound(worn, "largest"), "length")], ["message", $add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length"))], ["remedy", "Give the depth worn off, on radius, not what is left."]]));
+$m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
 }
 limits__raise_all(problems);
 }
+lagging_in(condition) {
+const self = this; 
+if (!$truth(condition)) {
+return self.lagging;
 }
+try {
+return $b.next((function* () { for (const lagging of $iter(self.conditions)) { if (!(($eq(lagging.condition, condition)))) continue; yield lagging; } })());
+} catch ($error) {
+if ($error instanceof $StopIteration) {
+throw new $KeyError(condition);
+} else throw $error;
+}
+}
+in_condition(condition) {
+const self = this; 
+return ($truth(condition) ? $replaced(self, new Map([["lagging", self.lagging_in(condition)]])) : self);
+}
+get radius() {
+const self = this; 
+return (self.diameter / 2.0);
+}
+}
+$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"], false, {overrun: () => null, recovery: () => true, creep_limit: () => null, side: () => "pulley", mass: () => null, across: () => null, sources: () => new Map(), conditions: () => []});
 class Sag extends $Object {
-$init(spacing, line_mass, share = 0.02) { this.spacing = spacing; this.line_mass = line_mass; this.share = share; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
+get tension() {
+const self = this; 
+return ($mul($mul(self.line_mass, 9.80665), self.spacing) / $mul(8.0, self.share));
 }
+}
+$sig(Sag, ["spacing", "line_mass", "share"], false, {share: () => 0.02});
 class Conveyor extends $Object {
-$init(length, lift = 0.0, belt_mass, carry_idler_mass, return_idler_mass, material_mass = null, capacity = null, friction_factor = 0.02, length_coefficient = null, secondary_resistance = null, special_resistance = 0.0, return_share = 0.0, start_factor = null, start_time = null, stop_time = null, take_up_tension = null, counterweight = null, take_up_distance = 0.0, drive_at = "head", speed = null, sheave_ratio = 2.0) { this.length = length; this.lift = lift; this.belt_mass = belt_mass; this.carry_idler_mass = carry_idler_mass; this.return_idler_mass = return_idler_mass; this.material_mass = material_mass; this.capacity = capacity; this.friction_factor = friction_factor; this.length_coefficient = length_coefficient; this.secondary_resistance = secondary_resistance; this.special_resistance = special_resistance; this.return_share = return_share; this.start_factor = start_factor; this.start_time = start_time; this.stop_time = stop_time; this.take_up_tension = take_up_tension; this.counterweight = counterweight; this.take_up_distance = take_up_distance; this.drive_at = drive_at; this.speed = speed; this.sheave_ratio = sheave_ratio; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c605))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c605))));
-$m.append(problems, $call(Problem, [], [["key", "drive_at"], ["value", $shown($bound(self, "drive_at"))], ["message", message]]));
+if ((!$in(self.drive_at, $c842))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c842))));
+$m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
 }
@@ -3798,16 +6205,27 @@ const self = this; let given, long, message;
 (long = display__display($bound(self, "length"), "length"));
 if (($b.abs($bound(self, "lift")) >= self.length)) {
 (given = display__display($bound(self, "lift"), "length"));
-yield $call(Problem, [], [["key", "lift"], ["value", given], ["message", ("" + "must be less than the length, " + $str(long))]]);
+yield new Problem(("" + "must be less than the length, " + $str(long)), undefined, undefined, "lift", given);
 }
 if ((self.take_up_distance > self.length)) {
 (given = display__display($bound(self, "take_up_distance"), "length"));
 (message = ("" + "is more than the length, " + $str(long) + ", which is the tail"));
-yield $call(Problem, [], [["key", "take_up_distance"], ["value", given], ["message", message]]);
+yield new Problem(message, undefined, undefined, "take_up_distance", given);
 }
 if (((self.secondary_resistance == null) && (self.length_coefficient == null))) {
 yield* $iter(resistance__no_coefficient($bound(self, "length")));
 }
+}
+get material() {
+const self = this; 
+if ((self.material_mass != null)) {
+return self.material_mass;
+}
+return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
+}
+sizes() {
+const self = this; 
+return [self.length, self.lift, self.belt_mass, self.carry_idler_mass, self.return_idler_mass, conveyor___known($bound(self, "material_mass"), NaN), conveyor___known($bound(self, "capacity"), NaN), self.friction_factor, conveyor___known($bound(self, "secondary_resistance"), NaN), (($eq(self.special_resistance, 0.0)) ? NaN : self.special_resistance), conveyor___known($bound(self, "start_time"), NaN), conveyor___known($bound(self, "stop_time"), NaN), conveyor___known($bound(self, "take_up_tension"), NaN), conveyor___known($bound(self, "counterweight"), NaN)];
 }
 get take_up() {
 const self = this; 
@@ -3847,7 +6265,7 @@ const self = this; let least, message, problems, remedy, state;
 if (((self.start_factor != null) && ($at(states, 0).pull <= 0.0))) {
 (message = "the full conveyor runs by itself, and no factor starts it");
 (remedy = "Write start_time = \"20 s\" instead.");
-$m.append(problems, $call(Problem, [], [["key", "start_factor"], ["message", message], ["remedy", remedy]]));
+$m.append(problems, new Problem(message, remedy, undefined, "start_factor"));
 }
 for (state of $iter(states)) {
 (least = $b.min($bound(state, "head"), $bound(state, "tail"), $bound(state, "entry"), $bound(state, "exit")));
@@ -3912,43 +6330,42 @@ yield new Resistance("special", $mul($sub(1.0, share), special), $mul(share, spe
 (returning = resistance__inertia(acceleration, $bound(self, "length"), self._moving(null)));
 yield new Resistance("inertia", carrying, returning, "force to accelerate belt, material and rotating idlers (DIN 22101:2002-08, 7.3), the idlers with their whole rotating mass");
 }
-get material() {
-const self = this; 
-if ((self.material_mass != null)) {
-return self.material_mass;
-}
-return (conveyor___known($bound(self, "capacity"), 0.0) / conveyor___known($bound(self, "speed"), 1.0));
-}
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1278);
+([least, most] = $c1495);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
 return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $format(most, ("" + ".3f")));
 }
 }
+$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
+class Rule extends $Object {
+}
+$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"], false, {missed: () => "ATTENTION", at_most: () => true, fails_beyond: () => NaN, tolerates: () => NaN});
+class DesignFriction extends $Object {
+}
+$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
 class Cost extends $Object {
-$init(material, installation, currency, area, life_years) { this.material = material; this.installation = installation; this.currency = currency; this.area = area; this.life_years = life_years; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems, years;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (years = self.life_years);
 if (!(0.0 < $at(years, 0) && $at(years, 0) <= $at(years, 1) && $at(years, 1) < Infinity)) {
 (message = "must be the shortest and the longest life in years, both more than 0");
-$m.append(problems, $call(Problem, [], [["key", "life_years"], ["value", $shown($b.list(years))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "life_years", $shown($b.list(years))));
 }
 limits__raise_all(problems);
 }
 }
+$sig(Cost, ["material", "installation", "currency", "area", "life_years"], false, {});
 class Block extends $Object {
-$init(shape = "square", width, height, stiffening = 0.54, contact_fraction = 1.0) { this.shape = shape; this.width = width; this.height = height; this.stiffening = stiffening; this.contact_fraction = contact_fraction; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c607))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c607))));
-$m.append(problems, $call(Problem, [], [["key", "shape"], ["value", $shown($bound(self, "shape"))], ["message", message]]));
+if ((!$in(self.shape, $c844))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c844))));
+$m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
 }
@@ -3957,29 +6374,29 @@ const self = this;
 return compression__shape_factor(($eq(self.shape, "square")), $bound(self, "width"), $bound(self, "height"));
 }
 }
+$sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"], false, {shape: () => "square", stiffening: () => 0.54, contact_fraction: () => 1.0});
 class ConditionFactor extends $Object {
-$init(factor, source) { this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(ConditionFactor, ["factor", "source"], false, {});
 class FrictionFactor extends $Object {
-$init(at, factor, source) { this.at = at; this.factor = factor; this.source = source; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let bad, count, message, n, problems;
 ([n, problems] = [$b.len($bound(self, "at")), $b.list()]);
 if (((n < 2) || (!$eq($b.len($bound(self, "factor")), n)))) {
 (count = ("" + $str(n) + " values and " + $str($b.len($bound(self, "factor"))) + " factors"));
 (message = "must be as many factors as values, two at least");
-$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", count], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "factor", count));
 }
 if ($truth($b.any((function* () { for (const [before, after] of $iter($b.pairwise($bound(self, "at")))) { yield (after <= before); } })()))) {
-$m.append(problems, $call(Problem, [], [["key", "at"], ["value", $shown($b.list($bound(self, "at")))], ["message", "must ascend"]]));
+$m.append(problems, new Problem("must ascend", undefined, undefined, "at", $shown($b.list($bound(self, "at")))));
 }
 (bad = [...(function* () { for (const v of $iter(self.factor)) { if (!(!(0.0 < v && v <= 10.0))) continue; yield v; } })()]);
 if ($truth(bad)) {
 (message = "must be more than 0 and at most 10");
-$m.append(problems, $call(Problem, [], [["key", "factor"], ["value", $shown($at(bad, 0))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "factor", $shown($at(bad, 0))));
 }
 limits__raise_all(problems);
 }
@@ -4001,19 +6418,20 @@ return $add($mul(($sub(f1, f) / $sub(x1, x)), $sub(value, x)), f);
 return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(1)));
 }
 }
+$sig(FrictionFactor, ["at", "factor", "source"], false, {});
 class Fit extends $Object {
-$init(parameters, values, covariance, residual_noise = null, date = "", method = "", misfit = [], misfit_accepted = "", coverage_factor = 1.96) { this.parameters = parameters; this.values = values; this.covariance = covariance; this.residual_noise = residual_noise; this.date = date; this.method = method; this.misfit = misfit; this.misfit_accepted = misfit_accepted; this.coverage_factor = coverage_factor; this.__post_init__?.(); }
+get knots() { return $kept(this, "knots", this.$find_knots()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c608));
+(problems = limits__limit_problems(self, $c845));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
-$m.append(problems, $call(Problem, [], [["key", "parameters"], ["value", $b.str(n)], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
 }
 if (((!$eq($b.len($bound(self, "values")), n)) || !$truth($b.all($b.map($math.isfinite, $bound(self, "values")))))) {
 (message = ("" + "must be " + $str(n) + " finite numbers, one for each parameter"));
-$m.append(problems, $call(Problem, [], [["key", "values"], ["value", $b.str($b.len($bound(self, "values")))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "values", $b.str($b.len($bound(self, "values")))));
 }
 (problems = $add(problems, self._covariance_problems(n)));
 limits__raise_all(problems);
@@ -4024,7 +6442,7 @@ const self = this; let apart, given, matrix, message, numbers, rows;
 if ((!$eq(rows, $mul([n], n)))) {
 (given = ("" + $str($b.len(rows)) + " rows of " + $str($b.sorted($b.set(rows))) + " numbers"));
 (message = ("" + "must be " + $str(n) + " rows of " + $str(n) + " numbers, one for each parameter"));
-return [$call(Problem, [], [["key", "covariance"], ["value", given], ["message", message]])];
+return [new Problem(message, undefined, undefined, "covariance", given)];
 }
 ([matrix, message] = [self.covariance, ""]);
 (numbers = [...(function* () { for (const row of $iter(matrix)) { for (const v of $iter(row)) { yield v; }} })()]);
@@ -4040,44 +6458,54 @@ if (!$truth(fit___has_no_negative(matrix, $mul(1e-08, n)))) {
 }
 }
 }
-return ($truth(message) ? [$call(Problem, [], [["key", "covariance"], ["message", message]])] : []);
+return ($truth(message) ? [new Problem(message, undefined, undefined, "covariance")] : []);
 }
-}
-class DesignFriction extends $Object {
-$init(standard, surface, condition, friction, provenance) { this.standard = standard; this.surface = surface; this.condition = condition; this.friction = friction; this.provenance = provenance;  }
-}
-class Motor extends $Object {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.__post_init__?.(); }
-__post_init__() {
-const self = this; let message, problems;
-(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
-(message = "must be a whole number of motors");
-$m.append(problems, $call(Problem, [], [["key", "count"], ["value", ("" + $format(self.count, ("" + "g")))], ["message", message]]));
-}
-limits__raise_all($add(problems, self._problems()));
-}
-_problems() {
-const self = this; 
+$find_knots() {
+const self = this; let found, named;
+
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c846, name); } })()]);
+if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
+(named = $b.tuple((function* () { for (const match of $iter(found)) { if (!($truth(match))) continue; yield [$sub($b.int($at(match, 1)), 1), $at(match, 2)]; } })()));
+return (($eq($b.len(named), $b.len(found))) ? named : []);
 }
-class VariableSpeed extends Motor {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, setting = 1.0, droop = 0.0, torque_limit = Infinity) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.setting = setting; this.droop = droop; this.torque_limit = torque_limit; this.__post_init__?.(); }
 }
+$sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"], false, {residual_noise: () => null, date: () => "", method: () => "", misfit: () => [], misfit_accepted: () => "", coverage_factor: () => 1.96});
 class Induction extends Motor {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.__post_init__?.(); }
 _problems() {
 const self = this; let message;
 if (($mul(0.8, self.synchronous_speed) <= self.rated_speed && self.rated_speed < self.synchronous_speed)) {
 return [];
 }
 (message = ("" + "must be below the synchronous speed " + $str(motors___rpm($bound(self, "synchronous_speed"))) + " by at most 20 %"));
-return [$call(Problem, [], [["key", "rated_speed"], ["value", motors___rpm($bound(self, "rated_speed"))], ["message", message]])];
+return [new Problem(message, undefined, undefined, "rated_speed", motors___rpm($bound(self, "rated_speed")))];
+}
+largest_load() {
+const self = this; 
+return self.breakdown_ratio;
+}
+bears(momentary) {
+const self = this; 
+return $b.min(super.bears(momentary), $mul(0.81, self.breakdown_ratio));
+}
+shaft_speed(load) {
+const self = this; let breakdown_slip, part, ratio, x;
+
+(ratio = self.breakdown_ratio);
+(x = (load / ratio));
+(part = (x / $add(1.0, $math.sqrt($b.max($sub(1.0, $mul(x, x)), 0.0)))));
+(breakdown_slip = $mul(self.rated_slip, $add(ratio, $math.sqrt($sub($mul(ratio, ratio), 1.0)))));
+return $mul(self.synchronous_speed, $b.max($sub(1.0, $mul(breakdown_slip, part)), 0.001));
+}
+get rated_slip() {
+const self = this; 
+return $sub(1.0, (self.rated_speed / self.synchronous_speed));
 }
 }
+$sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
 class FluidCoupling extends Induction {
-$init(rated_power, rated_speed, gear_ratio = 1.0, gear_efficiency = 1.0, motor_efficiency = null, count = 1, brakes = true, synchronous_speed, breakdown_ratio = 2.5, coupling_load, coupling_slip) { this.rated_power = rated_power; this.rated_speed = rated_speed; this.gear_ratio = gear_ratio; this.gear_efficiency = gear_efficiency; this.motor_efficiency = motor_efficiency; this.count = count; this.brakes = brakes; this.synchronous_speed = synchronous_speed; this.breakdown_ratio = breakdown_ratio; this.coupling_load = coupling_load; this.coupling_slip = coupling_slip; this.__post_init__?.(); }
+get _end() { return $kept(this, "_end", this.$find__end()); }
 _problems() {
 const self = this; let count, key, loads, message, problems, rising, slips, top, values;
 (problems = super._problems());
@@ -4085,46 +6513,85 @@ const self = this; let count, key, loads, message, problems, rising, slips, top,
 if (((!$eq($b.len(loads), $b.len(slips))) || ($b.len(loads) < 2))) {
 (count = ("" + $str($b.len(loads)) + " and " + $str($b.len(slips))));
 (message = "the curve needs as many torques as slips, two or more of each");
-$m.append(problems, $call(Problem, [], [["key", "coupling_slip"], ["value", count], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, "coupling_slip", count));
 }
 for ([key, values, top] of $iter([["coupling_load", loads, 10.0], ["coupling_slip", slips, 0.9]])) {
 (rising = $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })()));
 if (!($truth(values) && ($eq($at(values, 0), 0.0)) && $truth(rising) && ($at(values, $neg(1)) <= top))) {
 (message = ("" + "must rise from 0 to at most " + $format(top, ("" + "g"))));
-$m.append(problems, $call(Problem, [], [["key", key], ["value", $b.str($b.list(values))], ["message", message]]));
+$m.append(problems, new Problem(message, undefined, undefined, key, $b.str($b.list(values))));
 }
 }
 return problems;
 }
+largest_load() {
+const self = this; 
+return self._end;
 }
+$find__end() {
+const self = this; let _, high, load, low, pump;
+
+([low, high] = [0.0, self.breakdown_ratio]);
+for (_ of $iter($b.range(60))) {
+(load = $mul(0.5, $add(low, high)));
+(pump = super.shaft_speed(load));
+if (($mul(load, $pow((self.rated_speed / pump), 2)) <= $at(self.coupling_load, $neg(1)))) {
+(low = load);
+} else {
+(high = load);
+}
+}
+return (($eq(high, self.breakdown_ratio)) ? high : low);
+}
+shaft_speed(load) {
+const self = this; let pump;
+
+(pump = super.shaft_speed(load));
+return $mul(pump, $sub(1.0, self._slip($mul(load, $pow((self.rated_speed / pump), 2)))));
+}
+_slip(load) {
+const self = this; let i, loads, size, slip, slips, weight;
+([size, loads, slips] = [$b.abs(load), self.coupling_load, self.coupling_slip]);
+(i = 0);
+while (((i < $sub($b.len(loads), 2)) && (size > $at(loads, $add(i, 1))))) {
+(i = $add(i, 1));
+}
+(weight = ($sub(size, $at(loads, i)) / $sub($at(loads, $add(i, 1)), $at(loads, i))));
+(slip = $add($at(slips, i), $mul(weight, $sub($at(slips, $add(i, 1)), $at(slips, i)))));
+return $math.copysign($b.min(slip, 0.95), load);
+}
+}
+$sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true, breakdown_ratio: () => 2.5});
+class Load extends $Tuple {
+}
+$sig(Load, ["entry_tension", "exit_tension", "creep_limit", "pressure_min", "pressure_max", "slip_max", "steepest_fall"], false, {});
 class Transition extends $Object {
-$init(length, trough_angle, centre_roll, depth = "full") { this.length = length; this.trough_angle = trough_angle; this.centre_roll = centre_roll; this.depth = depth; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c970))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c970))));
-$m.append(problems, $call(Problem, [], [["key", "depth"], ["value", $shown($bound(self, "depth"))], ["message", message]]));
+if ((!$in(self.depth, $c1211))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1211))));
+$m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
 }
 }
+$sig(Transition, ["length", "trough_angle", "centre_roll", "depth"], false, {depth: () => "full"});
 class State extends $Object {
-$init(name, kind, resistances, head, tail, entry, exit) { this.name = name; this.kind = kind; this.resistances = resistances; this.head = head; this.tail = tail; this.entry = entry; this.exit = exit;  }
 get pull() {
 const self = this; 
 return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
 }
 }
+$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
 class Resistance extends $Object {
-$init(name, carrying, returning, source) { this.name = name; this.carrying = carrying; this.returning = returning; this.source = source;  }
 get total() {
 const self = this; 
 return $add(self.carrying, self.returning);
 }
 }
+$sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
 class OneOrMore extends Kind {
-$init(kind, most = 50) { this.kind = kind; this.most = most;  }
 read(raw, place, report) {
 const self = this; 
 if (!$truth($b.isinstance(raw, "list"))) {
@@ -4133,8 +6600,8 @@ return [self.kind.read(raw, place, report)];
 return new Rows($bound(self, "kind"), 1, $bound(self, "most")).read(raw, place, report);
 }
 }
+$sig(OneOrMore, ["kind", "most"], false, {most: () => 50});
 class Rows extends Kind {
-$init(kind, least = 0, most = 1000) { this.kind = kind; this.least = least; this.most = most;  }
 read(raw, place, report) {
 const self = this; let count, labels;
 
@@ -4151,53 +6618,82 @@ return $c7;
 return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels, $k({strict: true})))) { yield self.kind.read(item, [...$iter(place), label], report); } })()];
 }
 }
+$sig(Rows, ["kind", "least", "most"], false, {least: () => 0, most: () => 1000});
 class Constant extends FrictionLaw {
-$init(slip_includes = null, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let mu;
 (mu = self.friction_coefficient);
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
 }
 
+compact() {
+const self = this; 
+return new CompactLaw(0, simple___edges($bound(self, "tested")), [self.friction_coefficient, 1.0, 0.0, 0.0]);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(Constant, ["slip_includes", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
 class ElasticPlastic extends FrictionLaw {
-$init(slip_includes = null, stiffness, friction_coefficient, tested = null) { this.slip_includes = slip_includes; this.stiffness = stiffness; this.friction_coefficient = friction_coefficient; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let k, mu;
 ([mu, k] = [self.friction_coefficient, self.stiffness]);
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), "the stiffness must be positive and finite"]);
 }
 
+compact() {
+const self = this; let c;
+
+(c = [self.friction_coefficient, 1.0, 0.0, (1.0 / self.stiffness)]);
+return new CompactLaw(0, simple___edges($bound(self, "tested")), c, undefined, (1.0 / self.stiffness));
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["stiffness", ($mul(self.stiffness, friction) / slip)], ["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
 class PressurePower extends FrictionLaw {
-$init(slip_includes = null, friction_coefficient, reference_pressure, exponent, tested = null) { this.slip_includes = slip_includes; this.friction_coefficient = friction_coefficient; this.reference_pressure = reference_pressure; this.exponent = exponent; this.tested = tested; this.__post_init__?.(); }
 __post_init__() {
 const self = this; let mu, n, p;
 ([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
 base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
 }
 
+compact() {
+const self = this; let c;
+
+(c = [self.friction_coefficient, self.reference_pressure, self.exponent, 0.0]);
+return new CompactLaw(0, simple___edges($bound(self, "tested")), c);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
 _scaled(friction, slip) {
 const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
 }
 }
+$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"], false, {slip_includes: () => null, tested: () => null});
 class Profile extends Kind {
 $init(dimension, diameters = false) {
 const self = this; let entries, words;
 ([self.dimension, self.diameters] = [dimension, diameters]);
 (self.rows = new Rows(new _Pair(dimension), 0, 500));
-(entries = [new Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", $bound(self, "rows")), new Entry("crown", "Height of a parabola in the middle over the edges of the belt.", new Quantity(dimension)), new Entry("factor", "Factor on all values: how much of the profile there is.", new Quantity("number", $call(Limit, ["number"], [["most", 100.0]]))), new Entry("uncertainty", "Standard uncertainty of the values.", new Quantity(dimension, new Limit(dimension)))]);
+(entries = [new Entry("rows", "Pairs of position, 0 in the middle of the belt, and value.", $bound(self, "rows")), new Entry("crown", "Height of a parabola in the middle over the edges of the belt.", new Quantity(dimension)), new Entry("factor", "Factor on all values: how much of the profile there is.", new Quantity("number", new Limit("number", undefined, 100.0))), new Entry("uncertainty", "Standard uncertainty of the values.", new Quantity(dimension, new Limit(dimension)))]);
 if ($truth(diameters)) {
 (words = "Whether the values are on radius (if left out) or on diameter.");
 $m.append(entries, new Entry("on", words, new Choice(["radius", "diameter"])));
 }
-(self.within = new TextOr($bound(self, "rows"), $call(Table, ["Profile", ...$iter(entries)], [["on_one_line", true]])));
+(self.within = new TextOr($bound(self, "rows"), $call(tables$Table, ["Profile", ...$iter(entries)], [["on_one_line", true]])));
 }
 read(raw, place, report) {
 const self = this; let built, crown, factor, found, half, heights, mean, on, read, rows, table, values;
@@ -4224,7 +6720,7 @@ if ((($eq(on, "diameter")) && $truth(values) && ($b.min(values) > 0.1))) {
 if (($truth(self.diameters) && !$truth(self._deviations(heights, half, place, report)))) {
 return $c7;
 }
-(built = report.tried((() => $call(WidthProfile, [], [["position", $b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })())], ["value", $b.tuple(values)], ["crown", crown], ["uncertainty", (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null)]])), place));
+(built = report.tried((() => new WidthProfile($b.tuple((function* () { for (const [y, _] of $iter(rows)) { yield y; } })()), $b.tuple(values), crown, (($in("uncertainty", table)) ? $mul($mul(factor, half), $at(table, "uncertainty")) : null))), place));
 return ((built == null) ? $c7 : built);
 }
 _deviations(values, half, place, report) {
@@ -4239,13 +6735,12 @@ return false;
 }
 }
 class GrippingPulley extends $Object {
-$init(distance) { this.distance = distance; this.__post_init__?.(); }
 __post_init__() {
 const self = this; limits__raise_all(limits__limit_problems(self, $bound(self, "LIMITS")));
 }
 }
+$sig(GrippingPulley, ["distance"], false, {});
 class Count extends Kind {
-$init(least, most) { this.least = least; this.most = most;  }
 read(raw, place, report) {
 const self = this; let message, whole;
 
@@ -4258,15 +6753,15 @@ $method(report, "add", [place, message], [["value", raw]]);
 return $c7;
 }
 }
+$sig(Count, ["least", "most"], false, {});
 class Elsewhere extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 return raw;
 }
 }
+$sig(Elsewhere, [], false, {});
 class Either extends Kind {
-$init(first, second, words) { this.first = first; this.second = second; this.words = words;  }
 read(raw, place, report) {
 const self = this; let kind, value;
 
@@ -4285,8 +6780,8 @@ $method(report, "add", [place, ("" + "must be " + $str(self.words))], [["value",
 return $c7;
 }
 }
+$sig(Either, ["first", "second", "words"], false, {});
 class SpeedList extends Kind {
-$init() {   }
 read(raw, place, report) {
 const self = this; 
 if (($eq(raw, "equal"))) {
@@ -4299,12 +6794,16 @@ return $c7;
 return self.rows.read(raw, place, report);
 }
 }
+$sig(SpeedList, [], false, {});
 class _OfClass extends Kind {
 read(raw, place, report) {
 const self = this; 
 throw $TypeError;
 }
 }
+class CompactLaw extends $Tuple {
+}
+$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"], false, {slips: () => [], onset_compliance: () => 0.0});
 class _Pair extends Kind {
 $init(dimension) {
 const self = this; (self.kinds = [new Quantity("length"), new Quantity(dimension)]);
@@ -4319,785 +6818,800 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c635 = $made(Quantity, {dimension: "number", limit: null});
-const $c623 = $made(Entry, {key: "format", kind: $c635, required: true, alias: "", example: "format = 1", attribute: "format", unless: ""});
-const $c636 = $made(Text, {longest: 200, lines: false});
-const $c624 = $made(Entry, {key: "title", kind: $c636, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c637 = $made(Text, {longest: 5000, lines: true});
-const $c625 = $made(Entry, {key: "description", kind: $c637, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c583 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c638 = $made(Quantity, {dimension: "length", limit: $c583});
-const $c626 = $made(Entry, {key: "creep_limit", kind: $c638, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c640 = $made(Name, {longest: 60});
-const $c648 = $made(Name, {longest: 60});
-const $c643 = $made(Entry, {key: "name", kind: $c648, required: true, alias: "", example: "", attribute: "name", unless: ""});
-const $c578 = $made(Limit, {dimension: "number", least: 0.0, most: 2.0, open: true, rigid: false});
-const $c649 = $made(Quantity, {dimension: "number", limit: $c578});
-const $c644 = $made(Entry, {key: "friction_factor", kind: $c649, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c650 = $made(ByName, {kind: $c649, most: 200});
-const $c645 = $made(Entry, {key: "friction_factors", kind: $c650, required: false, alias: "", example: "", attribute: "friction_factors", unless: ""});
-const $c652 = ["DIN 22101", "practice"];
-const $c651 = $made(Choice, {options: $c652});
-const $c646 = $made(Entry, {key: "standard", kind: $c651, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c660 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c659 = $made(Choice, {options: $c660});
-const $c655 = $made(Entry, {key: "kind", kind: $c659, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c661 = $made(Text, {longest: 500, lines: false});
-const $c656 = $made(Entry, {key: "source", kind: $c661, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c662 = $made(Text, {longest: 60, lines: false});
-const $c657 = $made(Entry, {key: "date", kind: $c662, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c663 = $made(Text, {longest: 1000, lines: false});
-const $c658 = $made(Entry, {key: "note", kind: $c663, required: false, alias: "", example: "", attribute: "note", unless: ""});
-const $c653 = [$c655, $c656, $c657, $c658];
-const $c654 = new Map([["kind", $c655], ["source", $c656], ["date", $c657], ["note", $c658]]);
-const $c2 = $made(Table, {of: Provenance, entries: $c653, _known: $c654});
-const $c647 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c641 = [$c643, $c644, $c645, $c646, $c647];
-const $c642 = new Map([["name", $c643], ["friction_factor", $c644], ["friction_factors", $c645], ["standard", $c646], ["provenance", $c647]]);
-const $c8 = $made(Table, {of: Condition, entries: $c641, _known: $c642});
-const $c160 = $made(TextOr, {text: $c640, table: $c8});
-const $c639 = $made(OneOrMore, {kind: $c160, most: 8});
-const $c627 = $made(Entry, {key: "condition", kind: $c639, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c101 = $made(Name, {longest: 60});
-const $c81 = $made(Entry, {key: "preset", kind: $c101, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c102 = $made(Name, {longest: 60});
-const $c82 = $made(Entry, {key: "name", kind: $c102, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c103 = $made(Text, {longest: 60, lines: false});
-const $c83 = $made(Entry, {key: "kind", kind: $c103, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c122 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c104 = $made(Quantity, {dimension: "length", limit: $c122});
-const $c84 = $made(Entry, {key: "width", kind: $c104, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c123 = $made(Limit, {dimension: "force_per_width", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c106 = $made(Quantity, {dimension: "force_per_width", limit: $c123});
-const $c105 = $made(WordOr, {word: "rigid", kind: $c106, meaning: Infinity});
-const $c85 = $made(Entry, {key: "modulus", kind: $c105, required: false, alias: "", example: "", attribute: "modulus", unless: ""});
-const $c124 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c107 = $made(Quantity, {dimension: "force_per_width", limit: $c124});
-const $c86 = $made(Entry, {key: "rating", kind: $c107, required: false, alias: "", example: "", attribute: "rating", unless: ""});
-const $c125 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c108 = $made(Quantity, {dimension: "force_per_width", limit: $c125});
-const $c87 = $made(Entry, {key: "strength", kind: $c108, required: false, alias: "", example: "", attribute: "strength", unless: ""});
-const $c126 = $made(Limit, {dimension: "speed", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c109 = $made(Quantity, {dimension: "speed", limit: $c126});
-const $c88 = $made(Entry, {key: "speed", kind: $c109, required: false, alias: "", example: "", attribute: "speed", unless: ""});
-const $c127 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c110 = $made(Quantity, {dimension: "number", limit: $c127});
-const $c89 = $made(Entry, {key: "momentary_factor", kind: $c110, required: false, alias: "", example: "", attribute: "momentary_factor", unless: ""});
-const $c128 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c111 = $made(Quantity, {dimension: "length", limit: $c128});
-const $c90 = $made(Entry, {key: "least_pulley_diameter", kind: $c111, required: false, alias: "", example: "", attribute: "least_pulley_diameter", unless: ""});
-const $c129 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c112 = $made(Quantity, {dimension: "pressure", limit: $c129});
-const $c91 = $made(Entry, {key: "largest_wrap_pressure", kind: $c112, required: false, alias: "", example: "", attribute: "largest_wrap_pressure", unless: ""});
-const $c130 = $made(Limit, {dimension: "force_per_width", least: 1.0, most: 1000000000.0, open: false, rigid: false});
-const $c113 = $made(Quantity, {dimension: "force_per_width", limit: $c130});
-const $c92 = $made(Entry, {key: "in_plane_shear_stiffness", kind: $c113, required: false, alias: "", example: "", attribute: "in_plane_shear_stiffness", unless: ""});
-const $c131 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c114 = $made(Quantity, {dimension: "length", limit: $c131});
-const $c93 = $made(Entry, {key: "pulley_cover", kind: $c114, required: false, alias: "", example: "", attribute: "pulley_cover", unless: ""});
-const $c132 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: false, rigid: false});
-const $c115 = $made(Quantity, {dimension: "length", limit: $c132});
-const $c94 = $made(Entry, {key: "carry_cover", kind: $c115, required: false, alias: "", example: "", attribute: "carry_cover", unless: ""});
-const $c133 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c116 = $made(Quantity, {dimension: "length", limit: $c133});
-const $c95 = $made(Entry, {key: "carcass", kind: $c116, required: false, alias: "", example: "", attribute: "carcass", unless: ""});
-const $c134 = $made(Limit, {dimension: "length", least: 0.0, most: 0.06, open: true, rigid: false});
-const $c117 = $made(Quantity, {dimension: "length", limit: $c134});
-const $c96 = $made(Entry, {key: "thickness", kind: $c117, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c135 = $made(Limit, {dimension: "pressure", least: 100000.0, most: 100000000.0, open: false, rigid: true});
-const $c119 = $made(Quantity, {dimension: "pressure", limit: $c135});
-const $c118 = $made(WordOr, {word: "rigid", kind: $c119, meaning: Infinity});
-const $c97 = $made(Entry, {key: "cover_shear_modulus", kind: $c118, required: false, alias: "", example: "", attribute: "cover_shear_modulus", unless: ""});
-const $c136 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c120 = $made(Quantity, {dimension: "mass_per_length", limit: $c136});
-const $c98 = $made(Entry, {key: "mass", kind: $c120, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c99 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c121 = $made(ByName, {kind: $c2, most: 200});
-const $c100 = $made(Entry, {key: "sources", kind: $c121, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c1 = [$c81, $c82, $c83, $c84, $c85, $c86, $c87, $c88, $c89, $c90, $c91, $c92, $c93, $c94, $c95, $c96, $c97, $c98, $c99, $c100];
-const $c664 = new Map([["preset", $c81], ["name", $c82], ["kind", $c83], ["width", $c84], ["modulus", $c85], ["rating", $c86], ["strength", $c87], ["speed", $c88], ["momentary_factor", $c89], ["least_pulley_diameter", $c90], ["largest_wrap_pressure", $c91], ["in_plane_shear_stiffness", $c92], ["pulley_cover", $c93], ["carry_cover", $c94], ["carcass", $c95], ["thickness", $c96], ["cover_shear_modulus", $c97], ["mass", $c98], ["provenance", $c99], ["sources", $c100]]);
-const $c5 = $made(Table, {of: Belt, entries: $c1, _known: $c664});
-const $c628 = $made(Entry, {key: "belt", kind: $c5, required: true, alias: "", example: "a [belt] table", attribute: "belt", unless: ""});
-const $c155 = $made(Name, {longest: 60});
-const $c137 = $made(Entry, {key: "name", kind: $c155, required: true, alias: "", example: "name = \"head\"", attribute: "name", unless: ""});
-const $c667 = $made(Limit, {dimension: "length", least: 0.001, most: 1000.0, open: false, rigid: false});
-const $c156 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c138 = $made(Entry, {key: "diameter", kind: $c156, required: true, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c668 = $made(Limit, {dimension: "angle", least: 0.017453292519943295, most: 12.566370614359172, open: false, rigid: false});
-const $c157 = $made(Quantity, {dimension: "angle", limit: $c668});
-const $c139 = $made(Entry, {key: "wrap_angle", kind: $c157, required: true, alias: "wrap", example: "", attribute: "wrap_angle", unless: "belt_path"});
-const $c579 = $made(Limit, {dimension: "length", least: -100000.0, most: 100000.0, open: false, rigid: false});
-const $c676 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c671 = $made(Entry, {key: "x", kind: $c676, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c677 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c672 = $made(Entry, {key: "y", kind: $c677, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c679 = ["clockwise", "counterclockwise"];
-const $c678 = $made(Choice, {options: $c679});
-const $c673 = $made(Entry, {key: "turn", kind: $c678, required: false, alias: "", example: "", attribute: "turn", unless: ""});
-const $c686 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c683 = $made(Entry, {key: "x", kind: $c686, required: true, alias: "", example: "", attribute: "x", unless: ""});
-const $c687 = $made(Quantity, {dimension: "length", limit: $c579});
-const $c684 = $made(Entry, {key: "y", kind: $c687, required: true, alias: "", example: "", attribute: "y", unless: ""});
-const $c580 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: false, rigid: false});
-const $c688 = $made(Quantity, {dimension: "length", limit: $c580});
-const $c685 = $made(Entry, {key: "diameter", kind: $c688, required: false, alias: "", example: "", attribute: "diameter", unless: ""});
-const $c681 = [$c683, $c684, $c685, $c673];
-const $c682 = new Map([["x", $c683], ["y", $c684], ["diameter", $c685], ["turn", $c673]]);
-const $c680 = $made(Table, {of: Point, entries: $c681, _known: $c682});
-const $c674 = $made(Entry, {key: "before", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "before", unless: ""});
-const $c675 = $made(Entry, {key: "after", kind: $c680, required: true, alias: "", example: "a table with x and y", attribute: "after", unless: ""});
-const $c669 = [$c671, $c672, $c673, $c674, $c675];
-const $c670 = new Map([["x", $c671], ["y", $c672], ["turn", $c673], ["before", $c674], ["after", $c675]]);
-const $c158 = $made(Table, {of: Point, entries: $c669, _known: $c670});
-const $c140 = $made(Entry, {key: "belt_path", kind: $c158, required: false, alias: "", example: "", attribute: "belt_path", unless: ""});
-const $c689 = $made(Name, {longest: 500});
-const $c713 = $made(Name, {longest: 500});
-const $c693 = $made(Entry, {key: "preset", kind: $c713, required: false, alias: "", example: "", attribute: "preset", unless: ""});
-const $c714 = $made(Name, {longest: 60});
-const $c694 = $made(Entry, {key: "name", kind: $c714, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c715 = $made(Text, {longest: 200, lines: false});
-const $c695 = $made(Entry, {key: "title", kind: $c715, required: false, alias: "", example: "", attribute: "title", unless: ""});
-const $c716 = $made(Text, {longest: 5000, lines: true});
-const $c696 = $made(Entry, {key: "description", kind: $c716, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c598 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c717 = $made(Choice, {options: $c598});
-const $c697 = $made(Entry, {key: "surface", kind: $c717, required: false, alias: "", example: "", attribute: "surface", unless: ""});
-const $c585 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c718 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c698 = $made(Entry, {key: "thickness", kind: $c718, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c588 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: false});
-const $c719 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c699 = $made(Entry, {key: "elastic_modulus", kind: $c719, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c586 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c721 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c720 = $made(WordOr, {word: "rigid", kind: $c721, meaning: Infinity});
-const $c700 = $made(Entry, {key: "shear_modulus", kind: $c720, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c587 = $made(Limit, {dimension: "pressure", least: 1000.0, most: Infinity, open: false, rigid: true});
-const $c723 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c722 = $made(WordOr, {word: "rigid", kind: $c723, meaning: Infinity});
-const $c701 = $made(Entry, {key: "compression_modulus", kind: $c722, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c607 = ["square", "strip"];
-const $c731 = $made(Choice, {options: $c607});
-const $c726 = $made(Entry, {key: "shape", kind: $c731, required: false, alias: "", example: "", attribute: "shape", unless: ""});
-const $c733 = $made(Limit, {dimension: "length", least: 0.0001, most: 10.0, open: false, rigid: false});
-const $c732 = $made(Quantity, {dimension: "length", limit: $c733});
-const $c727 = $made(Entry, {key: "width", kind: $c732, required: true, alias: "", example: "", attribute: "width", unless: ""});
-const $c735 = $made(Limit, {dimension: "length", least: 0.0001, most: 1.0, open: false, rigid: false});
-const $c734 = $made(Quantity, {dimension: "length", limit: $c735});
-const $c728 = $made(Entry, {key: "height", kind: $c734, required: false, alias: "", example: "", attribute: "height", unless: ""});
-const $c737 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c736 = $made(Quantity, {dimension: "number", limit: $c737});
-const $c729 = $made(Entry, {key: "stiffening", kind: $c736, required: false, alias: "", example: "", attribute: "stiffening", unless: ""});
-const $c739 = $made(Limit, {dimension: "number", least: 0.01, most: 1.0, open: false, rigid: false});
-const $c738 = $made(Quantity, {dimension: "number", limit: $c739});
-const $c730 = $made(Entry, {key: "contact_fraction", kind: $c738, required: false, alias: "", example: "", attribute: "contact_fraction", unless: ""});
-const $c724 = [$c726, $c727, $c728, $c729, $c730];
-const $c725 = new Map([["shape", $c726], ["width", $c727], ["height", $c728], ["stiffening", $c729], ["contact_fraction", $c730]]);
-const $c49 = $made(Table, {of: Block, entries: $c724, _known: $c725});
-const $c702 = $made(Entry, {key: "block", kind: $c49, required: false, alias: "", example: "", attribute: "block", unless: ""});
-const $c589 = $made(Limit, {dimension: "wear_coefficient", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c740 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c703 = $made(Entry, {key: "wear_coefficient", kind: $c740, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c590 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c741 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c704 = $made(Entry, {key: "belt_energy_share", kind: $c741, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c591 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c742 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c705 = $made(Entry, {key: "bond_strength", kind: $c742, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c592 = $made(Limit, {dimension: "pressure", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c743 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c706 = $made(Entry, {key: "fatigue_limit", kind: $c743, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c752 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c751 = $made(Quantity, {dimension: "number", limit: $c752});
-const $c746 = $made(Entry, {key: "material", kind: $c751, required: true, alias: "", example: "", attribute: "material", unless: ""});
-const $c754 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c753 = $made(Quantity, {dimension: "number", limit: $c754});
-const $c747 = $made(Entry, {key: "installation", kind: $c753, required: true, alias: "", example: "", attribute: "installation", unless: ""});
-const $c755 = $made(Name, {longest: 12});
-const $c748 = $made(Entry, {key: "currency", kind: $c755, required: true, alias: "", example: "", attribute: "currency", unless: ""});
-const $c757 = $made(Limit, {dimension: "area", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c756 = $made(Quantity, {dimension: "area", limit: $c757});
-const $c749 = $made(Entry, {key: "area", kind: $c756, required: true, alias: "", example: "", attribute: "area", unless: ""});
-const $c759 = $made(Quantity, {dimension: "number", limit: null});
-const $c758 = $made(Rows, {kind: $c759, least: 2, most: 2});
-const $c750 = $made(Entry, {key: "life_years", kind: $c758, required: true, alias: "", example: "", attribute: "life_years", unless: ""});
-const $c744 = [$c746, $c747, $c748, $c749, $c750];
-const $c745 = new Map([["material", $c746], ["installation", $c747], ["currency", $c748], ["area", $c749], ["life_years", $c750]]);
-const $c46 = $made(Table, {of: Cost, entries: $c744, _known: $c745});
-const $c707 = $made(Entry, {key: "cost", kind: $c46, required: false, alias: "", example: "", attribute: "cost", unless: ""});
-const $c761 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c760 = $made(Quantity, {dimension: "speed", limit: $c761});
-const $c708 = $made(Entry, {key: "slip_speed", kind: $c760, required: false, alias: "", example: "", attribute: "slip_speed", unless: ""});
-const $c763 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c762 = $made(Quantity, {dimension: "temperature", limit: $c763});
-const $c709 = $made(Entry, {key: "temperature", kind: $c762, required: false, alias: "", example: "", attribute: "temperature", unless: ""});
-const $c770 = $made(Name, {longest: 60});
-const $c767 = $made(Entry, {key: "condition", kind: $c770, required: true, alias: "", example: "", attribute: "condition", unless: ""});
-const $c772 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c771 = $made(Quantity, {dimension: "number", limit: $c772});
-const $c768 = $made(Entry, {key: "factor", kind: $c771, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c769 = $made(Entry, {key: "provenance", kind: $c2, required: true, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c765 = [$c767, $c768, $c769];
-const $c766 = new Map([["condition", $c767], ["factor", $c768], ["provenance", $c769]]);
-const $c50 = $made(Table, {of: ConditionFactor, entries: $c765, _known: $c766});
-const $c764 = $made(Rows, {kind: $c50, least: 0, most: 20});
-const $c710 = $made(Entry, {key: "condition_factor", kind: $c764, required: false, alias: "", example: "", attribute: "condition_factor", unless: ""});
-const $c800 = ["integral-log"];
-const $c799 = $made(Choice, {options: $c800});
-const $c782 = $made(Entry, {key: "kind", kind: $c799, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c801 = $made(Name, {longest: 60});
-const $c783 = $made(Entry, {key: "condition", kind: $c801, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c784 = $made(Entry, {key: "provenance", kind: $c2, required: false, alias: "", example: "", attribute: "provenance", unless: ""});
-const $c785 = $made(Entry, {key: "condition_source", kind: $c2, required: false, alias: "", example: "", attribute: "condition_source", unless: ""});
-const $c814 = $made(Name, {longest: 120});
-const $c813 = $made(Rows, {kind: $c814, least: 1, most: 1000});
-const $c804 = $made(Entry, {key: "parameters", kind: $c813, required: true, alias: "", example: "", attribute: "parameters", unless: ""});
-const $c815 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c805 = $made(Entry, {key: "values", kind: $c815, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c817 = $made(Rows, {kind: $c759, least: 1, most: 1000});
-const $c816 = $made(Rows, {kind: $c817, least: 1, most: 1000});
-const $c806 = $made(Entry, {key: "covariance", kind: $c816, required: true, alias: "", example: "", attribute: "covariance", unless: ""});
-const $c819 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c818 = $made(Quantity, {dimension: "number", limit: $c819});
-const $c807 = $made(Entry, {key: "residual_noise", kind: $c818, required: false, alias: "", example: "", attribute: "residual_noise", unless: ""});
-const $c821 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c820 = $made(Quantity, {dimension: "number", limit: $c821});
-const $c808 = $made(Entry, {key: "coverage_factor", kind: $c820, required: false, alias: "", example: "", attribute: "coverage_factor", unless: ""});
-const $c822 = $made(Text, {longest: 60, lines: false});
-const $c809 = $made(Entry, {key: "date", kind: $c822, required: false, alias: "", example: "", attribute: "date", unless: ""});
-const $c823 = $made(Text, {longest: 500, lines: false});
-const $c810 = $made(Entry, {key: "method", kind: $c823, required: false, alias: "", example: "", attribute: "method", unless: ""});
-const $c825 = $made(Text, {longest: 2000, lines: true});
-const $c824 = $made(Rows, {kind: $c825, least: 0, most: 50});
-const $c811 = $made(Entry, {key: "misfit", kind: $c824, required: false, alias: "", example: "", attribute: "misfit", unless: ""});
-const $c826 = $made(Text, {longest: 500, lines: false});
-const $c812 = $made(Entry, {key: "misfit_accepted", kind: $c826, required: false, alias: "", example: "", attribute: "misfit_accepted", unless: ""});
-const $c802 = [$c804, $c805, $c806, $c807, $c808, $c809, $c810, $c811, $c812];
-const $c803 = new Map([["parameters", $c804], ["values", $c805], ["covariance", $c806], ["residual_noise", $c807], ["coverage_factor", $c808], ["date", $c809], ["method", $c810], ["misfit", $c811], ["misfit_accepted", $c812]]);
-const $c57 = $made(Table, {of: Fit, entries: $c802, _known: $c803});
-const $c786 = $made(Entry, {key: "fit", kind: $c57, required: false, alias: "", example: "", attribute: "fit", unless: ""});
-const $c829 = ["lagging shear", "cover shear"];
-const $c828 = $made(Choice, {options: $c829});
-const $c827 = $made(Rows, {kind: $c828, least: 0, most: 2});
-const $c787 = $made(Entry, {key: "slip_includes", kind: $c827, required: false, alias: "", example: "", attribute: "slip_includes", unless: ""});
-const $c836 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c835 = $made(Quantity, {dimension: "speed", limit: $c836});
-const $c834 = $made(Rows, {kind: $c835, least: 2, most: 100});
-const $c832 = $made(Entry, {key: "slip_speed", kind: $c834, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c837 = $made(Rows, {kind: $c771, least: 2, most: 100});
-const $c833 = $made(Entry, {key: "factor", kind: $c837, required: true, alias: "", example: "", attribute: "factor", unless: ""});
-const $c830 = [$c832, $c833, $c769];
-const $c831 = new Map([["slip_speed", $c832], ["factor", $c833], ["provenance", $c769]]);
-const $c55 = $made(Table, {of: FrictionFactor, entries: $c830, _known: $c831});
-const $c788 = $made(Entry, {key: "slip_speed_factor", kind: $c55, required: false, alias: "", example: "", attribute: "slip_speed_factor", unless: ""});
-const $c843 = $made(Limit, {dimension: "temperature", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c842 = $made(Quantity, {dimension: "temperature", limit: $c843});
-const $c841 = $made(Rows, {kind: $c842, least: 2, most: 100});
-const $c840 = $made(Entry, {key: "temperature", kind: $c841, required: true, alias: "", example: "", attribute: "at", unless: ""});
-const $c838 = [$c840, $c833, $c769];
-const $c839 = new Map([["temperature", $c840], ["factor", $c833], ["provenance", $c769]]);
-const $c56 = $made(Table, {of: FrictionFactor, entries: $c838, _known: $c839});
-const $c789 = $made(Entry, {key: "temperature_factor", kind: $c56, required: false, alias: "", example: "", attribute: "temperature_factor", unless: ""});
-const $c790 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c846 = $made(Limit, {dimension: "pressure", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c845 = $made(Quantity, {dimension: "pressure", limit: $c846});
-const $c844 = $made(Rows, {kind: $c845, least: 2, most: 2});
-const $c791 = $made(Entry, {key: "tested_pressure", kind: $c844, required: false, alias: "", example: "", attribute: "tested_pressure", unless: ""});
-const $c848 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c847 = $made(Quantity, {dimension: "length", limit: $c848});
-const $c792 = $made(Entry, {key: "tested_slip", kind: $c847, required: false, alias: "", example: "", attribute: "tested_slip", unless: ""});
-const $c850 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c849 = $made(Quantity, {dimension: "speed", limit: $c850});
-const $c793 = $made(Entry, {key: "tested_slip_speed", kind: $c849, required: false, alias: "", example: "", attribute: "tested_slip_speed", unless: ""});
-const $c855 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c861 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: true, rigid: false});
-const $c860 = $made(Quantity, {dimension: "number", limit: $c861});
-const $c856 = $made(Entry, {key: "peak_friction", kind: $c860, required: true, alias: "", example: "", attribute: "peak_friction", unless: ""});
-const $c857 = $made(Entry, {key: "peak_slip", kind: $c847, required: true, alias: "", example: "", attribute: "peak_slip", unless: ""});
-const $c863 = $made(Limit, {dimension: "per_length", least: -1000000.0, most: 0.0, open: false, rigid: false});
-const $c862 = $made(Quantity, {dimension: "per_length", limit: $c863});
-const $c858 = $made(Entry, {key: "post_peak_slope", kind: $c862, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c859 = $made(Entry, {key: "residual_friction", kind: $c860, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c853 = [$c855, $c856, $c857, $c858, $c859];
-const $c854 = new Map([["pressure", $c855], ["peak_friction", $c856], ["peak_slip", $c857], ["post_peak_slope", $c858], ["residual_friction", $c859]]);
-const $c852 = $made(Table, {of: null, entries: $c853, _known: $c854});
-const $c851 = $made(Rows, {kind: $c852, least: 1, most: 200});
-const $c794 = $made(Entry, {key: "knots", kind: $c851, required: false, alias: "", example: "", attribute: "knots", unless: ""});
-const $c868 = $made(Entry, {key: "from", kind: $c845, required: true, alias: "", example: "", attribute: "from", unless: ""});
-const $c869 = $made(Entry, {key: "to", kind: $c845, required: true, alias: "", example: "", attribute: "to", unless: ""});
-const $c874 = $made(Text, {longest: 300, lines: false});
-const $c870 = $made(Entry, {key: "A", kind: $c874, required: true, alias: "", example: "", attribute: "A", unless: ""});
-const $c871 = $made(Entry, {key: "b", kind: $c874, required: true, alias: "", example: "", attribute: "b", unless: ""});
-const $c872 = $made(Entry, {key: "post_peak_slope", kind: $c874, required: false, alias: "", example: "", attribute: "post_peak_slope", unless: ""});
-const $c873 = $made(Entry, {key: "residual_friction", kind: $c874, required: false, alias: "", example: "", attribute: "residual_friction", unless: ""});
-const $c866 = [$c868, $c869, $c870, $c871, $c872, $c873];
-const $c867 = new Map([["from", $c868], ["to", $c869], ["A", $c870], ["b", $c871], ["post_peak_slope", $c872], ["residual_friction", $c873]]);
-const $c865 = $made(Table, {of: null, entries: $c866, _known: $c867});
-const $c864 = $made(Rows, {kind: $c865, least: 1, most: 50});
-const $c795 = $made(Entry, {key: "pieces", kind: $c864, required: false, alias: "", example: "", attribute: "pieces", unless: ""});
-const $c875 = $made(Text, {longest: 20, lines: false});
-const $c796 = $made(Entry, {key: "slip_unit", kind: $c875, required: false, alias: "", example: "", attribute: "slip_unit", unless: ""});
-const $c876 = $made(Text, {longest: 20, lines: false});
-const $c797 = $made(Entry, {key: "pressure_unit", kind: $c876, required: false, alias: "", example: "", attribute: "pressure_unit", unless: ""});
-const $c878 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c877 = $made(Quantity, {dimension: "number", limit: $c878});
-const $c798 = $made(Entry, {key: "continuity", kind: $c877, required: false, alias: "", example: "", attribute: "continuity", unless: ""});
-const $c780 = [$c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c796, $c797, $c798];
-const $c781 = new Map([["kind", $c782], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["knots", $c794], ["pieces", $c795], ["slip_unit", $c796], ["pressure_unit", $c797], ["continuity", $c798]]);
-const $c775 = $made(Table, {of: IntegralLog, entries: $c780, _known: $c781});
-const $c884 = ["constant"];
-const $c883 = $made(Choice, {options: $c884});
-const $c881 = $made(Entry, {key: "kind", kind: $c883, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c882 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c879 = [$c881, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c882];
-const $c880 = new Map([["kind", $c881], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c882]]);
-const $c776 = $made(Table, {of: Constant, entries: $c879, _known: $c880});
-const $c890 = ["elastic-plastic"];
-const $c889 = $made(Choice, {options: $c890});
-const $c887 = $made(Entry, {key: "kind", kind: $c889, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c892 = $made(Limit, {dimension: "pressure_per_length", least: 0.0, most: 1000000000000000.0, open: true, rigid: false});
-const $c891 = $made(Quantity, {dimension: "pressure_per_length", limit: $c892});
-const $c888 = $made(Entry, {key: "stiffness", kind: $c891, required: true, alias: "", example: "", attribute: "stiffness", unless: ""});
-const $c885 = [$c887, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c888, $c882];
-const $c886 = new Map([["kind", $c887], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["stiffness", $c888], ["friction", $c882]]);
-const $c777 = $made(Table, {of: ElasticPlastic, entries: $c885, _known: $c886});
-const $c900 = ["power"];
-const $c899 = $made(Choice, {options: $c900});
-const $c895 = $made(Entry, {key: "kind", kind: $c899, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c896 = $made(Entry, {key: "friction", kind: $c860, required: true, alias: "", example: "", attribute: "friction_coefficient", unless: ""});
-const $c897 = $made(Entry, {key: "reference_pressure", kind: $c845, required: true, alias: "", example: "", attribute: "reference_pressure", unless: ""});
-const $c898 = $made(Entry, {key: "exponent", kind: $c759, required: true, alias: "", example: "", attribute: "exponent", unless: ""});
-const $c893 = [$c895, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c791, $c792, $c793, $c896, $c897, $c898];
-const $c894 = new Map([["kind", $c895], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["tested_pressure", $c791], ["tested_slip", $c792], ["tested_slip_speed", $c793], ["friction", $c896], ["reference_pressure", $c897], ["exponent", $c898]]);
-const $c778 = $made(Table, {of: PressurePower, entries: $c893, _known: $c894});
-const $c907 = ["table"];
-const $c906 = $made(Choice, {options: $c907});
-const $c903 = $made(Entry, {key: "kind", kind: $c906, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c910 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c909 = $made(Quantity, {dimension: "length", limit: $c910});
-const $c908 = $made(Rows, {kind: $c909, least: 2, most: 1000});
-const $c904 = $made(Entry, {key: "slip", kind: $c908, required: true, alias: "", example: "", attribute: "slip", unless: ""});
-const $c915 = $made(Entry, {key: "pressure", kind: $c845, required: true, alias: "", example: "", attribute: "pressure", unless: ""});
-const $c919 = $made(Limit, {dimension: "number", least: 0.0, most: 5.0, open: false, rigid: false});
-const $c918 = $made(Quantity, {dimension: "number", limit: $c919});
-const $c917 = $made(Rows, {kind: $c918, least: 2, most: 1000});
-const $c916 = $made(Entry, {key: "friction", kind: $c917, required: true, alias: "", example: "", attribute: "values", unless: ""});
-const $c913 = [$c915, $c916];
-const $c914 = new Map([["pressure", $c915], ["friction", $c916]]);
-const $c912 = $made(Table, {of: null, entries: $c913, _known: $c914});
-const $c911 = $made(Rows, {kind: $c912, least: 1, most: 200});
-const $c905 = $made(Entry, {key: "rows", kind: $c911, required: true, alias: "", example: "", attribute: "rows", unless: ""});
-const $c901 = [$c903, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c790, $c904, $c905];
-const $c902 = new Map([["kind", $c903], ["condition", $c783], ["provenance", $c784], ["condition_source", $c785], ["fit", $c786], ["slip_includes", $c787], ["slip_speed_factor", $c788], ["temperature_factor", $c789], ["notes", $c790], ["slip", $c904], ["rows", $c905]]);
-const $c779 = $made(Table, {of: MeasuredTable, entries: $c901, _known: $c902});
-const $c774 = new Map([["integral-log", $c775], ["constant", $c776], ["elastic-plastic", $c777], ["power", $c778], ["table", $c779]]);
-const $c53 = $made(Variant, {tag: "kind", tables: $c774});
-const $c773 = $made(OneOrMore, {kind: $c53, most: 50});
-const $c711 = $made(Entry, {key: "law", kind: $c773, required: false, alias: "", example: "", attribute: "law", unless: ""});
-const $c712 = $made(Entry, {key: "notes", kind: $c824, required: false, alias: "", example: "", attribute: "notes", unless: ""});
-const $c691 = [$c693, $c694, $c695, $c696, $c697, $c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c692 = new Map([["preset", $c693], ["name", $c694], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c698], ["elastic_modulus", $c699], ["shear_modulus", $c700], ["compression_modulus", $c701], ["block", $c702], ["wear_coefficient", $c703], ["belt_energy_share", $c704], ["bond_strength", $c705], ["fatigue_limit", $c706], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c690 = $made(Table, {of: Lagging, entries: $c691, _known: $c692});
-const $c159 = $made(TextOr, {text: $c689, table: $c690});
-const $c141 = $made(Entry, {key: "lagging", kind: $c159, required: true, alias: "", example: "lagging = \"diamond-rubber\"", attribute: "lagging", unless: ""});
-const $c142 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c581 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c161 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c143 = $made(Entry, {key: "entry_tension", kind: $c161, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c144 = $made(Entry, {key: "exit_tension", kind: $c161, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c162 = $made(Quantity, {dimension: "force", limit: null});
-const $c145 = $made(Entry, {key: "effective_tension", kind: $c162, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c163 = $made(Quantity, {dimension: "torque", limit: null});
-const $c146 = $made(Entry, {key: "torque", kind: $c163, required: false, alias: "", example: "", attribute: "torque", unless: ""});
-const $c164 = $made(Quantity, {dimension: "power", limit: null});
-const $c147 = $made(Entry, {key: "power", kind: $c164, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c920 = $made(Limit, {dimension: "length", least: -1.0, most: 1.0, open: false, rigid: false});
-const $c166 = $made(Quantity, {dimension: "length", limit: $c920});
-const $c165 = $made(WordOr, {word: "formula", kind: $c166, meaning: null});
-const $c148 = $made(Entry, {key: "overrun", kind: $c165, required: false, alias: "", example: "", attribute: "overrun", unless: ""});
-const $c167 = $made(Flag, {});
-const $c149 = $made(Entry, {key: "recovery", kind: $c167, required: false, alias: "", example: "", attribute: "recovery", unless: ""});
-const $c921 = $made(Limit, {dimension: "length", least: 0.0, most: 1.0, open: true, rigid: false});
-const $c168 = $made(Quantity, {dimension: "length", limit: $c921});
-const $c150 = $made(Entry, {key: "creep_limit", kind: $c168, required: false, alias: "", example: "", attribute: "creep_limit", unless: ""});
-const $c604 = ["pulley", "carry"];
-const $c169 = $made(Choice, {options: $c604});
-const $c151 = $made(Entry, {key: "side", kind: $c169, required: false, alias: "", example: "", attribute: "side", unless: ""});
-const $c922 = $made(Limit, {dimension: "mass", least: 0.0, most: 1000000.0, open: true, rigid: false});
-const $c170 = $made(Quantity, {dimension: "mass", limit: $c922});
-const $c152 = $made(Entry, {key: "mass", kind: $c170, required: false, alias: "", example: "", attribute: "mass", unless: ""});
-const $c1357 = $made(Quantity, {dimension: "length", limit: null});
-const $c1358 = $made(Quantity, {dimension: "length", limit: null});
-const $c1356 = [$c1357, $c1358];
-const $c1283 = $made(_Pair, {kinds: $c1356});
-const $c1281 = $made(Rows, {kind: $c1283, least: 0, most: 500});
-const $c1287 = $made(Entry, {key: "rows", kind: $c1281, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1292 = $made(Quantity, {dimension: "length", limit: null});
-const $c1288 = $made(Entry, {key: "crown", kind: $c1292, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1294 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1293 = $made(Quantity, {dimension: "number", limit: $c1294});
-const $c1289 = $made(Entry, {key: "factor", kind: $c1293, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1296 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1295 = $made(Quantity, {dimension: "length", limit: $c1296});
-const $c1290 = $made(Entry, {key: "uncertainty", kind: $c1295, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1298 = ["radius", "diameter"];
-const $c1297 = $made(Choice, {options: $c1298});
-const $c1291 = $made(Entry, {key: "on", kind: $c1297, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1285 = [$c1287, $c1288, $c1289, $c1290, $c1291];
-const $c1286 = new Map([["rows", $c1287], ["crown", $c1288], ["factor", $c1289], ["uncertainty", $c1290], ["on", $c1291]]);
-const $c1284 = $made(Table, {of: null, entries: $c1285, _known: $c1286});
-const $c1282 = $made(TextOr, {text: $c1281, table: $c1284});
-const $c934 = $made(Profile, {dimension: "length", diameters: true, rows: $c1281, within: $c1282});
-const $c925 = $made(Entry, {key: "shell_profile", kind: $c934, required: false, alias: "", example: "", attribute: "shell_profile", unless: ""});
-const $c1360 = $made(Quantity, {dimension: "length", limit: null});
-const $c1361 = $made(Quantity, {dimension: "length", limit: null});
-const $c1359 = [$c1360, $c1361];
-const $c1301 = $made(_Pair, {kinds: $c1359});
-const $c1299 = $made(Rows, {kind: $c1301, least: 0, most: 500});
-const $c1305 = $made(Entry, {key: "rows", kind: $c1299, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1310 = $made(Quantity, {dimension: "length", limit: null});
-const $c1306 = $made(Entry, {key: "crown", kind: $c1310, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1312 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1311 = $made(Quantity, {dimension: "number", limit: $c1312});
-const $c1307 = $made(Entry, {key: "factor", kind: $c1311, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1314 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1313 = $made(Quantity, {dimension: "length", limit: $c1314});
-const $c1308 = $made(Entry, {key: "uncertainty", kind: $c1313, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1315 = $made(Choice, {options: $c1298});
-const $c1309 = $made(Entry, {key: "on", kind: $c1315, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1303 = [$c1305, $c1306, $c1307, $c1308, $c1309];
-const $c1304 = new Map([["rows", $c1305], ["crown", $c1306], ["factor", $c1307], ["uncertainty", $c1308], ["on", $c1309]]);
-const $c1302 = $made(Table, {of: null, entries: $c1303, _known: $c1304});
-const $c1300 = $made(TextOr, {text: $c1299, table: $c1302});
-const $c935 = $made(Profile, {dimension: "length", diameters: true, rows: $c1299, within: $c1300});
-const $c926 = $made(Entry, {key: "worn_depth", kind: $c935, required: false, alias: "", example: "", attribute: "worn_depth", unless: ""});
-const $c1363 = $made(Quantity, {dimension: "length", limit: null});
-const $c1364 = $made(Quantity, {dimension: "length", limit: null});
-const $c1362 = [$c1363, $c1364];
-const $c1318 = $made(_Pair, {kinds: $c1362});
-const $c1316 = $made(Rows, {kind: $c1318, least: 0, most: 500});
-const $c1322 = $made(Entry, {key: "rows", kind: $c1316, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1327 = $made(Quantity, {dimension: "length", limit: null});
-const $c1323 = $made(Entry, {key: "crown", kind: $c1327, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1329 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1328 = $made(Quantity, {dimension: "number", limit: $c1329});
-const $c1324 = $made(Entry, {key: "factor", kind: $c1328, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1331 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1330 = $made(Quantity, {dimension: "length", limit: $c1331});
-const $c1325 = $made(Entry, {key: "uncertainty", kind: $c1330, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1332 = $made(Choice, {options: $c1298});
-const $c1326 = $made(Entry, {key: "on", kind: $c1332, required: false, alias: "", example: "", attribute: "on", unless: ""});
-const $c1320 = [$c1322, $c1323, $c1324, $c1325, $c1326];
-const $c1321 = new Map([["rows", $c1322], ["crown", $c1323], ["factor", $c1324], ["uncertainty", $c1325], ["on", $c1326]]);
-const $c1319 = $made(Table, {of: null, entries: $c1320, _known: $c1321});
-const $c1317 = $made(TextOr, {text: $c1316, table: $c1319});
-const $c936 = $made(Profile, {dimension: "length", diameters: true, rows: $c1316, within: $c1317});
-const $c927 = $made(Entry, {key: "build_up", kind: $c936, required: false, alias: "", example: "", attribute: "build_up", unless: ""});
-const $c938 = $made(Limit, {dimension: "number", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c937 = $made(Quantity, {dimension: "number", limit: $c938});
-const $c928 = $made(Entry, {key: "misalignment", kind: $c937, required: false, alias: "", example: "", attribute: "misalignment", unless: ""});
-const $c940 = $made(Limit, {dimension: "length", least: -0.1, most: 0.1, open: false, rigid: false});
-const $c939 = $made(Quantity, {dimension: "length", limit: $c940});
-const $c929 = $made(Entry, {key: "deflection", kind: $c939, required: false, alias: "", example: "", attribute: "deflection", unless: ""});
-const $c1366 = $made(Quantity, {dimension: "length", limit: null});
-const $c1367 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1365 = [$c1366, $c1367];
-const $c1335 = $made(_Pair, {kinds: $c1365});
-const $c1333 = $made(Rows, {kind: $c1335, least: 0, most: 500});
-const $c1339 = $made(Entry, {key: "rows", kind: $c1333, required: false, alias: "", example: "", attribute: "rows", unless: ""});
-const $c1343 = $made(Quantity, {dimension: "force_per_width", limit: null});
-const $c1340 = $made(Entry, {key: "crown", kind: $c1343, required: false, alias: "", example: "", attribute: "crown", unless: ""});
-const $c1345 = $made(Limit, {dimension: "number", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c1344 = $made(Quantity, {dimension: "number", limit: $c1345});
-const $c1341 = $made(Entry, {key: "factor", kind: $c1344, required: false, alias: "", example: "", attribute: "factor", unless: ""});
-const $c1347 = $made(Limit, {dimension: "force_per_width", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1346 = $made(Quantity, {dimension: "force_per_width", limit: $c1347});
-const $c1342 = $made(Entry, {key: "uncertainty", kind: $c1346, required: false, alias: "", example: "", attribute: "uncertainty", unless: ""});
-const $c1337 = [$c1339, $c1340, $c1341, $c1342];
-const $c1338 = new Map([["rows", $c1339], ["crown", $c1340], ["factor", $c1341], ["uncertainty", $c1342]]);
-const $c1336 = $made(Table, {of: null, entries: $c1337, _known: $c1338});
-const $c1334 = $made(TextOr, {text: $c1333, table: $c1336});
-const $c941 = $made(Profile, {dimension: "force_per_width", diameters: false, rows: $c1333, within: $c1334});
-const $c930 = $made(Entry, {key: "entry_profile", kind: $c941, required: false, alias: "", example: "", attribute: "entry_profile", unless: ""});
-const $c951 = ["pulley"];
-const $c950 = $made(Choice, {options: $c951});
-const $c948 = $made(Entry, {key: "kind", kind: $c950, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c953 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c952 = $made(Quantity, {dimension: "length", limit: $c953});
-const $c949 = $made(Entry, {key: "distance", kind: $c952, required: true, alias: "", example: "", attribute: "distance", unless: ""});
-const $c946 = [$c948, $c949];
-const $c947 = new Map([["kind", $c948], ["distance", $c949]]);
-const $c944 = $made(Table, {of: GrippingPulley, entries: $c946, _known: $c947});
-const $c962 = ["transition"];
-const $c961 = $made(Choice, {options: $c962});
-const $c956 = $made(Entry, {key: "kind", kind: $c961, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c964 = $made(Limit, {dimension: "length", least: 0.0, most: 1000.0, open: true, rigid: false});
-const $c963 = $made(Quantity, {dimension: "length", limit: $c964});
-const $c957 = $made(Entry, {key: "length", kind: $c963, required: true, alias: "", example: "length = \"2.9 m\"", attribute: "length", unless: ""});
-const $c966 = $made(Limit, {dimension: "angle", least: 0.0, most: 1.5707963267948966, open: true, rigid: false});
-const $c965 = $made(Quantity, {dimension: "angle", limit: $c966});
-const $c958 = $made(Entry, {key: "trough_angle", kind: $c965, required: true, alias: "", example: "trough_angle = \"35 deg\"", attribute: "trough_angle", unless: ""});
-const $c968 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: false, rigid: false});
-const $c967 = $made(Quantity, {dimension: "length", limit: $c968});
-const $c959 = $made(Entry, {key: "centre_roll", kind: $c967, required: true, alias: "", example: "centre_roll = \"465 mm\"", attribute: "centre_roll", unless: ""});
-const $c970 = ["full", "half"];
-const $c969 = $made(Choice, {options: $c970});
-const $c960 = $made(Entry, {key: "depth", kind: $c969, required: false, alias: "", example: "", attribute: "depth", unless: ""});
-const $c954 = [$c956, $c957, $c958, $c959, $c960];
-const $c955 = new Map([["kind", $c956], ["length", $c957], ["trough_angle", $c958], ["centre_roll", $c959], ["depth", $c960]]);
-const $c945 = $made(Table, {of: Transition, entries: $c954, _known: $c955});
-const $c943 = new Map([["pulley", $c944], ["transition", $c945]]);
-const $c29 = $made(Variant, {tag: "kind", tables: $c943});
-const $c942 = $made(WordOr, {word: "far", kind: $c29, meaning: null});
-const $c931 = $made(Entry, {key: "before", kind: $c942, required: false, alias: "", example: "", attribute: "before", unless: ""});
-const $c978 = ["pulley"];
-const $c977 = $made(Choice, {options: $c978});
-const $c976 = $made(Entry, {key: "kind", kind: $c977, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c974 = [$c976, $c949];
-const $c975 = new Map([["kind", $c976], ["distance", $c949]]);
-const $c973 = $made(Table, {of: GrippingPulley, entries: $c974, _known: $c975});
-const $c972 = new Map([["pulley", $c973]]);
-const $c30 = $made(Variant, {tag: "kind", tables: $c972});
-const $c971 = $made(WordOr, {word: "far", kind: $c30, meaning: null});
-const $c932 = $made(Entry, {key: "after", kind: $c971, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c979 = $made(Count, {least: 4, most: 128});
-const $c933 = $made(Entry, {key: "strips", kind: $c979, required: false, alias: "", example: "", attribute: "strips", unless: ""});
-const $c923 = [$c925, $c926, $c927, $c928, $c929, $c930, $c931, $c932, $c933];
-const $c924 = new Map([["shell_profile", $c925], ["worn_depth", $c926], ["build_up", $c927], ["misalignment", $c928], ["deflection", $c929], ["entry_profile", $c930], ["before", $c931], ["after", $c932], ["strips", $c933]]);
-const $c31 = $made(Table, {of: Across, entries: $c923, _known: $c924});
-const $c153 = $made(Entry, {key: "across", kind: $c31, required: false, alias: "", example: "", attribute: "across", unless: ""});
-const $c171 = $made(ByName, {kind: $c2, most: 200});
-const $c154 = $made(Entry, {key: "sources", kind: $c171, required: false, alias: "", example: "", attribute: "sources", unless: ""});
-const $c9 = [$c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148, $c149, $c150, $c151, $c152, $c153, $c154];
-const $c666 = new Map([["name", $c137], ["diameter", $c138], ["wrap_angle", $c139], ["belt_path", $c140], ["lagging", $c141], ["condition", $c142], ["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147], ["overrun", $c148], ["recovery", $c149], ["creep_limit", $c150], ["side", $c151], ["mass", $c152], ["across", $c153], ["sources", $c154]]);
-const $c32 = $made(Table, {of: Pulley, entries: $c9, _known: $c666});
-const $c665 = $made(Rows, {kind: $c32, least: 1, most: 10});
-const $c629 = $made(Entry, {key: "pulley", kind: $c665, required: true, alias: "", example: "a [[pulley]] table for each pulley", attribute: "pulley", unless: ""});
-const $c980 = $made(ByName, {kind: $c690, most: 200});
-const $c630 = $made(Entry, {key: "lagging", kind: $c980, required: false, alias: "", example: "", attribute: "lagging", unless: ""});
-const $c991 = $made(Name, {longest: 60});
-const $c985 = $made(Entry, {key: "name", kind: $c991, required: true, alias: "", example: "name = \"start\"", attribute: "name", unless: ""});
-const $c992 = $made(Text, {longest: 1000, lines: true});
-const $c986 = $made(Entry, {key: "description", kind: $c992, required: false, alias: "", example: "", attribute: "description", unless: ""});
-const $c63 = ["running", "starting", "braking"];
-const $c993 = $made(Choice, {options: $c63});
-const $c987 = $made(Entry, {key: "kind", kind: $c993, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c988 = $made(Entry, {key: "condition", kind: $c160, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c996 = [$c143, $c144, $c145, $c146, $c147];
-const $c997 = new Map([["entry_tension", $c143], ["exit_tension", $c144], ["effective_tension", $c145], ["torque", $c146], ["power", $c147]]);
-const $c995 = $made(Table, {of: null, entries: $c996, _known: $c997});
-const $c994 = $made(ByName, {kind: $c995, most: 200});
-const $c989 = $made(Entry, {key: "pulley", kind: $c994, required: false, alias: "", example: "", attribute: "pulley", unless: ""});
-const $c998 = $made(Elsewhere, {});
-const $c990 = $made(Entry, {key: "train", kind: $c998, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c983 = [$c985, $c986, $c987, $c988, $c989, $c990];
-const $c984 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c990]]);
-const $c982 = $made(Table, {of: null, entries: $c983, _known: $c984});
-const $c981 = $made(Rows, {kind: $c982, least: 1, most: 1000});
-const $c631 = $made(Entry, {key: "load_case", kind: $c981, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1021 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1020 = $made(Quantity, {dimension: "length", limit: $c1021});
-const $c1001 = $made(Entry, {key: "length", kind: $c1020, required: true, alias: "", example: "length = \"600 m\"", attribute: "length", unless: ""});
-const $c1023 = $made(Limit, {dimension: "length", least: -5000.0, most: 5000.0, open: false, rigid: false});
-const $c1022 = $made(Quantity, {dimension: "length", limit: $c1023});
-const $c1002 = $made(Entry, {key: "lift", kind: $c1022, required: false, alias: "", example: "", attribute: "lift", unless: ""});
-const $c1025 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1024 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1003 = $made(Entry, {key: "belt_mass", kind: $c1024, required: true, alias: "", example: "", attribute: "belt_mass", unless: ""});
-const $c1027 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1026 = $made(Quantity, {dimension: "mass_per_length", limit: $c1027});
-const $c1004 = $made(Entry, {key: "carry_idler_mass", kind: $c1026, required: true, alias: "", example: "", attribute: "carry_idler_mass", unless: ""});
-const $c1029 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: false, rigid: false});
-const $c1028 = $made(Quantity, {dimension: "mass_per_length", limit: $c1029});
-const $c1005 = $made(Entry, {key: "return_idler_mass", kind: $c1028, required: true, alias: "", example: "", attribute: "return_idler_mass", unless: ""});
-const $c1030 = $made(Quantity, {dimension: "mass_per_length", limit: $c1025});
-const $c1006 = $made(Entry, {key: "material_mass", kind: $c1030, required: false, alias: "", example: "", attribute: "material_mass", unless: ""});
-const $c1032 = $made(Limit, {dimension: "mass_flow", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1031 = $made(Quantity, {dimension: "mass_flow", limit: $c1032});
-const $c1007 = $made(Entry, {key: "capacity", kind: $c1031, required: false, alias: "", example: "", attribute: "capacity", unless: ""});
-const $c1034 = $made(Limit, {dimension: "number", least: 0.005, most: 0.1, open: false, rigid: false});
-const $c1033 = $made(Quantity, {dimension: "number", limit: $c1034});
-const $c1008 = $made(Entry, {key: "friction_factor", kind: $c1033, required: false, alias: "", example: "", attribute: "friction_factor", unless: ""});
-const $c1036 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1035 = $made(Quantity, {dimension: "number", limit: $c1036});
-const $c1009 = $made(Entry, {key: "length_coefficient", kind: $c1035, required: false, alias: "", example: "", attribute: "length_coefficient", unless: ""});
-const $c1038 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: false, rigid: false});
-const $c1037 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1010 = $made(Entry, {key: "secondary_resistance", kind: $c1037, required: false, alias: "", example: "", attribute: "secondary_resistance", unless: ""});
-const $c1039 = $made(Quantity, {dimension: "force", limit: $c1038});
-const $c1011 = $made(Entry, {key: "special_resistance", kind: $c1039, required: false, alias: "", example: "", attribute: "special_resistance", unless: ""});
-const $c1041 = $made(Limit, {dimension: "number", least: 0.0, most: 1.0, open: false, rigid: false});
-const $c1040 = $made(Quantity, {dimension: "number", limit: $c1041});
-const $c1012 = $made(Entry, {key: "return_share", kind: $c1040, required: false, alias: "", example: "", attribute: "return_share", unless: ""});
-const $c1043 = $made(Limit, {dimension: "number", least: 1.0, most: 5.0, open: false, rigid: false});
-const $c1042 = $made(Quantity, {dimension: "number", limit: $c1043});
-const $c1013 = $made(Entry, {key: "start_factor", kind: $c1042, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1045 = $made(Limit, {dimension: "time", least: 0.0, most: 3600.0, open: true, rigid: false});
-const $c1044 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1014 = $made(Entry, {key: "start_time", kind: $c1044, required: false, alias: "", example: "", attribute: "start_time", unless: ""});
-const $c1046 = $made(Quantity, {dimension: "time", limit: $c1045});
-const $c1015 = $made(Entry, {key: "stop_time", kind: $c1046, required: false, alias: "", example: "", attribute: "stop_time", unless: ""});
-const $c1048 = $made(Limit, {dimension: "force", least: 0.0, most: 100000000.0, open: true, rigid: false});
-const $c1047 = $made(Quantity, {dimension: "force", limit: $c1048});
-const $c1016 = $made(Entry, {key: "take_up_tension", kind: $c1047, required: false, alias: "", example: "", attribute: "take_up_tension", unless: ""});
-const $c1050 = $made(Limit, {dimension: "mass", least: 0.0, most: 10000000.0, open: true, rigid: false});
-const $c1049 = $made(Quantity, {dimension: "mass", limit: $c1050});
-const $c1017 = $made(Entry, {key: "counterweight", kind: $c1049, required: false, alias: "", example: "", attribute: "counterweight", unless: ""});
-const $c1052 = $made(Limit, {dimension: "length", least: 0.0, most: 100000.0, open: false, rigid: false});
-const $c1051 = $made(Quantity, {dimension: "length", limit: $c1052});
-const $c1018 = $made(Entry, {key: "take_up_distance", kind: $c1051, required: false, alias: "", example: "", attribute: "take_up_distance", unless: ""});
-const $c605 = ["head", "tail"];
-const $c1053 = $made(Choice, {options: $c605});
-const $c1019 = $made(Entry, {key: "drive_at", kind: $c1053, required: false, alias: "", example: "", attribute: "drive_at", unless: ""});
-const $c999 = [$c1001, $c1002, $c1003, $c1004, $c1005, $c1006, $c1007, $c1008, $c1009, $c1010, $c1011, $c1012, $c1013, $c1014, $c1015, $c1016, $c1017, $c1018, $c1019];
-const $c1000 = new Map([["length", $c1001], ["lift", $c1002], ["belt_mass", $c1003], ["carry_idler_mass", $c1004], ["return_idler_mass", $c1005], ["material_mass", $c1006], ["capacity", $c1007], ["friction_factor", $c1008], ["length_coefficient", $c1009], ["secondary_resistance", $c1010], ["special_resistance", $c1011], ["return_share", $c1012], ["start_factor", $c1013], ["start_time", $c1014], ["stop_time", $c1015], ["take_up_tension", $c1016], ["counterweight", $c1017], ["take_up_distance", $c1018], ["drive_at", $c1019]]);
-const $c38 = $made(Table, {of: Conveyor, entries: $c999, _known: $c1000});
-const $c632 = $made(Entry, {key: "conveyor", kind: $c38, required: false, alias: "", example: "", attribute: "conveyor", unless: ""});
-const $c599 = ["gravity", "winch", "fixed"];
-const $c1059 = $made(Choice, {options: $c599});
-const $c1056 = $made(Entry, {key: "kind", kind: $c1059, required: false, alias: "", example: "", attribute: "kind", unless: ""});
-const $c594 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c1060 = $made(Quantity, {dimension: "number", limit: $c594});
-const $c1057 = $made(Entry, {key: "sheave_ratio", kind: $c1060, required: false, alias: "", example: "", attribute: "sheave_ratio", unless: ""});
-const $c1061 = $made(Name, {longest: 60});
-const $c1058 = $made(Entry, {key: "after", kind: $c1061, required: false, alias: "", example: "", attribute: "after", unless: ""});
-const $c1054 = [$c1056, $c1057, $c1058];
-const $c1055 = new Map([["kind", $c1056], ["sheave_ratio", $c1057], ["after", $c1058]]);
-const $c500 = $made(Table, {of: TakeUp, entries: $c1054, _known: $c1055});
-const $c496 = $made(Entry, {key: "take_up", kind: $c500, required: false, alias: "", example: "", attribute: "take_up", unless: ""});
-const $c600 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1069 = $made(Choice, {options: $c600});
-const $c1064 = $made(Entry, {key: "name", kind: $c1069, required: false, alias: "", example: "", attribute: "name", unless: ""});
-const $c601 = ["dry", "wet", "wet and dirty"];
-const $c1070 = $made(Choice, {options: $c601});
-const $c1065 = $made(Entry, {key: "condition", kind: $c1070, required: false, alias: "", example: "", attribute: "condition", unless: ""});
-const $c595 = $made(Limit, {dimension: "number", least: 0.01, most: 2.0, open: false, rigid: false});
-const $c1071 = $made(Quantity, {dimension: "number", limit: $c595});
-const $c1066 = $made(Entry, {key: "friction", kind: $c1071, required: false, alias: "", example: "", attribute: "friction", unless: ""});
-const $c596 = $made(Limit, {dimension: "number", least: 1.0, most: 10.0, open: false, rigid: false});
-const $c1072 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1067 = $made(Entry, {key: "start_factor", kind: $c1072, required: false, alias: "", example: "", attribute: "start_factor", unless: ""});
-const $c1073 = $made(Flag, {});
-const $c1068 = $made(Entry, {key: "binding", kind: $c1073, required: false, alias: "", example: "", attribute: "binding", unless: ""});
-const $c1062 = [$c1064, $c1065, $c1066, $c1067, $c1068];
-const $c1063 = new Map([["name", $c1064], ["condition", $c1065], ["friction", $c1066], ["start_factor", $c1067], ["binding", $c1068]]);
-const $c501 = $made(Table, {of: DesignStandard, entries: $c1062, _known: $c1063});
-const $c497 = $made(Entry, {key: "design_standard", kind: $c501, required: false, alias: "", example: "", attribute: "standard", unless: ""});
-const $c1080 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1076 = $made(Entry, {key: "running", kind: $c1080, required: false, alias: "", example: "", attribute: "running", unless: ""});
-const $c1081 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1077 = $made(Entry, {key: "starting", kind: $c1081, required: false, alias: "", example: "", attribute: "starting", unless: ""});
-const $c1082 = $made(Quantity, {dimension: "number", limit: $c596});
-const $c1078 = $made(Entry, {key: "braking", kind: $c1082, required: false, alias: "", example: "", attribute: "braking", unless: ""});
-const $c1083 = $made(Text, {longest: 500, lines: false});
-const $c1079 = $made(Entry, {key: "source", kind: $c1083, required: false, alias: "", example: "", attribute: "source", unless: ""});
-const $c1074 = [$c1076, $c1077, $c1078, $c1079];
-const $c1075 = new Map([["running", $c1076], ["starting", $c1077], ["braking", $c1078], ["source", $c1079]]);
-const $c502 = $made(Table, {of: SafetyFactors, entries: $c1074, _known: $c1075});
-const $c498 = $made(Entry, {key: "safety_factor", kind: $c502, required: false, alias: "", example: "", attribute: "safety", unless: ""});
-const $c1090 = $made(Limit, {dimension: "length", least: 0.0, most: 100.0, open: true, rigid: false});
-const $c1089 = $made(Quantity, {dimension: "length", limit: $c1090});
-const $c1086 = $made(Entry, {key: "idler_spacing", kind: $c1089, required: true, alias: "", example: "idler_spacing = \"3 m\"", attribute: "spacing", unless: ""});
-const $c1092 = $made(Limit, {dimension: "mass_per_length", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1091 = $made(Quantity, {dimension: "mass_per_length", limit: $c1092});
-const $c1087 = $made(Entry, {key: "line_mass", kind: $c1091, required: true, alias: "", example: "line_mass = \"22 kg/m\"", attribute: "line_mass", unless: ""});
-const $c1094 = $made(Limit, {dimension: "number", least: 0.0, most: 0.1, open: true, rigid: false});
-const $c1093 = $made(Quantity, {dimension: "number", limit: $c1094});
-const $c1088 = $made(Entry, {key: "share", kind: $c1093, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1084 = [$c1086, $c1087, $c1088];
-const $c1085 = new Map([["idler_spacing", $c1086], ["line_mass", $c1087], ["share", $c1088]]);
-const $c503 = $made(Table, {of: Sag, entries: $c1084, _known: $c1085});
-const $c499 = $made(Entry, {key: "sag", kind: $c503, required: false, alias: "", example: "", attribute: "sag", unless: ""});
-const $c1095 = $made(Elsewhere, {});
-const $c633 = $made(Entry, {key: "train", kind: $c1095, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1096 = $made(Elsewhere, {});
-const $c634 = $made(Entry, {key: "motion", kind: $c1096, required: false, alias: "", example: "", attribute: "motion", unless: ""});
-const $c621 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c631, $c632, $c496, $c497, $c498, $c499, $c633, $c634];
-const $c622 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c631], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c633], ["motion", $c634]]);
-const $c0 = $made(Table, {of: Drive, entries: $c621, _known: $c622});
+const $c856 = ["of", "entries", "_known"];
+const $c871 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c142 = ["dimension", "limit"];
+const $c872 = $made(Quantity, $c142, ["number", null]);
+const $c859 = $made(Entry, $c871, ["format", $c872, true, "", "format = 1", "format", ""]);
+const $c874 = ["longest", "lines"];
+const $c873 = $made(Text, $c874, [200, false]);
+const $c860 = $made(Entry, $c871, ["title", $c873, false, "", "", "title", ""]);
+const $c875 = $made(Text, $c874, [5000, true]);
+const $c861 = $made(Entry, $c871, ["description", $c875, false, "", "", "description", ""]);
+const $c877 = ["dimension", "least", "most", "open", "rigid"];
+const $c806 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c876 = $made(Quantity, $c142, ["length", $c806]);
+const $c862 = $made(Entry, $c871, ["creep_limit", $c876, false, "", "", "creep_limit", ""]);
+const $c879 = ["kind", "most"];
+const $c880 = ["text", "table"];
+const $c882 = ["longest"];
+const $c881 = $made(Name, $c882, [60]);
+const $c890 = $made(Name, $c882, [60]);
+const $c885 = $made(Entry, $c871, ["name", $c890, true, "", "", "name", ""]);
+const $c802 = $made(Limit, $c877, ["number", 0.0, 2.0, true, false]);
+const $c891 = $made(Quantity, $c142, ["number", $c802]);
+const $c886 = $made(Entry, $c871, ["friction_factor", $c891, false, "", "", "factor", ""]);
+const $c892 = $made(ByName, $c879, [$c891, 200]);
+const $c887 = $made(Entry, $c871, ["friction_factors", $c892, false, "", "", "friction_factors", ""]);
+const $c894 = ["options"];
+const $c895 = ["DIN 22101", "practice"];
+const $c893 = $made(Choice, $c894, [$c895]);
+const $c888 = $made(Entry, $c871, ["standard", $c893, false, "", "", "standard", ""]);
+const $c903 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c902 = $made(Choice, $c894, [$c903]);
+const $c898 = $made(Entry, $c871, ["kind", $c902, true, "", "", "kind", ""]);
+const $c904 = $made(Text, $c874, [500, false]);
+const $c899 = $made(Entry, $c871, ["source", $c904, false, "", "", "source", ""]);
+const $c905 = $made(Text, $c874, [60, false]);
+const $c900 = $made(Entry, $c871, ["date", $c905, false, "", "", "date", ""]);
+const $c906 = $made(Text, $c874, [1000, false]);
+const $c901 = $made(Entry, $c871, ["note", $c906, false, "", "", "note", ""]);
+const $c896 = [$c898, $c899, $c900, $c901];
+const $c897 = new Map([["kind", $c898], ["source", $c899], ["date", $c900], ["note", $c901]]);
+const $c2 = $made(tables$Table, $c856, [Provenance, $c896, $c897]);
+const $c889 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c883 = [$c885, $c886, $c887, $c888, $c889];
+const $c884 = new Map([["name", $c885], ["friction_factor", $c886], ["friction_factors", $c887], ["standard", $c888], ["provenance", $c889]]);
+const $c8 = $made(tables$Table, $c856, [Condition, $c883, $c884]);
+const $c203 = $made(TextOr, $c880, [$c881, $c8]);
+const $c878 = $made(OneOrMore, $c879, [$c203, 8]);
+const $c863 = $made(Entry, $c871, ["condition", $c878, false, "", "", "condition", ""]);
+const $c138 = $made(Name, $c882, [60]);
+const $c117 = $made(Entry, $c871, ["preset", $c138, false, "", "", "preset", ""]);
+const $c139 = $made(Name, $c882, [60]);
+const $c118 = $made(Entry, $c871, ["name", $c139, false, "", "", "name", ""]);
+const $c140 = $made(Text, $c874, [60, false]);
+const $c119 = $made(Entry, $c871, ["kind", $c140, false, "", "", "kind", ""]);
+const $c143 = $made(Limit, $c877, ["length", 0.001, 1000.0, false, false]);
+const $c141 = $made(Quantity, $c142, ["length", $c143]);
+const $c120 = $made(Entry, $c871, ["width", $c141, true, "", "", "width", ""]);
+const $c908 = ["word", "kind", "meaning"];
+const $c148 = $made(Limit, $c877, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c147 = $made(Quantity, $c142, ["force_per_width", $c148]);
+const $c145 = $made(WordOr, $c908, ["rigid", $c147, Infinity]);
+const $c121 = $made(Entry, $c871, ["modulus", $c145, false, "", "", "modulus", ""]);
+const $c150 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, true, false]);
+const $c149 = $made(Quantity, $c142, ["force_per_width", $c150]);
+const $c122 = $made(Entry, $c871, ["rating", $c149, false, "", "", "rating", ""]);
+const $c152 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, true, false]);
+const $c151 = $made(Quantity, $c142, ["force_per_width", $c152]);
+const $c123 = $made(Entry, $c871, ["strength", $c151, false, "", "", "strength", ""]);
+const $c154 = $made(Limit, $c877, ["speed", 0.0, 1000.0, true, false]);
+const $c153 = $made(Quantity, $c142, ["speed", $c154]);
+const $c124 = $made(Entry, $c871, ["speed", $c153, false, "", "", "speed", ""]);
+const $c156 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c155 = $made(Quantity, $c142, ["number", $c156]);
+const $c125 = $made(Entry, $c871, ["momentary_factor", $c155, false, "", "", "momentary_factor", ""]);
+const $c158 = $made(Limit, $c877, ["length", 0.0, Infinity, true, false]);
+const $c157 = $made(Quantity, $c142, ["length", $c158]);
+const $c126 = $made(Entry, $c871, ["least_pulley_diameter", $c157, false, "", "", "least_pulley_diameter", ""]);
+const $c160 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c159 = $made(Quantity, $c142, ["pressure", $c160]);
+const $c127 = $made(Entry, $c871, ["largest_wrap_pressure", $c159, false, "", "", "largest_wrap_pressure", ""]);
+const $c162 = $made(Limit, $c877, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c161 = $made(Quantity, $c142, ["force_per_width", $c162]);
+const $c128 = $made(Entry, $c871, ["in_plane_shear_stiffness", $c161, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c164 = $made(Limit, $c877, ["length", 0.0, 0.06, false, false]);
+const $c163 = $made(Quantity, $c142, ["length", $c164]);
+const $c129 = $made(Entry, $c871, ["pulley_cover", $c163, false, "", "", "pulley_cover", ""]);
+const $c166 = $made(Limit, $c877, ["length", 0.0, 0.06, false, false]);
+const $c165 = $made(Quantity, $c142, ["length", $c166]);
+const $c130 = $made(Entry, $c871, ["carry_cover", $c165, false, "", "", "carry_cover", ""]);
+const $c168 = $made(Limit, $c877, ["length", 0.0, 0.06, true, false]);
+const $c167 = $made(Quantity, $c142, ["length", $c168]);
+const $c131 = $made(Entry, $c871, ["carcass", $c167, false, "", "", "carcass", ""]);
+const $c170 = $made(Limit, $c877, ["length", 0.0, 0.06, true, false]);
+const $c169 = $made(Quantity, $c142, ["length", $c170]);
+const $c132 = $made(Entry, $c871, ["thickness", $c169, false, "", "", "thickness", ""]);
+const $c173 = $made(Limit, $c877, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c172 = $made(Quantity, $c142, ["pressure", $c173]);
+const $c171 = $made(WordOr, $c908, ["rigid", $c172, Infinity]);
+const $c133 = $made(Entry, $c871, ["cover_shear_modulus", $c171, false, "", "", "cover_shear_modulus", ""]);
+const $c175 = $made(Limit, $c877, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c174 = $made(Quantity, $c142, ["mass_per_length", $c175]);
+const $c134 = $made(Entry, $c871, ["mass", $c174, false, "", "", "mass", ""]);
+const $c135 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c176 = $made(ByName, $c879, [$c2, 200]);
+const $c136 = $made(Entry, $c871, ["sources", $c176, false, "", "", "sources", ""]);
+const $c1 = [$c117, $c118, $c119, $c120, $c121, $c122, $c123, $c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136];
+const $c907 = new Map([["preset", $c117], ["name", $c118], ["kind", $c119], ["width", $c120], ["modulus", $c121], ["rating", $c122], ["strength", $c123], ["speed", $c124], ["momentary_factor", $c125], ["least_pulley_diameter", $c126], ["largest_wrap_pressure", $c127], ["in_plane_shear_stiffness", $c128], ["pulley_cover", $c129], ["carry_cover", $c130], ["carcass", $c131], ["thickness", $c132], ["cover_shear_modulus", $c133], ["mass", $c134], ["provenance", $c135], ["sources", $c136]]);
+const $c5 = $made(tables$Table, $c856, [Belt, $c1, $c907]);
+const $c864 = $made(Entry, $c871, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c910 = ["kind", "least", "most"];
+const $c196 = $made(Name, $c882, [60]);
+const $c178 = $made(Entry, $c871, ["name", $c196, true, "", "name = \"head\"", "name", ""]);
+const $c198 = $made(Limit, $c877, ["length", 0.001, 1000.0, false, false]);
+const $c197 = $made(Quantity, $c142, ["length", $c198]);
+const $c179 = $made(Entry, $c871, ["diameter", $c197, true, "", "", "diameter", ""]);
+const $c200 = $made(Limit, $c877, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c199 = $made(Quantity, $c142, ["angle", $c200]);
+const $c180 = $made(Entry, $c871, ["wrap_angle", $c199, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c803 = $made(Limit, $c877, ["length", -100000.0, 100000.0, false, false]);
+const $c919 = $made(Quantity, $c142, ["length", $c803]);
+const $c914 = $made(Entry, $c871, ["x", $c919, true, "", "", "x", ""]);
+const $c920 = $made(Quantity, $c142, ["length", $c803]);
+const $c915 = $made(Entry, $c871, ["y", $c920, true, "", "", "y", ""]);
+const $c922 = ["clockwise", "counterclockwise"];
+const $c921 = $made(Choice, $c894, [$c922]);
+const $c916 = $made(Entry, $c871, ["turn", $c921, false, "", "", "turn", ""]);
+const $c929 = $made(Quantity, $c142, ["length", $c803]);
+const $c926 = $made(Entry, $c871, ["x", $c929, true, "", "", "x", ""]);
+const $c930 = $made(Quantity, $c142, ["length", $c803]);
+const $c927 = $made(Entry, $c871, ["y", $c930, true, "", "", "y", ""]);
+const $c804 = $made(Limit, $c877, ["length", 0.0, 1000.0, false, false]);
+const $c931 = $made(Quantity, $c142, ["length", $c804]);
+const $c928 = $made(Entry, $c871, ["diameter", $c931, false, "", "", "diameter", ""]);
+const $c924 = [$c926, $c927, $c928, $c916];
+const $c925 = new Map([["x", $c926], ["y", $c927], ["diameter", $c928], ["turn", $c916]]);
+const $c923 = $made(tables$Table, $c856, [Point, $c924, $c925]);
+const $c917 = $made(Entry, $c871, ["before", $c923, true, "", "a table with x and y", "before", ""]);
+const $c918 = $made(Entry, $c871, ["after", $c923, true, "", "a table with x and y", "after", ""]);
+const $c912 = [$c914, $c915, $c916, $c917, $c918];
+const $c913 = new Map([["x", $c914], ["y", $c915], ["turn", $c916], ["before", $c917], ["after", $c918]]);
+const $c201 = $made(tables$Table, $c856, [Point, $c912, $c913]);
+const $c181 = $made(Entry, $c871, ["belt_path", $c201, false, "", "", "belt_path", ""]);
+const $c932 = $made(Name, $c882, [500]);
+const $c956 = $made(Name, $c882, [500]);
+const $c936 = $made(Entry, $c871, ["preset", $c956, false, "", "", "preset", ""]);
+const $c957 = $made(Name, $c882, [60]);
+const $c937 = $made(Entry, $c871, ["name", $c957, false, "", "", "name", ""]);
+const $c958 = $made(Text, $c874, [200, false]);
+const $c938 = $made(Entry, $c871, ["title", $c958, false, "", "", "title", ""]);
+const $c959 = $made(Text, $c874, [5000, true]);
+const $c939 = $made(Entry, $c871, ["description", $c959, false, "", "", "description", ""]);
+const $c834 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c960 = $made(Choice, $c894, [$c834]);
+const $c940 = $made(Entry, $c871, ["surface", $c960, false, "", "", "surface", ""]);
+const $c817 = $made(Limit, $c877, ["length", 0.0, 1.0, false, false]);
+const $c961 = $made(Quantity, $c142, ["length", $c817]);
+const $c941 = $made(Entry, $c871, ["thickness", $c961, false, "", "", "thickness", ""]);
+const $c820 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, false]);
+const $c962 = $made(Quantity, $c142, ["pressure", $c820]);
+const $c942 = $made(Entry, $c871, ["elastic_modulus", $c962, false, "", "", "elastic_modulus", ""]);
+const $c818 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, true]);
+const $c964 = $made(Quantity, $c142, ["pressure", $c818]);
+const $c963 = $made(WordOr, $c908, ["rigid", $c964, Infinity]);
+const $c943 = $made(Entry, $c871, ["shear_modulus", $c963, false, "", "", "shear_modulus", ""]);
+const $c819 = $made(Limit, $c877, ["pressure", 1000.0, Infinity, false, true]);
+const $c966 = $made(Quantity, $c142, ["pressure", $c819]);
+const $c965 = $made(WordOr, $c908, ["rigid", $c966, Infinity]);
+const $c944 = $made(Entry, $c871, ["compression_modulus", $c965, false, "", "", "compression_modulus", ""]);
+const $c844 = ["square", "strip"];
+const $c974 = $made(Choice, $c894, [$c844]);
+const $c969 = $made(Entry, $c871, ["shape", $c974, false, "", "", "shape", ""]);
+const $c976 = $made(Limit, $c877, ["length", 0.0001, 10.0, false, false]);
+const $c975 = $made(Quantity, $c142, ["length", $c976]);
+const $c970 = $made(Entry, $c871, ["width", $c975, true, "", "", "width", ""]);
+const $c978 = $made(Limit, $c877, ["length", 0.0001, 1.0, false, false]);
+const $c977 = $made(Quantity, $c142, ["length", $c978]);
+const $c971 = $made(Entry, $c871, ["height", $c977, false, "", "", "height", ""]);
+const $c980 = $made(Limit, $c877, ["number", 0.0, 10.0, false, false]);
+const $c979 = $made(Quantity, $c142, ["number", $c980]);
+const $c972 = $made(Entry, $c871, ["stiffening", $c979, false, "", "", "stiffening", ""]);
+const $c982 = $made(Limit, $c877, ["number", 0.01, 1.0, false, false]);
+const $c981 = $made(Quantity, $c142, ["number", $c982]);
+const $c973 = $made(Entry, $c871, ["contact_fraction", $c981, false, "", "", "contact_fraction", ""]);
+const $c967 = [$c969, $c970, $c971, $c972, $c973];
+const $c968 = new Map([["shape", $c969], ["width", $c970], ["height", $c971], ["stiffening", $c972], ["contact_fraction", $c973]]);
+const $c79 = $made(tables$Table, $c856, [Block, $c967, $c968]);
+const $c945 = $made(Entry, $c871, ["block", $c79, false, "", "", "block", ""]);
+const $c821 = $made(Limit, $c877, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c983 = $made(Quantity, $c142, ["wear_coefficient", $c821]);
+const $c946 = $made(Entry, $c871, ["wear_coefficient", $c983, false, "", "", "wear_coefficient", ""]);
+const $c822 = $made(Limit, $c877, ["number", 0.0, 1.0, false, false]);
+const $c984 = $made(Quantity, $c142, ["number", $c822]);
+const $c947 = $made(Entry, $c871, ["belt_energy_share", $c984, false, "", "", "belt_energy_share", ""]);
+const $c823 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c985 = $made(Quantity, $c142, ["pressure", $c823]);
+const $c948 = $made(Entry, $c871, ["bond_strength", $c985, false, "", "", "bond_strength", ""]);
+const $c824 = $made(Limit, $c877, ["pressure", 0.0, Infinity, true, false]);
+const $c986 = $made(Quantity, $c142, ["pressure", $c824]);
+const $c949 = $made(Entry, $c871, ["fatigue_limit", $c986, false, "", "", "fatigue_limit", ""]);
+const $c995 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c994 = $made(Quantity, $c142, ["number", $c995]);
+const $c989 = $made(Entry, $c871, ["material", $c994, true, "", "", "material", ""]);
+const $c997 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c996 = $made(Quantity, $c142, ["number", $c997]);
+const $c990 = $made(Entry, $c871, ["installation", $c996, true, "", "", "installation", ""]);
+const $c998 = $made(Name, $c882, [12]);
+const $c991 = $made(Entry, $c871, ["currency", $c998, true, "", "", "currency", ""]);
+const $c1000 = $made(Limit, $c877, ["area", 0.0, Infinity, true, false]);
+const $c999 = $made(Quantity, $c142, ["area", $c1000]);
+const $c992 = $made(Entry, $c871, ["area", $c999, true, "", "", "area", ""]);
+const $c1002 = $made(Quantity, $c142, ["number", null]);
+const $c1001 = $made(Rows, $c910, [$c1002, 2, 2]);
+const $c993 = $made(Entry, $c871, ["life_years", $c1001, true, "", "", "life_years", ""]);
+const $c987 = [$c989, $c990, $c991, $c992, $c993];
+const $c988 = new Map([["material", $c989], ["installation", $c990], ["currency", $c991], ["area", $c992], ["life_years", $c993]]);
+const $c76 = $made(tables$Table, $c856, [Cost, $c987, $c988]);
+const $c950 = $made(Entry, $c871, ["cost", $c76, false, "", "", "cost", ""]);
+const $c1004 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1003 = $made(Quantity, $c142, ["speed", $c1004]);
+const $c951 = $made(Entry, $c871, ["slip_speed", $c1003, false, "", "", "slip_speed", ""]);
+const $c1006 = $made(Limit, $c877, ["temperature", 0.0, Infinity, false, false]);
+const $c1005 = $made(Quantity, $c142, ["temperature", $c1006]);
+const $c952 = $made(Entry, $c871, ["temperature", $c1005, false, "", "", "temperature", ""]);
+const $c1013 = $made(Name, $c882, [60]);
+const $c1010 = $made(Entry, $c871, ["condition", $c1013, true, "", "", "condition", ""]);
+const $c1015 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c1014 = $made(Quantity, $c142, ["number", $c1015]);
+const $c1011 = $made(Entry, $c871, ["factor", $c1014, true, "", "", "factor", ""]);
+const $c1012 = $made(Entry, $c871, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c1008 = [$c1010, $c1011, $c1012];
+const $c1009 = new Map([["condition", $c1010], ["factor", $c1011], ["provenance", $c1012]]);
+const $c80 = $made(tables$Table, $c856, [ConditionFactor, $c1008, $c1009]);
+const $c1007 = $made(Rows, $c910, [$c80, 0, 20]);
+const $c953 = $made(Entry, $c871, ["condition_factor", $c1007, false, "", "", "condition_factor", ""]);
+const $c1017 = ["tag", "tables"];
+const $c1044 = ["integral-log"];
+const $c1043 = $made(Choice, $c894, [$c1044]);
+const $c1026 = $made(Entry, $c871, ["kind", $c1043, true, "", "", "kind", ""]);
+const $c1045 = $made(Name, $c882, [60]);
+const $c1027 = $made(Entry, $c871, ["condition", $c1045, false, "", "", "condition", ""]);
+const $c1028 = $made(Entry, $c871, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1029 = $made(Entry, $c871, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1058 = $made(Name, $c882, [120]);
+const $c1057 = $made(Rows, $c910, [$c1058, 1, 1000]);
+const $c1048 = $made(Entry, $c871, ["parameters", $c1057, true, "", "", "parameters", ""]);
+const $c1059 = $made(Rows, $c910, [$c1002, 1, 1000]);
+const $c1049 = $made(Entry, $c871, ["values", $c1059, true, "", "", "values", ""]);
+const $c1061 = $made(Rows, $c910, [$c1002, 1, 1000]);
+const $c1060 = $made(Rows, $c910, [$c1061, 1, 1000]);
+const $c1050 = $made(Entry, $c871, ["covariance", $c1060, true, "", "", "covariance", ""]);
+const $c1063 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c1062 = $made(Quantity, $c142, ["number", $c1063]);
+const $c1051 = $made(Entry, $c871, ["residual_noise", $c1062, false, "", "", "residual_noise", ""]);
+const $c1065 = $made(Limit, $c877, ["number", 1.0, Infinity, false, false]);
+const $c1064 = $made(Quantity, $c142, ["number", $c1065]);
+const $c1052 = $made(Entry, $c871, ["coverage_factor", $c1064, false, "", "", "coverage_factor", ""]);
+const $c1066 = $made(Text, $c874, [60, false]);
+const $c1053 = $made(Entry, $c871, ["date", $c1066, false, "", "", "date", ""]);
+const $c1067 = $made(Text, $c874, [500, false]);
+const $c1054 = $made(Entry, $c871, ["method", $c1067, false, "", "", "method", ""]);
+const $c1069 = $made(Text, $c874, [2000, true]);
+const $c1068 = $made(Rows, $c910, [$c1069, 0, 50]);
+const $c1055 = $made(Entry, $c871, ["misfit", $c1068, false, "", "", "misfit", ""]);
+const $c1070 = $made(Text, $c874, [500, false]);
+const $c1056 = $made(Entry, $c871, ["misfit_accepted", $c1070, false, "", "", "misfit_accepted", ""]);
+const $c1046 = [$c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056];
+const $c1047 = new Map([["parameters", $c1048], ["values", $c1049], ["covariance", $c1050], ["residual_noise", $c1051], ["coverage_factor", $c1052], ["date", $c1053], ["method", $c1054], ["misfit", $c1055], ["misfit_accepted", $c1056]]);
+const $c87 = $made(tables$Table, $c856, [Fit, $c1046, $c1047]);
+const $c1030 = $made(Entry, $c871, ["fit", $c87, false, "", "", "fit", ""]);
+const $c1073 = ["lagging shear", "cover shear"];
+const $c1072 = $made(Choice, $c894, [$c1073]);
+const $c1071 = $made(Rows, $c910, [$c1072, 0, 2]);
+const $c1031 = $made(Entry, $c871, ["slip_includes", $c1071, false, "", "", "slip_includes", ""]);
+const $c1080 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1079 = $made(Quantity, $c142, ["speed", $c1080]);
+const $c1078 = $made(Rows, $c910, [$c1079, 2, 100]);
+const $c1076 = $made(Entry, $c871, ["slip_speed", $c1078, true, "", "", "at", ""]);
+const $c1081 = $made(Rows, $c910, [$c1014, 2, 100]);
+const $c1077 = $made(Entry, $c871, ["factor", $c1081, true, "", "", "factor", ""]);
+const $c1074 = [$c1076, $c1077, $c1012];
+const $c1075 = new Map([["slip_speed", $c1076], ["factor", $c1077], ["provenance", $c1012]]);
+const $c85 = $made(tables$Table, $c856, [FrictionFactor, $c1074, $c1075]);
+const $c1032 = $made(Entry, $c871, ["slip_speed_factor", $c85, false, "", "", "slip_speed_factor", ""]);
+const $c1087 = $made(Limit, $c877, ["temperature", 0.0, Infinity, false, false]);
+const $c1086 = $made(Quantity, $c142, ["temperature", $c1087]);
+const $c1085 = $made(Rows, $c910, [$c1086, 2, 100]);
+const $c1084 = $made(Entry, $c871, ["temperature", $c1085, true, "", "", "at", ""]);
+const $c1082 = [$c1084, $c1077, $c1012];
+const $c1083 = new Map([["temperature", $c1084], ["factor", $c1077], ["provenance", $c1012]]);
+const $c86 = $made(tables$Table, $c856, [FrictionFactor, $c1082, $c1083]);
+const $c1033 = $made(Entry, $c871, ["temperature_factor", $c86, false, "", "", "temperature_factor", ""]);
+const $c1034 = $made(Entry, $c871, ["notes", $c1068, false, "", "", "notes", ""]);
+const $c1090 = $made(Limit, $c877, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1089 = $made(Quantity, $c142, ["pressure", $c1090]);
+const $c1088 = $made(Rows, $c910, [$c1089, 2, 2]);
+const $c1035 = $made(Entry, $c871, ["tested_pressure", $c1088, false, "", "", "tested_pressure", ""]);
+const $c1092 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c1091 = $made(Quantity, $c142, ["length", $c1092]);
+const $c1036 = $made(Entry, $c871, ["tested_slip", $c1091, false, "", "", "tested_slip", ""]);
+const $c1094 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c1093 = $made(Quantity, $c142, ["speed", $c1094]);
+const $c1037 = $made(Entry, $c871, ["tested_slip_speed", $c1093, false, "", "", "tested_slip_speed", ""]);
+const $c1099 = $made(Entry, $c871, ["pressure", $c1089, true, "", "", "pressure", ""]);
+const $c1105 = $made(Limit, $c877, ["number", 0.0, 5.0, true, false]);
+const $c1104 = $made(Quantity, $c142, ["number", $c1105]);
+const $c1100 = $made(Entry, $c871, ["peak_friction", $c1104, true, "", "", "peak_friction", ""]);
+const $c1101 = $made(Entry, $c871, ["peak_slip", $c1091, true, "", "", "peak_slip", ""]);
+const $c1107 = $made(Limit, $c877, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1106 = $made(Quantity, $c142, ["per_length", $c1107]);
+const $c1102 = $made(Entry, $c871, ["post_peak_slope", $c1106, false, "", "", "post_peak_slope", ""]);
+const $c1103 = $made(Entry, $c871, ["residual_friction", $c1104, false, "", "", "residual_friction", ""]);
+const $c1097 = [$c1099, $c1100, $c1101, $c1102, $c1103];
+const $c1098 = new Map([["pressure", $c1099], ["peak_friction", $c1100], ["peak_slip", $c1101], ["post_peak_slope", $c1102], ["residual_friction", $c1103]]);
+const $c1096 = $made(tables$Table, $c856, [null, $c1097, $c1098]);
+const $c1095 = $made(Rows, $c910, [$c1096, 1, 200]);
+const $c1038 = $made(Entry, $c871, ["knots", $c1095, false, "", "", "knots", ""]);
+const $c1112 = $made(Entry, $c871, ["from", $c1089, true, "", "", "from", ""]);
+const $c1113 = $made(Entry, $c871, ["to", $c1089, true, "", "", "to", ""]);
+const $c1118 = $made(Text, $c874, [300, false]);
+const $c1114 = $made(Entry, $c871, ["A", $c1118, true, "", "", "A", ""]);
+const $c1115 = $made(Entry, $c871, ["b", $c1118, true, "", "", "b", ""]);
+const $c1116 = $made(Entry, $c871, ["post_peak_slope", $c1118, false, "", "", "post_peak_slope", ""]);
+const $c1117 = $made(Entry, $c871, ["residual_friction", $c1118, false, "", "", "residual_friction", ""]);
+const $c1110 = [$c1112, $c1113, $c1114, $c1115, $c1116, $c1117];
+const $c1111 = new Map([["from", $c1112], ["to", $c1113], ["A", $c1114], ["b", $c1115], ["post_peak_slope", $c1116], ["residual_friction", $c1117]]);
+const $c1109 = $made(tables$Table, $c856, [null, $c1110, $c1111]);
+const $c1108 = $made(Rows, $c910, [$c1109, 1, 50]);
+const $c1039 = $made(Entry, $c871, ["pieces", $c1108, false, "", "", "pieces", ""]);
+const $c1119 = $made(Text, $c874, [20, false]);
+const $c1040 = $made(Entry, $c871, ["slip_unit", $c1119, false, "", "", "slip_unit", ""]);
+const $c1120 = $made(Text, $c874, [20, false]);
+const $c1041 = $made(Entry, $c871, ["pressure_unit", $c1120, false, "", "", "pressure_unit", ""]);
+const $c1122 = $made(Limit, $c877, ["number", 0.0, 0.5, false, false]);
+const $c1121 = $made(Quantity, $c142, ["number", $c1122]);
+const $c1042 = $made(Entry, $c871, ["continuity", $c1121, false, "", "", "continuity", ""]);
+const $c1024 = [$c1026, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042];
+const $c1025 = new Map([["kind", $c1026], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["knots", $c1038], ["pieces", $c1039], ["slip_unit", $c1040], ["pressure_unit", $c1041], ["continuity", $c1042]]);
+const $c1019 = $made(tables$Table, $c856, [IntegralLog, $c1024, $c1025]);
+const $c1128 = ["constant"];
+const $c1127 = $made(Choice, $c894, [$c1128]);
+const $c1125 = $made(Entry, $c871, ["kind", $c1127, true, "", "", "kind", ""]);
+const $c1126 = $made(Entry, $c871, ["friction", $c1104, true, "", "", "friction_coefficient", ""]);
+const $c1123 = [$c1125, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1126];
+const $c1124 = new Map([["kind", $c1125], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["friction", $c1126]]);
+const $c1020 = $made(tables$Table, $c856, [Constant, $c1123, $c1124]);
+const $c1134 = ["elastic-plastic"];
+const $c1133 = $made(Choice, $c894, [$c1134]);
+const $c1131 = $made(Entry, $c871, ["kind", $c1133, true, "", "", "kind", ""]);
+const $c1136 = $made(Limit, $c877, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1135 = $made(Quantity, $c142, ["pressure_per_length", $c1136]);
+const $c1132 = $made(Entry, $c871, ["stiffness", $c1135, true, "", "", "stiffness", ""]);
+const $c1129 = [$c1131, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1132, $c1126];
+const $c1130 = new Map([["kind", $c1131], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["stiffness", $c1132], ["friction", $c1126]]);
+const $c1021 = $made(tables$Table, $c856, [ElasticPlastic, $c1129, $c1130]);
+const $c1144 = ["power"];
+const $c1143 = $made(Choice, $c894, [$c1144]);
+const $c1139 = $made(Entry, $c871, ["kind", $c1143, true, "", "", "kind", ""]);
+const $c1140 = $made(Entry, $c871, ["friction", $c1104, true, "", "", "friction_coefficient", ""]);
+const $c1141 = $made(Entry, $c871, ["reference_pressure", $c1089, true, "", "", "reference_pressure", ""]);
+const $c1142 = $made(Entry, $c871, ["exponent", $c1002, true, "", "", "exponent", ""]);
+const $c1137 = [$c1139, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1140, $c1141, $c1142];
+const $c1138 = new Map([["kind", $c1139], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["tested_pressure", $c1035], ["tested_slip", $c1036], ["tested_slip_speed", $c1037], ["friction", $c1140], ["reference_pressure", $c1141], ["exponent", $c1142]]);
+const $c1022 = $made(tables$Table, $c856, [PressurePower, $c1137, $c1138]);
+const $c1151 = ["table"];
+const $c1150 = $made(Choice, $c894, [$c1151]);
+const $c1147 = $made(Entry, $c871, ["kind", $c1150, true, "", "", "kind", ""]);
+const $c1154 = $made(Limit, $c877, ["length", 0.0, 1.0, false, false]);
+const $c1153 = $made(Quantity, $c142, ["length", $c1154]);
+const $c1152 = $made(Rows, $c910, [$c1153, 2, 1000]);
+const $c1148 = $made(Entry, $c871, ["slip", $c1152, true, "", "", "slip", ""]);
+const $c1159 = $made(Entry, $c871, ["pressure", $c1089, true, "", "", "pressure", ""]);
+const $c1163 = $made(Limit, $c877, ["number", 0.0, 5.0, false, false]);
+const $c1162 = $made(Quantity, $c142, ["number", $c1163]);
+const $c1161 = $made(Rows, $c910, [$c1162, 2, 1000]);
+const $c1160 = $made(Entry, $c871, ["friction", $c1161, true, "", "", "values", ""]);
+const $c1157 = [$c1159, $c1160];
+const $c1158 = new Map([["pressure", $c1159], ["friction", $c1160]]);
+const $c1156 = $made(tables$Table, $c856, [null, $c1157, $c1158]);
+const $c1155 = $made(Rows, $c910, [$c1156, 1, 200]);
+const $c1149 = $made(Entry, $c871, ["rows", $c1155, true, "", "", "rows", ""]);
+const $c1145 = [$c1147, $c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1148, $c1149];
+const $c1146 = new Map([["kind", $c1147], ["condition", $c1027], ["provenance", $c1028], ["condition_source", $c1029], ["fit", $c1030], ["slip_includes", $c1031], ["slip_speed_factor", $c1032], ["temperature_factor", $c1033], ["notes", $c1034], ["slip", $c1148], ["rows", $c1149]]);
+const $c1023 = $made(tables$Table, $c856, [MeasuredTable, $c1145, $c1146]);
+const $c1018 = new Map([["integral-log", $c1019], ["constant", $c1020], ["elastic-plastic", $c1021], ["power", $c1022], ["table", $c1023]]);
+const $c83 = $made(Variant, $c1017, ["kind", $c1018]);
+const $c1016 = $made(OneOrMore, $c879, [$c83, 50]);
+const $c954 = $made(Entry, $c871, ["law", $c1016, false, "", "", "law", ""]);
+const $c955 = $made(Entry, $c871, ["notes", $c1068, false, "", "", "notes", ""]);
+const $c934 = [$c936, $c937, $c938, $c939, $c940, $c941, $c942, $c943, $c944, $c945, $c946, $c947, $c948, $c949, $c950, $c951, $c952, $c953, $c954, $c135, $c136, $c955];
+const $c935 = new Map([["preset", $c936], ["name", $c937], ["title", $c938], ["description", $c939], ["surface", $c940], ["thickness", $c941], ["elastic_modulus", $c942], ["shear_modulus", $c943], ["compression_modulus", $c944], ["block", $c945], ["wear_coefficient", $c946], ["belt_energy_share", $c947], ["bond_strength", $c948], ["fatigue_limit", $c949], ["cost", $c950], ["slip_speed", $c951], ["temperature", $c952], ["condition_factor", $c953], ["law", $c954], ["provenance", $c135], ["sources", $c136], ["notes", $c955]]);
+const $c933 = $made(tables$Table, $c856, [Lagging, $c934, $c935]);
+const $c202 = $made(TextOr, $c880, [$c932, $c933]);
+const $c182 = $made(Entry, $c871, ["lagging", $c202, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c183 = $made(Entry, $c871, ["condition", $c203, false, "", "", "condition", ""]);
+const $c205 = $made(Limit, $c877, ["force", 0.1, 1000000000.0, false, false]);
+const $c204 = $made(Quantity, $c142, ["force", $c205]);
+const $c184 = $made(Entry, $c871, ["entry_tension", $c204, false, "", "", "entry_tension", ""]);
+const $c185 = $made(Entry, $c871, ["exit_tension", $c204, false, "", "", "exit_tension", ""]);
+const $c206 = $made(Quantity, $c142, ["force", null]);
+const $c186 = $made(Entry, $c871, ["effective_tension", $c206, false, "", "", "effective_tension", ""]);
+const $c207 = $made(Quantity, $c142, ["torque", null]);
+const $c187 = $made(Entry, $c871, ["torque", $c207, false, "", "", "torque", ""]);
+const $c208 = $made(Quantity, $c142, ["power", null]);
+const $c188 = $made(Entry, $c871, ["power", $c208, false, "", "", "power", ""]);
+const $c211 = $made(Limit, $c877, ["length", -1.0, 1.0, false, false]);
+const $c210 = $made(Quantity, $c142, ["length", $c211]);
+const $c209 = $made(WordOr, $c908, ["formula", $c210, null]);
+const $c189 = $made(Entry, $c871, ["overrun", $c209, false, "", "", "overrun", ""]);
+const $c212 = $made(Flag, [], []);
+const $c190 = $made(Entry, $c871, ["recovery", $c212, false, "", "", "recovery", ""]);
+const $c214 = $made(Limit, $c877, ["length", 0.0, 1.0, true, false]);
+const $c213 = $made(Quantity, $c142, ["length", $c214]);
+const $c191 = $made(Entry, $c871, ["creep_limit", $c213, false, "", "", "creep_limit", ""]);
+const $c841 = ["pulley", "carry"];
+const $c215 = $made(Choice, $c894, [$c841]);
+const $c192 = $made(Entry, $c871, ["side", $c215, false, "", "", "side", ""]);
+const $c217 = $made(Limit, $c877, ["mass", 0.0, 1000000.0, true, false]);
+const $c216 = $made(Quantity, $c142, ["mass", $c217]);
+const $c193 = $made(Entry, $c871, ["mass", $c216, false, "", "", "mass", ""]);
+const $c1498 = ["dimension", "diameters", "rows", "within"];
+const $c1502 = ["kinds"];
+const $c1504 = $made(Quantity, $c142, ["length", null]);
+const $c1505 = $made(Quantity, $c142, ["length", null]);
+const $c1503 = [$c1504, $c1505];
+const $c1501 = $made(_Pair, $c1502, [$c1503]);
+const $c1499 = $made(Rows, $c910, [$c1501, 0, 500]);
+const $c1509 = $made(Entry, $c871, ["rows", $c1499, false, "", "", "rows", ""]);
+const $c1514 = $made(Quantity, $c142, ["length", null]);
+const $c1510 = $made(Entry, $c871, ["crown", $c1514, false, "", "", "crown", ""]);
+const $c1516 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1515 = $made(Quantity, $c142, ["number", $c1516]);
+const $c1511 = $made(Entry, $c871, ["factor", $c1515, false, "", "", "factor", ""]);
+const $c1518 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1517 = $made(Quantity, $c142, ["length", $c1518]);
+const $c1512 = $made(Entry, $c871, ["uncertainty", $c1517, false, "", "", "uncertainty", ""]);
+const $c1520 = ["radius", "diameter"];
+const $c1519 = $made(Choice, $c894, [$c1520]);
+const $c1513 = $made(Entry, $c871, ["on", $c1519, false, "", "", "on", ""]);
+const $c1507 = [$c1509, $c1510, $c1511, $c1512, $c1513];
+const $c1508 = new Map([["rows", $c1509], ["crown", $c1510], ["factor", $c1511], ["uncertainty", $c1512], ["on", $c1513]]);
+const $c1506 = $made(tables$Table, $c856, [null, $c1507, $c1508]);
+const $c1500 = $made(TextOr, $c880, [$c1499, $c1506]);
+const $c1175 = $made(Profile, $c1498, ["length", true, $c1499, $c1500]);
+const $c1166 = $made(Entry, $c871, ["shell_profile", $c1175, false, "", "", "shell_profile", ""]);
+const $c1525 = $made(Quantity, $c142, ["length", null]);
+const $c1526 = $made(Quantity, $c142, ["length", null]);
+const $c1524 = [$c1525, $c1526];
+const $c1523 = $made(_Pair, $c1502, [$c1524]);
+const $c1521 = $made(Rows, $c910, [$c1523, 0, 500]);
+const $c1530 = $made(Entry, $c871, ["rows", $c1521, false, "", "", "rows", ""]);
+const $c1535 = $made(Quantity, $c142, ["length", null]);
+const $c1531 = $made(Entry, $c871, ["crown", $c1535, false, "", "", "crown", ""]);
+const $c1537 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1536 = $made(Quantity, $c142, ["number", $c1537]);
+const $c1532 = $made(Entry, $c871, ["factor", $c1536, false, "", "", "factor", ""]);
+const $c1539 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1538 = $made(Quantity, $c142, ["length", $c1539]);
+const $c1533 = $made(Entry, $c871, ["uncertainty", $c1538, false, "", "", "uncertainty", ""]);
+const $c1540 = $made(Choice, $c894, [$c1520]);
+const $c1534 = $made(Entry, $c871, ["on", $c1540, false, "", "", "on", ""]);
+const $c1528 = [$c1530, $c1531, $c1532, $c1533, $c1534];
+const $c1529 = new Map([["rows", $c1530], ["crown", $c1531], ["factor", $c1532], ["uncertainty", $c1533], ["on", $c1534]]);
+const $c1527 = $made(tables$Table, $c856, [null, $c1528, $c1529]);
+const $c1522 = $made(TextOr, $c880, [$c1521, $c1527]);
+const $c1176 = $made(Profile, $c1498, ["length", true, $c1521, $c1522]);
+const $c1167 = $made(Entry, $c871, ["worn_depth", $c1176, false, "", "", "worn_depth", ""]);
+const $c1545 = $made(Quantity, $c142, ["length", null]);
+const $c1546 = $made(Quantity, $c142, ["length", null]);
+const $c1544 = [$c1545, $c1546];
+const $c1543 = $made(_Pair, $c1502, [$c1544]);
+const $c1541 = $made(Rows, $c910, [$c1543, 0, 500]);
+const $c1550 = $made(Entry, $c871, ["rows", $c1541, false, "", "", "rows", ""]);
+const $c1555 = $made(Quantity, $c142, ["length", null]);
+const $c1551 = $made(Entry, $c871, ["crown", $c1555, false, "", "", "crown", ""]);
+const $c1557 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1556 = $made(Quantity, $c142, ["number", $c1557]);
+const $c1552 = $made(Entry, $c871, ["factor", $c1556, false, "", "", "factor", ""]);
+const $c1559 = $made(Limit, $c877, ["length", 0.0, Infinity, false, false]);
+const $c1558 = $made(Quantity, $c142, ["length", $c1559]);
+const $c1553 = $made(Entry, $c871, ["uncertainty", $c1558, false, "", "", "uncertainty", ""]);
+const $c1560 = $made(Choice, $c894, [$c1520]);
+const $c1554 = $made(Entry, $c871, ["on", $c1560, false, "", "", "on", ""]);
+const $c1548 = [$c1550, $c1551, $c1552, $c1553, $c1554];
+const $c1549 = new Map([["rows", $c1550], ["crown", $c1551], ["factor", $c1552], ["uncertainty", $c1553], ["on", $c1554]]);
+const $c1547 = $made(tables$Table, $c856, [null, $c1548, $c1549]);
+const $c1542 = $made(TextOr, $c880, [$c1541, $c1547]);
+const $c1177 = $made(Profile, $c1498, ["length", true, $c1541, $c1542]);
+const $c1168 = $made(Entry, $c871, ["build_up", $c1177, false, "", "", "build_up", ""]);
+const $c1179 = $made(Limit, $c877, ["number", -0.1, 0.1, false, false]);
+const $c1178 = $made(Quantity, $c142, ["number", $c1179]);
+const $c1169 = $made(Entry, $c871, ["misalignment", $c1178, false, "", "", "misalignment", ""]);
+const $c1181 = $made(Limit, $c877, ["length", -0.1, 0.1, false, false]);
+const $c1180 = $made(Quantity, $c142, ["length", $c1181]);
+const $c1170 = $made(Entry, $c871, ["deflection", $c1180, false, "", "", "deflection", ""]);
+const $c1565 = $made(Quantity, $c142, ["length", null]);
+const $c1566 = $made(Quantity, $c142, ["force_per_width", null]);
+const $c1564 = [$c1565, $c1566];
+const $c1563 = $made(_Pair, $c1502, [$c1564]);
+const $c1561 = $made(Rows, $c910, [$c1563, 0, 500]);
+const $c1570 = $made(Entry, $c871, ["rows", $c1561, false, "", "", "rows", ""]);
+const $c1574 = $made(Quantity, $c142, ["force_per_width", null]);
+const $c1571 = $made(Entry, $c871, ["crown", $c1574, false, "", "", "crown", ""]);
+const $c1576 = $made(Limit, $c877, ["number", 0.0, 100.0, false, false]);
+const $c1575 = $made(Quantity, $c142, ["number", $c1576]);
+const $c1572 = $made(Entry, $c871, ["factor", $c1575, false, "", "", "factor", ""]);
+const $c1578 = $made(Limit, $c877, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1577 = $made(Quantity, $c142, ["force_per_width", $c1578]);
+const $c1573 = $made(Entry, $c871, ["uncertainty", $c1577, false, "", "", "uncertainty", ""]);
+const $c1568 = [$c1570, $c1571, $c1572, $c1573];
+const $c1569 = new Map([["rows", $c1570], ["crown", $c1571], ["factor", $c1572], ["uncertainty", $c1573]]);
+const $c1567 = $made(tables$Table, $c856, [null, $c1568, $c1569]);
+const $c1562 = $made(TextOr, $c880, [$c1561, $c1567]);
+const $c1182 = $made(Profile, $c1498, ["force_per_width", false, $c1561, $c1562]);
+const $c1171 = $made(Entry, $c871, ["entry_profile", $c1182, false, "", "", "entry_profile", ""]);
+const $c1192 = ["pulley"];
+const $c1191 = $made(Choice, $c894, [$c1192]);
+const $c1189 = $made(Entry, $c871, ["kind", $c1191, true, "", "", "kind", ""]);
+const $c1194 = $made(Limit, $c877, ["length", 0.0, 100000.0, true, false]);
+const $c1193 = $made(Quantity, $c142, ["length", $c1194]);
+const $c1190 = $made(Entry, $c871, ["distance", $c1193, true, "", "", "distance", ""]);
+const $c1187 = [$c1189, $c1190];
+const $c1188 = new Map([["kind", $c1189], ["distance", $c1190]]);
+const $c1185 = $made(tables$Table, $c856, [GrippingPulley, $c1187, $c1188]);
+const $c1203 = ["transition"];
+const $c1202 = $made(Choice, $c894, [$c1203]);
+const $c1197 = $made(Entry, $c871, ["kind", $c1202, true, "", "", "kind", ""]);
+const $c1205 = $made(Limit, $c877, ["length", 0.0, 1000.0, true, false]);
+const $c1204 = $made(Quantity, $c142, ["length", $c1205]);
+const $c1198 = $made(Entry, $c871, ["length", $c1204, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1207 = $made(Limit, $c877, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1206 = $made(Quantity, $c142, ["angle", $c1207]);
+const $c1199 = $made(Entry, $c871, ["trough_angle", $c1206, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1209 = $made(Limit, $c877, ["length", 0.0, 100.0, false, false]);
+const $c1208 = $made(Quantity, $c142, ["length", $c1209]);
+const $c1200 = $made(Entry, $c871, ["centre_roll", $c1208, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1211 = ["full", "half"];
+const $c1210 = $made(Choice, $c894, [$c1211]);
+const $c1201 = $made(Entry, $c871, ["depth", $c1210, false, "", "", "depth", ""]);
+const $c1195 = [$c1197, $c1198, $c1199, $c1200, $c1201];
+const $c1196 = new Map([["kind", $c1197], ["length", $c1198], ["trough_angle", $c1199], ["centre_roll", $c1200], ["depth", $c1201]]);
+const $c1186 = $made(tables$Table, $c856, [Transition, $c1195, $c1196]);
+const $c1184 = new Map([["pulley", $c1185], ["transition", $c1186]]);
+const $c28 = $made(Variant, $c1017, ["kind", $c1184]);
+const $c1183 = $made(WordOr, $c908, ["far", $c28, null]);
+const $c1172 = $made(Entry, $c871, ["before", $c1183, false, "", "", "before", ""]);
+const $c1219 = ["pulley"];
+const $c1218 = $made(Choice, $c894, [$c1219]);
+const $c1217 = $made(Entry, $c871, ["kind", $c1218, true, "", "", "kind", ""]);
+const $c1215 = [$c1217, $c1190];
+const $c1216 = new Map([["kind", $c1217], ["distance", $c1190]]);
+const $c1214 = $made(tables$Table, $c856, [GrippingPulley, $c1215, $c1216]);
+const $c1213 = new Map([["pulley", $c1214]]);
+const $c29 = $made(Variant, $c1017, ["kind", $c1213]);
+const $c1212 = $made(WordOr, $c908, ["far", $c29, null]);
+const $c1173 = $made(Entry, $c871, ["after", $c1212, false, "", "", "after", ""]);
+const $c1221 = ["least", "most"];
+const $c1220 = $made(Count, $c1221, [4, 128]);
+const $c1174 = $made(Entry, $c871, ["strips", $c1220, false, "", "", "strips", ""]);
+const $c1164 = [$c1166, $c1167, $c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1174];
+const $c1165 = new Map([["shell_profile", $c1166], ["worn_depth", $c1167], ["build_up", $c1168], ["misalignment", $c1169], ["deflection", $c1170], ["entry_profile", $c1171], ["before", $c1172], ["after", $c1173], ["strips", $c1174]]);
+const $c30 = $made(tables$Table, $c856, [Across, $c1164, $c1165]);
+const $c194 = $made(Entry, $c871, ["across", $c30, false, "", "", "across", ""]);
+const $c218 = $made(ByName, $c879, [$c2, 200]);
+const $c195 = $made(Entry, $c871, ["sources", $c218, false, "", "", "sources", ""]);
+const $c9 = [$c178, $c179, $c180, $c181, $c182, $c183, $c184, $c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195];
+const $c911 = new Map([["name", $c178], ["diameter", $c179], ["wrap_angle", $c180], ["belt_path", $c181], ["lagging", $c182], ["condition", $c183], ["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188], ["overrun", $c189], ["recovery", $c190], ["creep_limit", $c191], ["side", $c192], ["mass", $c193], ["across", $c194], ["sources", $c195]]);
+const $c31 = $made(tables$Table, $c856, [Pulley, $c9, $c911]);
+const $c909 = $made(Rows, $c910, [$c31, 1, 10]);
+const $c865 = $made(Entry, $c871, ["pulley", $c909, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1222 = $made(ByName, $c879, [$c933, 200]);
+const $c866 = $made(Entry, $c871, ["lagging", $c1222, false, "", "", "lagging", ""]);
+const $c1233 = $made(Name, $c882, [60]);
+const $c1227 = $made(Entry, $c871, ["name", $c1233, true, "", "name = \"start\"", "name", ""]);
+const $c1234 = $made(Text, $c874, [1000, true]);
+const $c1228 = $made(Entry, $c871, ["description", $c1234, false, "", "", "description", ""]);
+const $c92 = ["running", "starting", "braking"];
+const $c1235 = $made(Choice, $c894, [$c92]);
+const $c1229 = $made(Entry, $c871, ["kind", $c1235, false, "", "", "kind", ""]);
+const $c1230 = $made(Entry, $c871, ["condition", $c203, false, "", "", "condition", ""]);
+const $c1238 = [$c184, $c185, $c186, $c187, $c188];
+const $c1239 = new Map([["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188]]);
+const $c1237 = $made(tables$Table, $c856, [null, $c1238, $c1239]);
+const $c1236 = $made(ByName, $c879, [$c1237, 200]);
+const $c1231 = $made(Entry, $c871, ["pulley", $c1236, false, "", "", "pulley", ""]);
+const $c1240 = $made(Elsewhere, [], []);
+const $c1232 = $made(Entry, $c871, ["train", $c1240, false, "", "", "train", ""]);
+const $c1225 = [$c1227, $c1228, $c1229, $c1230, $c1231, $c1232];
+const $c1226 = new Map([["name", $c1227], ["description", $c1228], ["kind", $c1229], ["condition", $c1230], ["pulley", $c1231], ["train", $c1232]]);
+const $c1224 = $made(tables$Table, $c856, [null, $c1225, $c1226]);
+const $c1223 = $made(Rows, $c910, [$c1224, 1, 1000]);
+const $c867 = $made(Entry, $c871, ["load_case", $c1223, false, "", "", "load_case", ""]);
+const $c749 = $made(Limit, $c877, ["length", 0.0, 100000.0, true, false]);
+const $c1262 = $made(Quantity, $c142, ["length", $c749]);
+const $c1243 = $made(Entry, $c871, ["length", $c1262, true, "", "length = \"600 m\"", "length", ""]);
+const $c750 = $made(Limit, $c877, ["length", -5000.0, 5000.0, false, false]);
+const $c1263 = $made(Quantity, $c142, ["length", $c750]);
+const $c1244 = $made(Entry, $c871, ["lift", $c1263, false, "", "", "lift", ""]);
+const $c751 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1264 = $made(Quantity, $c142, ["mass_per_length", $c751]);
+const $c1245 = $made(Entry, $c871, ["belt_mass", $c1264, true, "", "", "belt_mass", ""]);
+const $c752 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1265 = $made(Quantity, $c142, ["mass_per_length", $c752]);
+const $c1246 = $made(Entry, $c871, ["carry_idler_mass", $c1265, true, "", "", "carry_idler_mass", ""]);
+const $c753 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1266 = $made(Quantity, $c142, ["mass_per_length", $c753]);
+const $c1247 = $made(Entry, $c871, ["return_idler_mass", $c1266, true, "", "", "return_idler_mass", ""]);
+const $c1267 = $made(Quantity, $c142, ["mass_per_length", $c751]);
+const $c1248 = $made(Entry, $c871, ["material_mass", $c1267, false, "", "", "material_mass", ""]);
+const $c754 = $made(Limit, $c877, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1268 = $made(Quantity, $c142, ["mass_flow", $c754]);
+const $c1249 = $made(Entry, $c871, ["capacity", $c1268, false, "", "", "capacity", ""]);
+const $c755 = $made(Limit, $c877, ["number", 0.005, 0.1, false, false]);
+const $c1269 = $made(Quantity, $c142, ["number", $c755]);
+const $c1250 = $made(Entry, $c871, ["friction_factor", $c1269, false, "", "", "friction_factor", ""]);
+const $c756 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c1270 = $made(Quantity, $c142, ["number", $c756]);
+const $c1251 = $made(Entry, $c871, ["length_coefficient", $c1270, false, "", "", "length_coefficient", ""]);
+const $c757 = $made(Limit, $c877, ["force", 0.0, 100000000.0, false, false]);
+const $c1271 = $made(Quantity, $c142, ["force", $c757]);
+const $c1252 = $made(Entry, $c871, ["secondary_resistance", $c1271, false, "", "", "secondary_resistance", ""]);
+const $c1272 = $made(Quantity, $c142, ["force", $c757]);
+const $c1253 = $made(Entry, $c871, ["special_resistance", $c1272, false, "", "", "special_resistance", ""]);
+const $c758 = $made(Limit, $c877, ["number", 0.0, 1.0, false, false]);
+const $c1273 = $made(Quantity, $c142, ["number", $c758]);
+const $c1254 = $made(Entry, $c871, ["return_share", $c1273, false, "", "", "return_share", ""]);
+const $c759 = $made(Limit, $c877, ["number", 1.0, 5.0, false, false]);
+const $c1274 = $made(Quantity, $c142, ["number", $c759]);
+const $c1255 = $made(Entry, $c871, ["start_factor", $c1274, false, "", "", "start_factor", ""]);
+const $c760 = $made(Limit, $c877, ["time", 0.0, 3600.0, true, false]);
+const $c1275 = $made(Quantity, $c142, ["time", $c760]);
+const $c1256 = $made(Entry, $c871, ["start_time", $c1275, false, "", "", "start_time", ""]);
+const $c1276 = $made(Quantity, $c142, ["time", $c760]);
+const $c1257 = $made(Entry, $c871, ["stop_time", $c1276, false, "", "", "stop_time", ""]);
+const $c761 = $made(Limit, $c877, ["force", 0.0, 100000000.0, true, false]);
+const $c1277 = $made(Quantity, $c142, ["force", $c761]);
+const $c1258 = $made(Entry, $c871, ["take_up_tension", $c1277, false, "", "", "take_up_tension", ""]);
+const $c762 = $made(Limit, $c877, ["mass", 0.0, 10000000.0, true, false]);
+const $c1278 = $made(Quantity, $c142, ["mass", $c762]);
+const $c1259 = $made(Entry, $c871, ["counterweight", $c1278, false, "", "", "counterweight", ""]);
+const $c763 = $made(Limit, $c877, ["length", 0.0, 100000.0, false, false]);
+const $c1279 = $made(Quantity, $c142, ["length", $c763]);
+const $c1260 = $made(Entry, $c871, ["take_up_distance", $c1279, false, "", "", "take_up_distance", ""]);
+const $c842 = ["head", "tail"];
+const $c1280 = $made(Choice, $c894, [$c842]);
+const $c1261 = $made(Entry, $c871, ["drive_at", $c1280, false, "", "", "drive_at", ""]);
+const $c1241 = [$c1243, $c1244, $c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261];
+const $c1242 = new Map([["length", $c1243], ["lift", $c1244], ["belt_mass", $c1245], ["carry_idler_mass", $c1246], ["return_idler_mass", $c1247], ["material_mass", $c1248], ["capacity", $c1249], ["friction_factor", $c1250], ["length_coefficient", $c1251], ["secondary_resistance", $c1252], ["special_resistance", $c1253], ["return_share", $c1254], ["start_factor", $c1255], ["start_time", $c1256], ["stop_time", $c1257], ["take_up_tension", $c1258], ["counterweight", $c1259], ["take_up_distance", $c1260], ["drive_at", $c1261]]);
+const $c35 = $made(tables$Table, $c856, [Conveyor, $c1241, $c1242]);
+const $c868 = $made(Entry, $c871, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c835 = ["gravity", "winch", "fixed"];
+const $c1286 = $made(Choice, $c894, [$c835]);
+const $c1283 = $made(Entry, $c871, ["kind", $c1286, false, "", "", "kind", ""]);
+const $c826 = $made(Limit, $c877, ["number", 0.01, 100.0, false, false]);
+const $c1287 = $made(Quantity, $c142, ["number", $c826]);
+const $c1284 = $made(Entry, $c871, ["sheave_ratio", $c1287, false, "", "", "sheave_ratio", ""]);
+const $c1288 = $made(Name, $c882, [60]);
+const $c1285 = $made(Entry, $c871, ["after", $c1288, false, "", "", "after", ""]);
+const $c1281 = [$c1283, $c1284, $c1285];
+const $c1282 = new Map([["kind", $c1283], ["sheave_ratio", $c1284], ["after", $c1285]]);
+const $c548 = $made(tables$Table, $c856, [TakeUp, $c1281, $c1282]);
+const $c544 = $made(Entry, $c871, ["take_up", $c548, false, "", "", "take_up", ""]);
+const $c836 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1296 = $made(Choice, $c894, [$c836]);
+const $c1291 = $made(Entry, $c871, ["name", $c1296, false, "", "", "name", ""]);
+const $c837 = ["dry", "wet", "wet and dirty"];
+const $c1297 = $made(Choice, $c894, [$c837]);
+const $c1292 = $made(Entry, $c871, ["condition", $c1297, false, "", "", "condition", ""]);
+const $c827 = $made(Limit, $c877, ["number", 0.01, 2.0, false, false]);
+const $c1298 = $made(Quantity, $c142, ["number", $c827]);
+const $c1293 = $made(Entry, $c871, ["friction", $c1298, false, "", "", "friction", ""]);
+const $c828 = $made(Limit, $c877, ["number", 1.0, 10.0, false, false]);
+const $c1299 = $made(Quantity, $c142, ["number", $c828]);
+const $c1294 = $made(Entry, $c871, ["start_factor", $c1299, false, "", "", "start_factor", ""]);
+const $c1300 = $made(Flag, [], []);
+const $c1295 = $made(Entry, $c871, ["binding", $c1300, false, "", "", "binding", ""]);
+const $c1289 = [$c1291, $c1292, $c1293, $c1294, $c1295];
+const $c1290 = new Map([["name", $c1291], ["condition", $c1292], ["friction", $c1293], ["start_factor", $c1294], ["binding", $c1295]]);
+const $c549 = $made(tables$Table, $c856, [DesignStandard, $c1289, $c1290]);
+const $c545 = $made(Entry, $c871, ["design_standard", $c549, false, "", "", "standard", ""]);
+const $c1307 = $made(Quantity, $c142, ["number", $c828]);
+const $c1303 = $made(Entry, $c871, ["running", $c1307, false, "", "", "running", ""]);
+const $c1308 = $made(Quantity, $c142, ["number", $c828]);
+const $c1304 = $made(Entry, $c871, ["starting", $c1308, false, "", "", "starting", ""]);
+const $c1309 = $made(Quantity, $c142, ["number", $c828]);
+const $c1305 = $made(Entry, $c871, ["braking", $c1309, false, "", "", "braking", ""]);
+const $c1310 = $made(Text, $c874, [500, false]);
+const $c1306 = $made(Entry, $c871, ["source", $c1310, false, "", "", "source", ""]);
+const $c1301 = [$c1303, $c1304, $c1305, $c1306];
+const $c1302 = new Map([["running", $c1303], ["starting", $c1304], ["braking", $c1305], ["source", $c1306]]);
+const $c550 = $made(tables$Table, $c856, [SafetyFactors, $c1301, $c1302]);
+const $c546 = $made(Entry, $c871, ["safety_factor", $c550, false, "", "", "safety", ""]);
+const $c1317 = $made(Limit, $c877, ["length", 0.0, 100.0, true, false]);
+const $c1316 = $made(Quantity, $c142, ["length", $c1317]);
+const $c1313 = $made(Entry, $c871, ["idler_spacing", $c1316, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1319 = $made(Limit, $c877, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1318 = $made(Quantity, $c142, ["mass_per_length", $c1319]);
+const $c1314 = $made(Entry, $c871, ["line_mass", $c1318, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1321 = $made(Limit, $c877, ["number", 0.0, 0.1, true, false]);
+const $c1320 = $made(Quantity, $c142, ["number", $c1321]);
+const $c1315 = $made(Entry, $c871, ["share", $c1320, false, "", "", "share", ""]);
+const $c1311 = [$c1313, $c1314, $c1315];
+const $c1312 = new Map([["idler_spacing", $c1313], ["line_mass", $c1314], ["share", $c1315]]);
+const $c551 = $made(tables$Table, $c856, [Sag, $c1311, $c1312]);
+const $c547 = $made(Entry, $c871, ["sag", $c551, false, "", "", "sag", ""]);
+const $c1322 = $made(Elsewhere, [], []);
+const $c869 = $made(Entry, $c871, ["train", $c1322, false, "", "", "train", ""]);
+const $c1323 = $made(Elsewhere, [], []);
+const $c870 = $made(Entry, $c871, ["motion", $c1323, false, "", "", "motion", ""]);
+const $c857 = [$c859, $c860, $c861, $c862, $c863, $c864, $c865, $c866, $c867, $c868, $c544, $c545, $c546, $c547, $c869, $c870];
+const $c858 = new Map([["format", $c859], ["title", $c860], ["description", $c861], ["creep_limit", $c862], ["condition", $c863], ["belt", $c864], ["pulley", $c865], ["lagging", $c866], ["load_case", $c867], ["conveyor", $c868], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c869], ["motion", $c870]]);
+const $c0 = $made(tables$Table, $c856, [Drive, $c857, $c858]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c122], ["modulus", $c123], ["rating", $c124], ["strength", $c125], ["speed", $c126], ["momentary_factor", $c127], ["least_pulley_diameter", $c128], ["largest_wrap_pressure", $c129], ["in_plane_shear_stiffness", $c130], ["pulley_cover", $c131], ["carry_cover", $c132], ["carcass", $c133], ["thickness", $c134], ["cover_shear_modulus", $c135], ["mass", $c136]]);
+const $c4 = new Map([["width", $c143], ["modulus", $c148], ["rating", $c150], ["strength", $c152], ["speed", $c154], ["momentary_factor", $c156], ["least_pulley_diameter", $c158], ["largest_wrap_pressure", $c160], ["in_plane_shear_stiffness", $c162], ["pulley_cover", $c164], ["carry_cover", $c166], ["carcass", $c168], ["thickness", $c170], ["cover_shear_modulus", $c173], ["mass", $c175]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
-const $c7 = $made(_Nothing, {});
+const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c197 = [10000, "m"];
-const $c196 = [$c197];
-const $c174 = ["mm", $c196];
-const $c175 = ["kN", []];
-const $c176 = ["kN/m", []];
-const $c199 = [10000, "MPa"];
-const $c198 = [$c199];
-const $c177 = ["kPa", $c198];
-const $c178 = ["kPa/mm", []];
-const $c179 = ["m/s", []];
-const $c180 = ["deg", []];
-const $c181 = ["kW", []];
-const $c182 = ["kN m", []];
-const $c183 = ["m2", []];
-const $c184 = ["s", []];
-const $c185 = ["degC", []];
-const $c186 = ["1/mm", []];
-const $c187 = ["mm3/J", []];
-const $c188 = ["J/m2", []];
-const $c201 = [10000, "kW/m2"];
-const $c200 = [$c201];
-const $c189 = ["W/m2", $c200];
-const $c190 = ["rpm", []];
-const $c191 = ["kg", []];
-const $c192 = ["kg/m", []];
-const $c193 = ["t/h", []];
-const $c194 = ["kg m2", []];
-const $c195 = ["", []];
-const $c172 = new Map([["length", $c174], ["force", $c175], ["force_per_width", $c176], ["spring_rate", $c176], ["pressure", $c177], ["pressure_per_length", $c178], ["speed", $c179], ["angle", $c180], ["power", $c181], ["torque", $c182], ["area", $c183], ["time", $c184], ["temperature", $c185], ["per_length", $c186], ["wear_coefficient", $c187], ["energy_per_area", $c188], ["power_per_area", $c189], ["rotation_speed", $c190], ["mass", $c191], ["mass_per_length", $c192], ["mass_flow", $c193], ["moment_of_inertia", $c194], ["number", $c195]]);
-const $c222 = [400, "ft"];
-const $c221 = [$c222];
-const $c202 = ["in", $c221];
-const $c203 = ["lbf", []];
-const $c204 = ["PIW", []];
-const $c205 = ["lbf/in", []];
-const $c224 = [10000, "ksi"];
-const $c223 = [$c224];
-const $c206 = ["psi", $c223];
-const $c207 = ["psi/in", []];
-const $c208 = ["fpm", []];
-const $c209 = ["hp", []];
-const $c210 = ["lbf ft", []];
-const $c211 = ["in2", []];
-const $c212 = ["degF", []];
-const $c213 = ["1/in", []];
-const $c214 = ["in3/(ft lbf)", []];
-const $c215 = ["ft lbf/ft2", []];
-const $c216 = ["hp/ft2", []];
-const $c217 = ["lbm", []];
-const $c218 = ["lbm/ft", []];
-const $c219 = ["lbm/h", []];
-const $c220 = ["lbm ft2", []];
-const $c173 = new Map([["length", $c202], ["force", $c203], ["force_per_width", $c204], ["spring_rate", $c205], ["pressure", $c206], ["pressure_per_length", $c207], ["speed", $c208], ["angle", $c180], ["power", $c209], ["torque", $c210], ["area", $c211], ["time", $c184], ["temperature", $c212], ["per_length", $c213], ["wear_coefficient", $c214], ["energy_per_area", $c215], ["power_per_area", $c216], ["rotation_speed", $c190], ["mass", $c217], ["mass_per_length", $c218], ["mass_flow", $c219], ["moment_of_inertia", $c220], ["number", $c195]]);
-const $c11 = new Map([["si", $c172], ["us", $c173]]);
-const $c225 = new DimensionText("m", "a length", "1200 mm");
-const $c226 = new DimensionText("N", "a force", "150 kN");
-const $c227 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c228 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c229 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c230 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c231 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c232 = new DimensionText("rad", "an angle", "180 deg");
-const $c233 = new DimensionText("W", "a power", "250 kW");
-const $c234 = new DimensionText("N m", "a torque", "40 kN m");
-const $c235 = new DimensionText("m2", "an area", "2500 mm2");
-const $c236 = new DimensionText("s", "a time", "10 s");
-const $c237 = new DimensionText("K", "a temperature", "20 degC");
-const $c238 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c239 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c240 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c241 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c242 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c243 = new DimensionText("kg", "a mass", "500 kg");
-const $c244 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c245 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c246 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c247 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c225], ["force", $c226], ["force_per_width", $c227], ["spring_rate", $c228], ["pressure", $c229], ["pressure_per_length", $c230], ["speed", $c231], ["angle", $c232], ["power", $c233], ["torque", $c234], ["area", $c235], ["time", $c236], ["temperature", $c237], ["per_length", $c238], ["wear_coefficient", $c239], ["energy_per_area", $c240], ["power_per_area", $c241], ["rotation_speed", $c242], ["mass", $c243], ["mass_per_length", $c244], ["mass_flow", $c245], ["moment_of_inertia", $c246], ["number", $c247]]);
+const $c244 = [10000, "m"];
+const $c243 = [$c244];
+const $c221 = ["mm", $c243];
+const $c222 = ["kN", []];
+const $c223 = ["kN/m", []];
+const $c246 = [10000, "MPa"];
+const $c245 = [$c246];
+const $c224 = ["kPa", $c245];
+const $c225 = ["kPa/mm", []];
+const $c226 = ["m/s", []];
+const $c227 = ["deg", []];
+const $c228 = ["kW", []];
+const $c229 = ["kN m", []];
+const $c230 = ["m2", []];
+const $c231 = ["s", []];
+const $c232 = ["degC", []];
+const $c233 = ["1/mm", []];
+const $c234 = ["mm3/J", []];
+const $c235 = ["J/m2", []];
+const $c248 = [10000, "kW/m2"];
+const $c247 = [$c248];
+const $c236 = ["W/m2", $c247];
+const $c237 = ["rpm", []];
+const $c238 = ["kg", []];
+const $c239 = ["kg/m", []];
+const $c240 = ["t/h", []];
+const $c241 = ["kg m2", []];
+const $c242 = ["", []];
+const $c219 = new Map([["length", $c221], ["force", $c222], ["force_per_width", $c223], ["spring_rate", $c223], ["pressure", $c224], ["pressure_per_length", $c225], ["speed", $c226], ["angle", $c227], ["power", $c228], ["torque", $c229], ["area", $c230], ["time", $c231], ["temperature", $c232], ["per_length", $c233], ["wear_coefficient", $c234], ["energy_per_area", $c235], ["power_per_area", $c236], ["rotation_speed", $c237], ["mass", $c238], ["mass_per_length", $c239], ["mass_flow", $c240], ["moment_of_inertia", $c241], ["number", $c242]]);
+const $c269 = [400, "ft"];
+const $c268 = [$c269];
+const $c249 = ["in", $c268];
+const $c250 = ["lbf", []];
+const $c251 = ["PIW", []];
+const $c252 = ["lbf/in", []];
+const $c271 = [10000, "ksi"];
+const $c270 = [$c271];
+const $c253 = ["psi", $c270];
+const $c254 = ["psi/in", []];
+const $c255 = ["fpm", []];
+const $c256 = ["hp", []];
+const $c257 = ["lbf ft", []];
+const $c258 = ["in2", []];
+const $c259 = ["degF", []];
+const $c260 = ["1/in", []];
+const $c261 = ["in3/(ft lbf)", []];
+const $c262 = ["ft lbf/ft2", []];
+const $c263 = ["hp/ft2", []];
+const $c264 = ["lbm", []];
+const $c265 = ["lbm/ft", []];
+const $c266 = ["lbm/h", []];
+const $c267 = ["lbm ft2", []];
+const $c220 = new Map([["length", $c249], ["force", $c250], ["force_per_width", $c251], ["spring_rate", $c252], ["pressure", $c253], ["pressure_per_length", $c254], ["speed", $c255], ["angle", $c227], ["power", $c256], ["torque", $c257], ["area", $c258], ["time", $c231], ["temperature", $c259], ["per_length", $c260], ["wear_coefficient", $c261], ["energy_per_area", $c262], ["power_per_area", $c263], ["rotation_speed", $c237], ["mass", $c264], ["mass_per_length", $c265], ["mass_flow", $c266], ["moment_of_inertia", $c267], ["number", $c242]]);
+const $c11 = new Map([["si", $c219], ["us", $c220]]);
+const $c272 = new DimensionText("m", "a length", "1200 mm");
+const $c273 = new DimensionText("N", "a force", "150 kN");
+const $c274 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c275 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c276 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c277 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c278 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c279 = new DimensionText("rad", "an angle", "180 deg");
+const $c280 = new DimensionText("W", "a power", "250 kW");
+const $c281 = new DimensionText("N m", "a torque", "40 kN m");
+const $c282 = new DimensionText("m2", "an area", "2500 mm2");
+const $c283 = new DimensionText("s", "a time", "10 s");
+const $c284 = new DimensionText("K", "a temperature", "20 degC");
+const $c285 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c286 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c287 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c288 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c289 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c290 = new DimensionText("kg", "a mass", "500 kg");
+const $c291 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c292 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c293 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c294 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c272], ["force", $c273], ["force_per_width", $c274], ["spring_rate", $c275], ["pressure", $c276], ["pressure_per_length", $c277], ["speed", $c278], ["angle", $c279], ["power", $c280], ["torque", $c281], ["area", $c282], ["time", $c283], ["temperature", $c284], ["per_length", $c285], ["wear_coefficient", $c286], ["energy_per_area", $c287], ["power_per_area", $c288], ["rotation_speed", $c289], ["mass", $c290], ["mass_per_length", $c291], ["mass_flow", $c292], ["moment_of_inertia", $c293], ["number", $c294]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -5107,791 +7621,952 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c310 = ["meter", "meters", "metre", "metres"];
-const $c311 = $Decimal.of("1");
-const $c312 = $Decimal.of("0");
-const $c248 = new Definition($c310, $c311, "m", $c312);
-const $c313 = ["km"];
-const $c314 = $Decimal.of("1000");
-const $c315 = $Decimal.of("0");
-const $c249 = new Definition($c313, $c314, "m", $c315);
-const $c316 = ["dm"];
-const $c317 = $Decimal.of("0.1");
-const $c318 = $Decimal.of("0");
-const $c250 = new Definition($c316, $c317, "m", $c318);
-const $c319 = ["cm"];
-const $c320 = $Decimal.of("0.01");
-const $c321 = $Decimal.of("0");
-const $c251 = new Definition($c319, $c320, "m", $c321);
-const $c322 = ["mm"];
-const $c323 = $Decimal.of("0.001");
-const $c324 = $Decimal.of("0");
-const $c252 = new Definition($c322, $c323, "m", $c324);
-const $c325 = ["um", "micron", "microns"];
-const $c326 = $Decimal.of("0.000001");
-const $c327 = $Decimal.of("0");
-const $c253 = new Definition($c325, $c326, "m", $c327);
-const $c328 = ["in", "inch", "inches", "\""];
-const $c329 = $Decimal.of("0.0254");
-const $c330 = $Decimal.of("0");
-const $c254 = new Definition($c328, $c329, "m", $c330);
-const $c331 = ["ft", "foot", "feet"];
-const $c332 = $Decimal.of("12");
-const $c333 = $Decimal.of("0");
-const $c255 = new Definition($c331, $c332, "in", $c333);
-const $c334 = ["yd"];
-const $c335 = $Decimal.of("3");
-const $c336 = $Decimal.of("0");
-const $c256 = new Definition($c334, $c335, "ft", $c336);
-const $c337 = ["mi", "mile", "miles"];
-const $c338 = $Decimal.of("5280");
-const $c339 = $Decimal.of("0");
-const $c257 = new Definition($c337, $c338, "ft", $c339);
-const $c340 = ["thou"];
-const $c341 = $Decimal.of("0.001");
-const $c342 = $Decimal.of("0");
-const $c258 = new Definition($c340, $c341, "in", $c342);
-const $c343 = ["g"];
-const $c344 = $Decimal.of("0.001");
-const $c345 = $Decimal.of("0");
-const $c259 = new Definition($c343, $c344, "kg", $c345);
-const $c346 = ["t", "tonne", "tonnes"];
-const $c347 = $Decimal.of("1000");
-const $c348 = $Decimal.of("0");
-const $c260 = new Definition($c346, $c347, "kg", $c348);
-const $c349 = ["lbm"];
-const $c350 = $Decimal.of("0.45359237");
-const $c351 = $Decimal.of("0");
-const $c261 = new Definition($c349, $c350, "kg", $c351);
-const $c352 = ["sec", "second", "seconds"];
-const $c353 = $Decimal.of("1");
-const $c354 = $Decimal.of("0");
-const $c262 = new Definition($c352, $c353, "s", $c354);
-const $c355 = ["ms"];
-const $c356 = $Decimal.of("0.001");
-const $c357 = $Decimal.of("0");
-const $c263 = new Definition($c355, $c356, "s", $c357);
-const $c358 = ["min", "minute", "minutes"];
-const $c359 = $Decimal.of("60");
-const $c360 = $Decimal.of("0");
-const $c264 = new Definition($c358, $c359, "s", $c360);
-const $c361 = ["h", "hr", "hour", "hours"];
-const $c362 = $Decimal.of("60");
-const $c363 = $Decimal.of("0");
-const $c265 = new Definition($c361, $c362, "min", $c363);
-const $c364 = ["d", "day", "days"];
-const $c365 = $Decimal.of("24");
-const $c366 = $Decimal.of("0");
-const $c266 = new Definition($c364, $c365, "h", $c366);
-const $c367 = ["N", "newton", "newtons"];
-const $c368 = $Decimal.of("1");
-const $c369 = $Decimal.of("0");
-const $c267 = new Definition($c367, $c368, "kg m/s2", $c369);
-const $c370 = ["mN"];
-const $c371 = $Decimal.of("0.001");
-const $c372 = $Decimal.of("0");
-const $c268 = new Definition($c370, $c371, "N", $c372);
-const $c373 = ["daN"];
-const $c374 = $Decimal.of("10");
-const $c375 = $Decimal.of("0");
-const $c269 = new Definition($c373, $c374, "N", $c375);
-const $c376 = ["kN"];
-const $c377 = $Decimal.of("1000");
-const $c378 = $Decimal.of("0");
-const $c270 = new Definition($c376, $c377, "N", $c378);
-const $c379 = ["MN"];
-const $c380 = $Decimal.of("1E+6");
-const $c381 = $Decimal.of("0");
-const $c271 = new Definition($c379, $c380, "N", $c381);
-const $c382 = ["kgf", "kp"];
-const $c383 = $Decimal.of("9.80665");
-const $c384 = $Decimal.of("0");
-const $c272 = new Definition($c382, $c383, "N", $c384);
-const $c385 = ["gf"];
-const $c386 = $Decimal.of("0.001");
-const $c387 = $Decimal.of("0");
-const $c273 = new Definition($c385, $c386, "kgf", $c387);
-const $c388 = ["tf"];
-const $c389 = $Decimal.of("1000");
-const $c390 = $Decimal.of("0");
-const $c274 = new Definition($c388, $c389, "kgf", $c390);
-const $c391 = ["lbf", "lb", "lbs"];
-const $c392 = $Decimal.of("4.4482216152605");
-const $c393 = $Decimal.of("0");
-const $c275 = new Definition($c391, $c392, "N", $c393);
-const $c394 = ["klbf", "kip", "kips"];
-const $c395 = $Decimal.of("1000");
-const $c396 = $Decimal.of("0");
-const $c276 = new Definition($c394, $c395, "lbf", $c396);
-const $c397 = ["PIW", "piw", "PLI", "pli"];
-const $c398 = $Decimal.of("1");
-const $c399 = $Decimal.of("0");
-const $c277 = new Definition($c397, $c398, "lbf/in", $c399);
-const $c400 = ["Pa"];
-const $c401 = $Decimal.of("1");
-const $c402 = $Decimal.of("0");
-const $c278 = new Definition($c400, $c401, "N/m2", $c402);
-const $c403 = ["hPa"];
-const $c404 = $Decimal.of("100");
-const $c405 = $Decimal.of("0");
-const $c279 = new Definition($c403, $c404, "Pa", $c405);
-const $c406 = ["kPa"];
-const $c407 = $Decimal.of("1000");
-const $c408 = $Decimal.of("0");
-const $c280 = new Definition($c406, $c407, "Pa", $c408);
-const $c409 = ["MPa"];
-const $c410 = $Decimal.of("1E+6");
-const $c411 = $Decimal.of("0");
-const $c281 = new Definition($c409, $c410, "Pa", $c411);
-const $c412 = ["GPa"];
-const $c413 = $Decimal.of("1E+9");
-const $c414 = $Decimal.of("0");
-const $c282 = new Definition($c412, $c413, "Pa", $c414);
-const $c415 = ["bar"];
-const $c416 = $Decimal.of("1E+5");
-const $c417 = $Decimal.of("0");
-const $c283 = new Definition($c415, $c416, "Pa", $c417);
-const $c418 = ["mbar"];
-const $c419 = $Decimal.of("100");
-const $c420 = $Decimal.of("0");
-const $c284 = new Definition($c418, $c419, "Pa", $c420);
-const $c421 = ["psi", "PSI"];
-const $c422 = $Decimal.of("1");
-const $c423 = $Decimal.of("0");
-const $c285 = new Definition($c421, $c422, "lbf/in2", $c423);
-const $c424 = ["ksi"];
-const $c425 = $Decimal.of("1000");
-const $c426 = $Decimal.of("0");
-const $c286 = new Definition($c424, $c425, "psi", $c426);
-const $c427 = ["J", "joule"];
-const $c428 = $Decimal.of("1");
-const $c429 = $Decimal.of("0");
-const $c287 = new Definition($c427, $c428, "N m", $c429);
-const $c430 = ["mJ"];
-const $c431 = $Decimal.of("0.001");
-const $c432 = $Decimal.of("0");
-const $c288 = new Definition($c430, $c431, "J", $c432);
-const $c433 = ["kJ"];
-const $c434 = $Decimal.of("1000");
-const $c435 = $Decimal.of("0");
-const $c289 = new Definition($c433, $c434, "J", $c435);
-const $c436 = ["MJ"];
-const $c437 = $Decimal.of("1E+6");
-const $c438 = $Decimal.of("0");
-const $c290 = new Definition($c436, $c437, "J", $c438);
-const $c439 = ["Nm"];
-const $c440 = $Decimal.of("1");
-const $c441 = $Decimal.of("0");
-const $c291 = new Definition($c439, $c440, "N m", $c441);
-const $c442 = ["kNm"];
-const $c443 = $Decimal.of("1000");
-const $c444 = $Decimal.of("0");
-const $c292 = new Definition($c442, $c443, "N m", $c444);
-const $c445 = ["MNm"];
-const $c446 = $Decimal.of("1E+6");
-const $c447 = $Decimal.of("0");
-const $c293 = new Definition($c445, $c446, "N m", $c447);
-const $c448 = ["W", "watt", "watts"];
-const $c449 = $Decimal.of("1");
-const $c450 = $Decimal.of("0");
-const $c294 = new Definition($c448, $c449, "J/s", $c450);
-const $c451 = ["kW"];
-const $c452 = $Decimal.of("1000");
-const $c453 = $Decimal.of("0");
-const $c295 = new Definition($c451, $c452, "W", $c453);
-const $c454 = ["MW"];
-const $c455 = $Decimal.of("1E+6");
-const $c456 = $Decimal.of("0");
-const $c296 = new Definition($c454, $c455, "W", $c456);
-const $c457 = ["hp", "HP", "bhp", "BHP"];
-const $c458 = $Decimal.of("550");
-const $c459 = $Decimal.of("0");
-const $c297 = new Definition($c457, $c458, "ft lbf/s", $c459);
-const $c460 = ["PS", "cv", "CV", "hp(metric)"];
-const $c461 = $Decimal.of("75");
-const $c462 = $Decimal.of("0");
-const $c298 = new Definition($c460, $c461, "kgf m/s", $c462);
-const $c463 = ["fpm", "FPM"];
-const $c464 = $Decimal.of("1");
-const $c465 = $Decimal.of("0");
-const $c299 = new Definition($c463, $c464, "ft/min", $c465);
-const $c466 = ["fps"];
-const $c467 = $Decimal.of("1");
-const $c468 = $Decimal.of("0");
-const $c300 = new Definition($c466, $c467, "ft/s", $c468);
-const $c469 = ["kph", "kmh"];
-const $c470 = $Decimal.of("1");
-const $c471 = $Decimal.of("0");
-const $c301 = new Definition($c469, $c470, "km/h", $c471);
-const $c472 = ["mph"];
-const $c473 = $Decimal.of("1");
-const $c474 = $Decimal.of("0");
-const $c302 = new Definition($c472, $c473, "mi/h", $c474);
-const $c475 = ["mrad"];
-const $c476 = $Decimal.of("0.001");
-const $c477 = $Decimal.of("0");
-const $c303 = new Definition($c475, $c476, "rad", $c477);
-const $c478 = ["deg", "degree", "degrees", "°"];
-const $c479 = $Decimal.of("0.01745329251994329576923690768");
-const $c480 = $Decimal.of("0");
-const $c304 = new Definition($c478, $c479, "rad", $c480);
-const $c481 = ["rev", "turn", "turns"];
-const $c482 = $Decimal.of("360");
-const $c483 = $Decimal.of("0");
-const $c305 = new Definition($c481, $c482, "deg", $c483);
-const $c484 = ["rpm", "RPM"];
-const $c485 = $Decimal.of("1");
-const $c486 = $Decimal.of("0");
-const $c306 = new Definition($c484, $c485, "rev/min", $c486);
-const $c487 = ["degC", "°C"];
-const $c488 = $Decimal.of("1");
-const $c489 = $Decimal.of("-273.15");
-const $c307 = new Definition($c487, $c488, "K", $c489);
-const $c490 = ["degF", "°F"];
-const $c491 = $Decimal.of("0.5555555555555555555555555556");
-const $c492 = $Decimal.of("-459.67");
-const $c308 = new Definition($c490, $c491, "K", $c492);
-const $c493 = ["%", "percent"];
-const $c494 = $Decimal.of("0.01");
-const $c495 = $Decimal.of("0");
-const $c309 = new Definition($c493, $c494, "", $c495);
-const $c22 = [$c248, $c249, $c250, $c251, $c252, $c253, $c254, $c255, $c256, $c257, $c258, $c259, $c260, $c261, $c262, $c263, $c264, $c265, $c266, $c267, $c268, $c269, $c270, $c271, $c272, $c273, $c274, $c275, $c276, $c277, $c278, $c279, $c280, $c281, $c282, $c283, $c284, $c285, $c286, $c287, $c288, $c289, $c290, $c291, $c292, $c293, $c294, $c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309];
+const $c357 = ["meter", "meters", "metre", "metres"];
+const $c358 = $Decimal.of("1");
+const $c359 = $Decimal.of("0");
+const $c295 = new Definition($c357, $c358, "m", $c359);
+const $c360 = ["km"];
+const $c361 = $Decimal.of("1000");
+const $c362 = $Decimal.of("0");
+const $c296 = new Definition($c360, $c361, "m", $c362);
+const $c363 = ["dm"];
+const $c364 = $Decimal.of("0.1");
+const $c365 = $Decimal.of("0");
+const $c297 = new Definition($c363, $c364, "m", $c365);
+const $c366 = ["cm"];
+const $c367 = $Decimal.of("0.01");
+const $c368 = $Decimal.of("0");
+const $c298 = new Definition($c366, $c367, "m", $c368);
+const $c369 = ["mm"];
+const $c370 = $Decimal.of("0.001");
+const $c371 = $Decimal.of("0");
+const $c299 = new Definition($c369, $c370, "m", $c371);
+const $c372 = ["um", "micron", "microns"];
+const $c373 = $Decimal.of("0.000001");
+const $c374 = $Decimal.of("0");
+const $c300 = new Definition($c372, $c373, "m", $c374);
+const $c375 = ["in", "inch", "inches", "\""];
+const $c376 = $Decimal.of("0.0254");
+const $c377 = $Decimal.of("0");
+const $c301 = new Definition($c375, $c376, "m", $c377);
+const $c378 = ["ft", "foot", "feet"];
+const $c379 = $Decimal.of("12");
+const $c380 = $Decimal.of("0");
+const $c302 = new Definition($c378, $c379, "in", $c380);
+const $c381 = ["yd"];
+const $c382 = $Decimal.of("3");
+const $c383 = $Decimal.of("0");
+const $c303 = new Definition($c381, $c382, "ft", $c383);
+const $c384 = ["mi", "mile", "miles"];
+const $c385 = $Decimal.of("5280");
+const $c386 = $Decimal.of("0");
+const $c304 = new Definition($c384, $c385, "ft", $c386);
+const $c387 = ["thou"];
+const $c388 = $Decimal.of("0.001");
+const $c389 = $Decimal.of("0");
+const $c305 = new Definition($c387, $c388, "in", $c389);
+const $c390 = ["g"];
+const $c391 = $Decimal.of("0.001");
+const $c392 = $Decimal.of("0");
+const $c306 = new Definition($c390, $c391, "kg", $c392);
+const $c393 = ["t", "tonne", "tonnes"];
+const $c394 = $Decimal.of("1000");
+const $c395 = $Decimal.of("0");
+const $c307 = new Definition($c393, $c394, "kg", $c395);
+const $c396 = ["lbm"];
+const $c397 = $Decimal.of("0.45359237");
+const $c398 = $Decimal.of("0");
+const $c308 = new Definition($c396, $c397, "kg", $c398);
+const $c399 = ["sec", "second", "seconds"];
+const $c400 = $Decimal.of("1");
+const $c401 = $Decimal.of("0");
+const $c309 = new Definition($c399, $c400, "s", $c401);
+const $c402 = ["ms"];
+const $c403 = $Decimal.of("0.001");
+const $c404 = $Decimal.of("0");
+const $c310 = new Definition($c402, $c403, "s", $c404);
+const $c405 = ["min", "minute", "minutes"];
+const $c406 = $Decimal.of("60");
+const $c407 = $Decimal.of("0");
+const $c311 = new Definition($c405, $c406, "s", $c407);
+const $c408 = ["h", "hr", "hour", "hours"];
+const $c409 = $Decimal.of("60");
+const $c410 = $Decimal.of("0");
+const $c312 = new Definition($c408, $c409, "min", $c410);
+const $c411 = ["d", "day", "days"];
+const $c412 = $Decimal.of("24");
+const $c413 = $Decimal.of("0");
+const $c313 = new Definition($c411, $c412, "h", $c413);
+const $c414 = ["N", "newton", "newtons"];
+const $c415 = $Decimal.of("1");
+const $c416 = $Decimal.of("0");
+const $c314 = new Definition($c414, $c415, "kg m/s2", $c416);
+const $c417 = ["mN"];
+const $c418 = $Decimal.of("0.001");
+const $c419 = $Decimal.of("0");
+const $c315 = new Definition($c417, $c418, "N", $c419);
+const $c420 = ["daN"];
+const $c421 = $Decimal.of("10");
+const $c422 = $Decimal.of("0");
+const $c316 = new Definition($c420, $c421, "N", $c422);
+const $c423 = ["kN"];
+const $c424 = $Decimal.of("1000");
+const $c425 = $Decimal.of("0");
+const $c317 = new Definition($c423, $c424, "N", $c425);
+const $c426 = ["MN"];
+const $c427 = $Decimal.of("1E+6");
+const $c428 = $Decimal.of("0");
+const $c318 = new Definition($c426, $c427, "N", $c428);
+const $c429 = ["kgf", "kp"];
+const $c430 = $Decimal.of("9.80665");
+const $c431 = $Decimal.of("0");
+const $c319 = new Definition($c429, $c430, "N", $c431);
+const $c432 = ["gf"];
+const $c433 = $Decimal.of("0.001");
+const $c434 = $Decimal.of("0");
+const $c320 = new Definition($c432, $c433, "kgf", $c434);
+const $c435 = ["tf"];
+const $c436 = $Decimal.of("1000");
+const $c437 = $Decimal.of("0");
+const $c321 = new Definition($c435, $c436, "kgf", $c437);
+const $c438 = ["lbf", "lb", "lbs"];
+const $c439 = $Decimal.of("4.4482216152605");
+const $c440 = $Decimal.of("0");
+const $c322 = new Definition($c438, $c439, "N", $c440);
+const $c441 = ["klbf", "kip", "kips"];
+const $c442 = $Decimal.of("1000");
+const $c443 = $Decimal.of("0");
+const $c323 = new Definition($c441, $c442, "lbf", $c443);
+const $c444 = ["PIW", "piw", "PLI", "pli"];
+const $c445 = $Decimal.of("1");
+const $c446 = $Decimal.of("0");
+const $c324 = new Definition($c444, $c445, "lbf/in", $c446);
+const $c447 = ["Pa"];
+const $c448 = $Decimal.of("1");
+const $c449 = $Decimal.of("0");
+const $c325 = new Definition($c447, $c448, "N/m2", $c449);
+const $c450 = ["hPa"];
+const $c451 = $Decimal.of("100");
+const $c452 = $Decimal.of("0");
+const $c326 = new Definition($c450, $c451, "Pa", $c452);
+const $c453 = ["kPa"];
+const $c454 = $Decimal.of("1000");
+const $c455 = $Decimal.of("0");
+const $c327 = new Definition($c453, $c454, "Pa", $c455);
+const $c456 = ["MPa"];
+const $c457 = $Decimal.of("1E+6");
+const $c458 = $Decimal.of("0");
+const $c328 = new Definition($c456, $c457, "Pa", $c458);
+const $c459 = ["GPa"];
+const $c460 = $Decimal.of("1E+9");
+const $c461 = $Decimal.of("0");
+const $c329 = new Definition($c459, $c460, "Pa", $c461);
+const $c462 = ["bar"];
+const $c463 = $Decimal.of("1E+5");
+const $c464 = $Decimal.of("0");
+const $c330 = new Definition($c462, $c463, "Pa", $c464);
+const $c465 = ["mbar"];
+const $c466 = $Decimal.of("100");
+const $c467 = $Decimal.of("0");
+const $c331 = new Definition($c465, $c466, "Pa", $c467);
+const $c468 = ["psi", "PSI"];
+const $c469 = $Decimal.of("1");
+const $c470 = $Decimal.of("0");
+const $c332 = new Definition($c468, $c469, "lbf/in2", $c470);
+const $c471 = ["ksi"];
+const $c472 = $Decimal.of("1000");
+const $c473 = $Decimal.of("0");
+const $c333 = new Definition($c471, $c472, "psi", $c473);
+const $c474 = ["J", "joule"];
+const $c475 = $Decimal.of("1");
+const $c476 = $Decimal.of("0");
+const $c334 = new Definition($c474, $c475, "N m", $c476);
+const $c477 = ["mJ"];
+const $c478 = $Decimal.of("0.001");
+const $c479 = $Decimal.of("0");
+const $c335 = new Definition($c477, $c478, "J", $c479);
+const $c480 = ["kJ"];
+const $c481 = $Decimal.of("1000");
+const $c482 = $Decimal.of("0");
+const $c336 = new Definition($c480, $c481, "J", $c482);
+const $c483 = ["MJ"];
+const $c484 = $Decimal.of("1E+6");
+const $c485 = $Decimal.of("0");
+const $c337 = new Definition($c483, $c484, "J", $c485);
+const $c486 = ["Nm"];
+const $c487 = $Decimal.of("1");
+const $c488 = $Decimal.of("0");
+const $c338 = new Definition($c486, $c487, "N m", $c488);
+const $c489 = ["kNm"];
+const $c490 = $Decimal.of("1000");
+const $c491 = $Decimal.of("0");
+const $c339 = new Definition($c489, $c490, "N m", $c491);
+const $c492 = ["MNm"];
+const $c493 = $Decimal.of("1E+6");
+const $c494 = $Decimal.of("0");
+const $c340 = new Definition($c492, $c493, "N m", $c494);
+const $c495 = ["W", "watt", "watts"];
+const $c496 = $Decimal.of("1");
+const $c497 = $Decimal.of("0");
+const $c341 = new Definition($c495, $c496, "J/s", $c497);
+const $c498 = ["kW"];
+const $c499 = $Decimal.of("1000");
+const $c500 = $Decimal.of("0");
+const $c342 = new Definition($c498, $c499, "W", $c500);
+const $c501 = ["MW"];
+const $c502 = $Decimal.of("1E+6");
+const $c503 = $Decimal.of("0");
+const $c343 = new Definition($c501, $c502, "W", $c503);
+const $c504 = ["hp", "HP", "bhp", "BHP"];
+const $c505 = $Decimal.of("550");
+const $c506 = $Decimal.of("0");
+const $c344 = new Definition($c504, $c505, "ft lbf/s", $c506);
+const $c507 = ["PS", "cv", "CV", "hp(metric)"];
+const $c508 = $Decimal.of("75");
+const $c509 = $Decimal.of("0");
+const $c345 = new Definition($c507, $c508, "kgf m/s", $c509);
+const $c510 = ["fpm", "FPM"];
+const $c511 = $Decimal.of("1");
+const $c512 = $Decimal.of("0");
+const $c346 = new Definition($c510, $c511, "ft/min", $c512);
+const $c513 = ["fps"];
+const $c514 = $Decimal.of("1");
+const $c515 = $Decimal.of("0");
+const $c347 = new Definition($c513, $c514, "ft/s", $c515);
+const $c516 = ["kph", "kmh"];
+const $c517 = $Decimal.of("1");
+const $c518 = $Decimal.of("0");
+const $c348 = new Definition($c516, $c517, "km/h", $c518);
+const $c519 = ["mph"];
+const $c520 = $Decimal.of("1");
+const $c521 = $Decimal.of("0");
+const $c349 = new Definition($c519, $c520, "mi/h", $c521);
+const $c522 = ["mrad"];
+const $c523 = $Decimal.of("0.001");
+const $c524 = $Decimal.of("0");
+const $c350 = new Definition($c522, $c523, "rad", $c524);
+const $c525 = ["deg", "degree", "degrees", "°"];
+const $c526 = $Decimal.of("0.01745329251994329576923690768");
+const $c527 = $Decimal.of("0");
+const $c351 = new Definition($c525, $c526, "rad", $c527);
+const $c528 = ["rev", "turn", "turns"];
+const $c529 = $Decimal.of("360");
+const $c530 = $Decimal.of("0");
+const $c352 = new Definition($c528, $c529, "deg", $c530);
+const $c531 = ["rpm", "RPM"];
+const $c532 = $Decimal.of("1");
+const $c533 = $Decimal.of("0");
+const $c353 = new Definition($c531, $c532, "rev/min", $c533);
+const $c534 = ["degC", "°C"];
+const $c535 = $Decimal.of("1");
+const $c536 = $Decimal.of("-273.15");
+const $c354 = new Definition($c534, $c535, "K", $c536);
+const $c537 = ["degF", "°F"];
+const $c538 = $Decimal.of("0.5555555555555555555555555556");
+const $c539 = $Decimal.of("-459.67");
+const $c355 = new Definition($c537, $c538, "K", $c539);
+const $c540 = ["%", "percent"];
+const $c541 = $Decimal.of("0.01");
+const $c542 = $Decimal.of("0");
+const $c356 = new Definition($c540, $c541, "", $c542);
+const $c22 = [$c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c27 = ["wear_coefficient"];
-const $c28 = $made(Provenance, {kind: "given", source: "", date: "", note: "from the coordinates of the pulleys"});
-const $c33 = [$c496, $c497, $c498, $c499];
-const $c34 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-const $c35 = ["effective_tension", "torque", "power"];
-const $c36 = ["entry_tension", "exit_tension"];
-const $c37 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c504 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c505 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c506 = ["length_coefficient", "secondary_resistance", ""];
-const $c507 = ["start_factor", "start_time", ""];
-const $c39 = [$c504, $c505, $c506, $c507];
-const $c40 = ["capacity", "start_time", "stop_time"];
-const $c1116 = $made(Quantity, {dimension: "force", limit: $c581});
-const $c1109 = $made(Entry, {key: "entry_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "entry_tension", unless: ""});
-const $c1110 = $made(Entry, {key: "exit_tension", kind: $c1116, required: false, alias: "", example: "", attribute: "exit_tension", unless: ""});
-const $c1117 = $made(Quantity, {dimension: "force", limit: null});
-const $c1111 = $made(Entry, {key: "effective_tension", kind: $c1117, required: false, alias: "", example: "", attribute: "effective_tension", unless: ""});
-const $c1118 = $made(Quantity, {dimension: "power", limit: null});
-const $c1112 = $made(Entry, {key: "power", kind: $c1118, required: false, alias: "", example: "", attribute: "power", unless: ""});
-const $c1120 = $made(Quantity, {dimension: "force", limit: null});
-const $c1119 = $made(ByName, {kind: $c1120, most: 200});
-const $c1113 = $made(Entry, {key: "run", kind: $c1119, required: false, alias: "", example: "", attribute: "run", unless: ""});
-const $c1350 = $made(Limit, {dimension: "number", least: -100.0, most: 100.0, open: false, rigid: false});
-const $c1348 = $made(Quantity, {dimension: "number", limit: $c1350});
-const $c1349 = $made(Quantity, {dimension: "power", limit: null});
-const $c1122 = $made(Either, {first: $c1348, second: $c1349, words: "a share like 0.5 or \"50 %\", or a power like \"300 kW\""});
-const $c1121 = $made(Rows, {kind: $c1122, least: 1, most: 10});
-const $c1114 = $made(Entry, {key: "share", kind: $c1121, required: false, alias: "", example: "", attribute: "share", unless: ""});
-const $c1123 = $made(SpeedList, {});
-const $c1115 = $made(Entry, {key: "speeds", kind: $c1123, required: false, alias: "", example: "", attribute: "speeds", unless: ""});
-const $c1107 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115];
-const $c1108 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115]]);
-const $c1106 = $made(Table, {of: null, entries: $c1107, _known: $c1108});
-const $c1105 = $made(Entry, {key: "train", kind: $c1106, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1103 = [$c985, $c986, $c987, $c988, $c989, $c1105];
-const $c1104 = new Map([["name", $c985], ["description", $c986], ["kind", $c987], ["condition", $c988], ["pulley", $c989], ["train", $c1105]]);
-const $c1102 = $made(Table, {of: null, entries: $c1103, _known: $c1104});
-const $c1101 = $made(Rows, {kind: $c1102, least: 1, most: 1000});
-const $c1099 = $made(Entry, {key: "load_case", kind: $c1101, required: false, alias: "", example: "", attribute: "load_case", unless: ""});
-const $c1130 = $made(Quantity, {dimension: "length", limit: $c667});
-const $c1129 = $made(Rows, {kind: $c1130, least: 1, most: 10});
-const $c1127 = $made(Entry, {key: "diameters", kind: $c1129, required: false, alias: "", example: "", attribute: "diameters", unless: ""});
-const $c1146 = ["converter"];
-const $c1145 = $made(Choice, {options: $c1146});
-const $c1134 = $made(Entry, {key: "kind", kind: $c1145, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1148 = $made(Limit, {dimension: "power", least: 0.0, most: 1000000000.0, open: true, rigid: false});
-const $c1147 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1135 = $made(Entry, {key: "rated_power", kind: $c1147, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1150 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1149 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1136 = $made(Entry, {key: "rated_speed", kind: $c1149, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1152 = $made(Limit, {dimension: "number", least: 0.0, most: 10000.0, open: true, rigid: false});
-const $c1151 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1137 = $made(Entry, {key: "gear_ratio", kind: $c1151, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1154 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1153 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1138 = $made(Entry, {key: "gear_efficiency", kind: $c1153, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1156 = $made(Limit, {dimension: "number", least: 0.05, most: 1.0, open: false, rigid: false});
-const $c1155 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1139 = $made(Entry, {key: "motor_efficiency", kind: $c1155, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1157 = $made(Count, {least: 1, most: 8});
-const $c1140 = $made(Entry, {key: "count", kind: $c1157, required: false, alias: "", example: "", attribute: "count", unless: ""});
-const $c1158 = $made(Flag, {});
-const $c1141 = $made(Entry, {key: "brakes", kind: $c1158, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1160 = $made(Limit, {dimension: "number", least: 0.01, most: 3.0, open: false, rigid: false});
-const $c1159 = $made(Quantity, {dimension: "number", limit: $c1160});
-const $c1142 = $made(Entry, {key: "setting", kind: $c1159, required: false, alias: "", example: "", attribute: "setting", unless: ""});
-const $c1162 = $made(Limit, {dimension: "number", least: 0.0, most: 0.5, open: false, rigid: false});
-const $c1161 = $made(Quantity, {dimension: "number", limit: $c1162});
-const $c1143 = $made(Entry, {key: "droop", kind: $c1161, required: false, alias: "", example: "", attribute: "droop", unless: ""});
-const $c1165 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: true, rigid: true});
-const $c1164 = $made(Quantity, {dimension: "number", limit: $c1165});
-const $c1163 = $made(WordOr, {word: "rigid", kind: $c1164, meaning: Infinity});
-const $c1144 = $made(Entry, {key: "torque_limit", kind: $c1163, required: false, alias: "", example: "", attribute: "torque_limit", unless: ""});
-const $c1132 = [$c1134, $c1135, $c1136, $c1137, $c1138, $c1139, $c1140, $c1141, $c1142, $c1143, $c1144];
-const $c1133 = new Map([["kind", $c1134], ["rated_power", $c1135], ["rated_speed", $c1136], ["gear_ratio", $c1137], ["gear_efficiency", $c1138], ["motor_efficiency", $c1139], ["count", $c1140], ["brakes", $c1141], ["setting", $c1142], ["droop", $c1143], ["torque_limit", $c1144]]);
-const $c572 = $made(Table, {of: VariableSpeed, entries: $c1132, _known: $c1133});
-const $c1178 = ["induction"];
-const $c1177 = $made(Choice, {options: $c1178});
-const $c1168 = $made(Entry, {key: "kind", kind: $c1177, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1179 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1169 = $made(Entry, {key: "rated_power", kind: $c1179, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1180 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1170 = $made(Entry, {key: "rated_speed", kind: $c1180, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1181 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1171 = $made(Entry, {key: "gear_ratio", kind: $c1181, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1182 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1172 = $made(Entry, {key: "gear_efficiency", kind: $c1182, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1183 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1173 = $made(Entry, {key: "motor_efficiency", kind: $c1183, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1184 = $made(Flag, {});
-const $c1174 = $made(Entry, {key: "brakes", kind: $c1184, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1186 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: 100000.0, open: true, rigid: false});
-const $c1185 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1175 = $made(Entry, {key: "synchronous_speed", kind: $c1185, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1188 = $made(Limit, {dimension: "number", least: 1.1, most: 10.0, open: false, rigid: false});
-const $c1187 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1176 = $made(Entry, {key: "breakdown_ratio", kind: $c1187, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1166 = [$c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1140, $c1174, $c1175, $c1176];
-const $c1167 = new Map([["kind", $c1168], ["rated_power", $c1169], ["rated_speed", $c1170], ["gear_ratio", $c1171], ["gear_efficiency", $c1172], ["motor_efficiency", $c1173], ["count", $c1140], ["brakes", $c1174], ["synchronous_speed", $c1175], ["breakdown_ratio", $c1176]]);
-const $c573 = $made(Table, {of: Induction, entries: $c1166, _known: $c1167});
-const $c1203 = ["fluid-coupling"];
-const $c1202 = $made(Choice, {options: $c1203});
-const $c1191 = $made(Entry, {key: "kind", kind: $c1202, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1204 = $made(Quantity, {dimension: "power", limit: $c1148});
-const $c1192 = $made(Entry, {key: "rated_power", kind: $c1204, required: true, alias: "", example: "", attribute: "rated_power", unless: ""});
-const $c1205 = $made(Quantity, {dimension: "rotation_speed", limit: $c1150});
-const $c1193 = $made(Entry, {key: "rated_speed", kind: $c1205, required: true, alias: "", example: "", attribute: "rated_speed", unless: ""});
-const $c1206 = $made(Quantity, {dimension: "number", limit: $c1152});
-const $c1194 = $made(Entry, {key: "gear_ratio", kind: $c1206, required: false, alias: "", example: "", attribute: "gear_ratio", unless: ""});
-const $c1207 = $made(Quantity, {dimension: "number", limit: $c1154});
-const $c1195 = $made(Entry, {key: "gear_efficiency", kind: $c1207, required: false, alias: "", example: "", attribute: "gear_efficiency", unless: ""});
-const $c1208 = $made(Quantity, {dimension: "number", limit: $c1156});
-const $c1196 = $made(Entry, {key: "motor_efficiency", kind: $c1208, required: false, alias: "", example: "", attribute: "motor_efficiency", unless: ""});
-const $c1209 = $made(Flag, {});
-const $c1197 = $made(Entry, {key: "brakes", kind: $c1209, required: false, alias: "", example: "", attribute: "brakes", unless: ""});
-const $c1210 = $made(Quantity, {dimension: "rotation_speed", limit: $c1186});
-const $c1198 = $made(Entry, {key: "synchronous_speed", kind: $c1210, required: true, alias: "", example: "", attribute: "synchronous_speed", unless: ""});
-const $c1211 = $made(Quantity, {dimension: "number", limit: $c1188});
-const $c1199 = $made(Entry, {key: "breakdown_ratio", kind: $c1211, required: false, alias: "", example: "", attribute: "breakdown_ratio", unless: ""});
-const $c1214 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: false, rigid: false});
-const $c1213 = $made(Quantity, {dimension: "number", limit: $c1214});
-const $c1212 = $made(Rows, {kind: $c1213, least: 2, most: 200});
-const $c1200 = $made(Entry, {key: "coupling_load", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_load", unless: ""});
-const $c1201 = $made(Entry, {key: "coupling_slip", kind: $c1212, required: true, alias: "", example: "", attribute: "coupling_slip", unless: ""});
-const $c1189 = [$c1191, $c1192, $c1193, $c1194, $c1195, $c1196, $c1140, $c1197, $c1198, $c1199, $c1200, $c1201];
-const $c1190 = new Map([["kind", $c1191], ["rated_power", $c1192], ["rated_speed", $c1193], ["gear_ratio", $c1194], ["gear_efficiency", $c1195], ["motor_efficiency", $c1196], ["count", $c1140], ["brakes", $c1197], ["synchronous_speed", $c1198], ["breakdown_ratio", $c1199], ["coupling_load", $c1200], ["coupling_slip", $c1201]]);
-const $c574 = $made(Table, {of: FluidCoupling, entries: $c1189, _known: $c1190});
-const $c1221 = ["follower"];
-const $c1220 = $made(Choice, {options: $c1221});
-const $c1217 = $made(Entry, {key: "kind", kind: $c1220, required: true, alias: "", example: "", attribute: "kind", unless: ""});
-const $c1222 = $made(Name, {longest: 60});
-const $c1218 = $made(Entry, {key: "master", kind: $c1222, required: true, alias: "", example: "", attribute: "master", unless: ""});
-const $c593 = $made(Limit, {dimension: "number", least: -10.0, most: 10.0, open: false, rigid: false});
-const $c1223 = $made(Quantity, {dimension: "number", limit: $c593});
-const $c1219 = $made(Entry, {key: "ratio", kind: $c1223, required: false, alias: "", example: "", attribute: "ratio", unless: ""});
-const $c1215 = [$c1217, $c1218, $c1219];
-const $c1216 = new Map([["kind", $c1217], ["master", $c1218], ["ratio", $c1219]]);
-const $c575 = $made(Table, {of: TorqueFollower, entries: $c1215, _known: $c1216});
-const $c65 = new Map([["converter", $c572], ["induction", $c573], ["fluid-coupling", $c574], ["follower", $c575]]);
-const $c66 = $made(Variant, {tag: "kind", tables: $c65});
-const $c1131 = $made(ByName, {kind: $c66, most: 200});
-const $c1128 = $made(Entry, {key: "motor", kind: $c1131, required: false, alias: "", example: "", attribute: "motor", unless: ""});
-const $c1125 = [$c1109, $c1110, $c1111, $c1112, $c1113, $c1114, $c1115, $c1127, $c1128];
-const $c1126 = new Map([["entry_tension", $c1109], ["exit_tension", $c1110], ["effective_tension", $c1111], ["power", $c1112], ["run", $c1113], ["share", $c1114], ["speeds", $c1115], ["diameters", $c1127], ["motor", $c1128]]);
-const $c1124 = $made(Table, {of: null, entries: $c1125, _known: $c1126});
-const $c1100 = $made(Entry, {key: "train", kind: $c1124, required: false, alias: "", example: "", attribute: "train", unless: ""});
-const $c1097 = [$c623, $c624, $c625, $c626, $c627, $c628, $c629, $c630, $c1099, $c632, $c496, $c497, $c498, $c499, $c1100, $c634];
-const $c1098 = new Map([["format", $c623], ["title", $c624], ["description", $c625], ["creep_limit", $c626], ["condition", $c627], ["belt", $c628], ["pulley", $c629], ["lagging", $c630], ["load_case", $c1099], ["conveyor", $c632], ["take_up", $c496], ["design_standard", $c497], ["safety_factor", $c498], ["sag", $c499], ["train", $c1100], ["motion", $c634]]);
-const $c41 = $made(Table, {of: Drive, entries: $c1097, _known: $c1098});
-const $c42 = $re("[A-Za-z0-9_-]{1,60}", "");
-const $c43 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
-const $c44 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c45 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c47 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c48 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c51 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c52 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c54 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1235 = $made(Name, {longest: 60});
-const $c1226 = $made(Entry, {key: "name", kind: $c1235, required: true, alias: "", example: "name = \"my-lagging\"", attribute: "name", unless: ""});
-const $c1236 = $made(Quantity, {dimension: "length", limit: $c585});
-const $c1227 = $made(Entry, {key: "thickness", kind: $c1236, required: false, alias: "", example: "", attribute: "thickness", unless: ""});
-const $c1237 = $made(Quantity, {dimension: "pressure", limit: $c588});
-const $c1228 = $made(Entry, {key: "elastic_modulus", kind: $c1237, required: false, alias: "", example: "", attribute: "elastic_modulus", unless: ""});
-const $c1239 = $made(Quantity, {dimension: "pressure", limit: $c586});
-const $c1238 = $made(WordOr, {word: "rigid", kind: $c1239, meaning: Infinity});
-const $c1229 = $made(Entry, {key: "shear_modulus", kind: $c1238, required: false, alias: "", example: "", attribute: "shear_modulus", unless: ""});
-const $c1241 = $made(Quantity, {dimension: "pressure", limit: $c587});
-const $c1240 = $made(WordOr, {word: "rigid", kind: $c1241, meaning: Infinity});
-const $c1230 = $made(Entry, {key: "compression_modulus", kind: $c1240, required: false, alias: "", example: "", attribute: "compression_modulus", unless: ""});
-const $c1242 = $made(Quantity, {dimension: "wear_coefficient", limit: $c589});
-const $c1231 = $made(Entry, {key: "wear_coefficient", kind: $c1242, required: false, alias: "", example: "", attribute: "wear_coefficient", unless: ""});
-const $c1243 = $made(Quantity, {dimension: "number", limit: $c590});
-const $c1232 = $made(Entry, {key: "belt_energy_share", kind: $c1243, required: false, alias: "", example: "", attribute: "belt_energy_share", unless: ""});
-const $c1244 = $made(Quantity, {dimension: "pressure", limit: $c591});
-const $c1233 = $made(Entry, {key: "bond_strength", kind: $c1244, required: false, alias: "", example: "", attribute: "bond_strength", unless: ""});
-const $c1245 = $made(Quantity, {dimension: "pressure", limit: $c592});
-const $c1234 = $made(Entry, {key: "fatigue_limit", kind: $c1245, required: false, alias: "", example: "", attribute: "fatigue_limit", unless: ""});
-const $c1224 = [$c623, $c1226, $c695, $c696, $c697, $c1227, $c1228, $c1229, $c1230, $c702, $c1231, $c1232, $c1233, $c1234, $c707, $c708, $c709, $c710, $c711, $c99, $c100, $c712];
-const $c1225 = new Map([["format", $c623], ["name", $c1226], ["title", $c695], ["description", $c696], ["surface", $c697], ["thickness", $c1227], ["elastic_modulus", $c1228], ["shear_modulus", $c1229], ["compression_modulus", $c1230], ["block", $c702], ["wear_coefficient", $c1231], ["belt_energy_share", $c1232], ["bond_strength", $c1233], ["fatigue_limit", $c1234], ["cost", $c707], ["slip_speed", $c708], ["temperature", $c709], ["condition_factor", $c710], ["law", $c711], ["provenance", $c99], ["sources", $c100], ["notes", $c712]]);
-const $c58 = $made(Table, {of: Lagging, entries: $c1224, _known: $c1225});
-const $c508 = ["compression_modulus", "block"];
-const $c59 = [$c508];
-const $c60 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c530 = [0.25, 0.25];
-const $c531 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c509 = $made(DesignFriction, {standard: "CEMA", surface: "bare", condition: "", friction: $c530, provenance: $c531});
-const $c532 = [0.35, 0.35];
-const $c533 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: ""});
-const $c510 = $made(DesignFriction, {standard: "CEMA", surface: "rubber", condition: "", friction: $c532, provenance: $c533});
-const $c534 = [0.5, 0.5];
-const $c535 = $made(Provenance, {kind: "published", source: "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", date: "", note: "dimpled ceramic"});
-const $c511 = $made(DesignFriction, {standard: "CEMA", surface: "ceramic", condition: "", friction: $c534, provenance: $c535});
-const $c536 = [0.35, 0.4];
-const $c537 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c512 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "dry", friction: $c536, provenance: $c537});
-const $c538 = [0.1, 0.1];
-const $c539 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c513 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet", friction: $c538, provenance: $c539});
-const $c540 = [0.05, 0.1];
-const $c541 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c514 = $made(DesignFriction, {standard: "DIN 22101", surface: "bare", condition: "wet and dirty", friction: $c540, provenance: $c541});
-const $c542 = [0.4, 0.45];
-const $c543 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c515 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "dry", friction: $c542, provenance: $c543});
-const $c544 = [0.35, 0.35];
-const $c545 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves; single value, partly from IS 11592 and REMA"});
-const $c516 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet", friction: $c544, provenance: $c545});
-const $c546 = [0.25, 0.3];
-const $c547 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "herringbone grooves"});
-const $c517 = $made(DesignFriction, {standard: "DIN 22101", surface: "rubber", condition: "wet and dirty", friction: $c546, provenance: $c547});
-const $c548 = [0.35, 0.4];
-const $c549 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c518 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "dry", friction: $c548, provenance: $c549});
-const $c550 = [0.35, 0.35];
-const $c551 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c519 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet", friction: $c550, provenance: $c551});
-const $c552 = [0.2, 0.2];
-const $c553 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c520 = $made(DesignFriction, {standard: "DIN 22101", surface: "polyurethane", condition: "wet and dirty", friction: $c552, provenance: $c553});
-const $c554 = [0.4, 0.45];
-const $c555 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c521 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "dry", friction: $c554, provenance: $c555});
-const $c556 = [0.35, 0.4];
-const $c557 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: ""});
-const $c522 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet", friction: $c556, provenance: $c557});
-const $c558 = [0.35, 0.35];
-const $c559 = $made(Provenance, {kind: "published", source: "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", date: "", note: "single value, partly from IS 11592 and REMA"});
-const $c523 = $made(DesignFriction, {standard: "DIN 22101", surface: "ceramic", condition: "wet and dirty", friction: $c558, provenance: $c559});
-const $c560 = [0.35, 0.35];
-const $c561 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c524 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "dry", friction: $c560, provenance: $c561});
-const $c562 = [0.35, 0.35];
-const $c563 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c525 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet", friction: $c562, provenance: $c563});
-const $c564 = [0.3, 0.3];
-const $c565 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "diamond rubber"});
-const $c526 = $made(DesignFriction, {standard: "practice", surface: "rubber", condition: "wet and dirty", friction: $c564, provenance: $c565});
-const $c566 = [0.8, 0.8];
-const $c567 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c527 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "dry", friction: $c566, provenance: $c567});
-const $c568 = [0.45, 0.45];
-const $c569 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c528 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet", friction: $c568, provenance: $c569});
-const $c570 = [0.35, 0.35];
-const $c571 = $made(Provenance, {kind: "published", source: "Practitioners' values for a running drive, bulk-online forum", date: "2005", note: "ceramic in rubber"});
-const $c529 = $made(DesignFriction, {standard: "practice", surface: "ceramic", condition: "wet and dirty", friction: $c570, provenance: $c571});
-const $c61 = [$c509, $c510, $c511, $c512, $c513, $c514, $c515, $c516, $c517, $c518, $c519, $c520, $c521, $c522, $c523, $c524, $c525, $c526, $c527, $c528, $c529];
-const $c62 = new RunsGain(0.0, 0.0);
-const $c64 = ["share", "speeds", "motor"];
-const $c67 = $Decimal.of("0");
-const $c576 = [0.0];
-const $c68 = $made(Trend, {form: "polynomial", coefficients: $c576, sign: 1});
-const $c577 = [1000000000.0];
-const $c69 = $made(Trend, {form: "polynomial", coefficients: $c577, sign: 1});
-const $c70 = new Map([["factor", $c578]]);
-const $c71 = new Map([["x", $c579], ["y", $c579], ["diameter", $c580]]);
-const $c582 = $made(Limit, {dimension: "force", least: 0.1, most: 1000000000.0, open: false, rigid: false});
-const $c72 = new Map([["entry", $c581], ["exit", $c582]]);
-const $c73 = new Map([["creep_limit", $c583]]);
-const $c584 = $made(Limit, {dimension: "length", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c74 = new Map([["creep_limit", $c584]]);
-const $c75 = new Map([["thickness", $c585], ["shear_modulus", $c586], ["compression_modulus", $c587], ["elastic_modulus", $c588], ["wear_coefficient", $c589], ["belt_energy_share", $c590], ["bond_strength", $c591], ["fatigue_limit", $c592]]);
-const $c76 = new Map([["ratio", $c593]]);
-const $c77 = new Map([["entry_tension", $c581], ["exit_tension", $c582]]);
-const $c78 = new Map([["sheave_ratio", $c594]]);
-const $c79 = new Map([["friction", $c595], ["start_factor", $c596]]);
-const $c80 = new Map([["running", $c596], ["starting", $c596], ["braking", $c596]]);
-const $c1246 = [false, false];
-const $c1247 = [true, false];
-const $c1248 = [true, true];
-const $c1249 = [false, true];
-const $c597 = new Map([["polynomial", $c1246], ["logarithmic", $c1247], ["power", $c1248], ["exponential", $c1249]]);
-const $c602 = $made(_OfClass, {});
-const $c603 = new Map([[10, null], [9, null]]);
-const $c1250 = [80.0, 1.92];
-const $c1251 = [90.0, 1.86];
-const $c1252 = [100.0, 1.78];
-const $c1253 = [120.0, 1.7];
-const $c1254 = [140.0, 1.63];
-const $c1255 = [160.0, 1.56];
-const $c1256 = [180.0, 1.5];
-const $c1257 = [200.0, 1.45];
-const $c1258 = [250.0, 1.38];
-const $c1259 = [300.0, 1.31];
-const $c1260 = [350.0, 1.27];
-const $c1261 = [400.0, 1.25];
-const $c1262 = [450.0, 1.22];
-const $c1263 = [500.0, 1.2];
-const $c1264 = [550.0, 1.18];
-const $c1265 = [600.0, 1.17];
-const $c1266 = [700.0, 1.14];
-const $c1267 = [800.0, 1.12];
-const $c1268 = [900.0, 1.1];
-const $c1269 = [1000.0, 1.09];
-const $c1270 = [1500.0, 1.06];
-const $c1271 = [2000.0, 1.05];
-const $c606 = [$c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271];
-const $c1272 = $made(Limit, {dimension: "number", least: 0.0, most: Infinity, open: false, rigid: false});
-const $c1273 = $made(Limit, {dimension: "number", least: 1.0, most: Infinity, open: false, rigid: false});
-const $c608 = new Map([["residual_noise", $c1272], ["coverage_factor", $c1273]]);
-const $c609 = $Decimal.of("0");
-const $c610 = new Map([["misalignment", $c938], ["deflection", $c940]]);
-const $c611 = new Map([["diameter", $c667], ["wrap_angle", $c668], ["overrun", $c920], ["creep_limit", $c921], ["mass", $c922]]);
-const $c612 = new Map([["spacing", $c1090], ["line_mass", $c1092], ["share", $c1094]]);
-const $c1274 = $made(Limit, {dimension: "speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1275 = $made(Limit, {dimension: "number", least: 0.01, most: 100.0, open: false, rigid: false});
-const $c613 = new Map([["length", $c1021], ["lift", $c1023], ["belt_mass", $c1025], ["carry_idler_mass", $c1027], ["return_idler_mass", $c1029], ["material_mass", $c1025], ["capacity", $c1032], ["friction_factor", $c1034], ["length_coefficient", $c1036], ["secondary_resistance", $c1038], ["special_resistance", $c1038], ["return_share", $c1041], ["start_factor", $c1043], ["start_time", $c1045], ["stop_time", $c1045], ["take_up_tension", $c1048], ["counterweight", $c1050], ["take_up_distance", $c1052], ["speed", $c1274], ["sheave_ratio", $c1275]]);
-const $c614 = new Map([["material", $c752], ["installation", $c754], ["area", $c757]]);
-const $c615 = new Map([["width", $c733], ["height", $c735], ["stiffening", $c737], ["contact_fraction", $c739]]);
-const $c1276 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c616 = new Map([["factor", $c1276]]);
-const $c1277 = $made(Limit, {dimension: "number", least: 1, most: 8, open: false, rigid: false});
-const $c617 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277]]);
-const $c618 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["setting", $c1160], ["droop", $c1162], ["torque_limit", $c1165]]);
-const $c619 = new Map([["rated_power", $c1148], ["rated_speed", $c1150], ["gear_ratio", $c1152], ["gear_efficiency", $c1154], ["motor_efficiency", $c1156], ["count", $c1277], ["synchronous_speed", $c1186], ["breakdown_ratio", $c1188]]);
-const $c620 = new Map([["length", $c964], ["trough_angle", $c966], ["centre_roll", $c968]]);
-const $c1278 = [0.016, 0.03];
-const $c1279 = new Map([["distance", $c953]]);
-const $c1354 = $made(Limit, {dimension: "number", least: 0.0, most: 10.0, open: true, rigid: false});
-const $c1352 = $made(Quantity, {dimension: "number", limit: $c1354});
-const $c1355 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infinity, open: true, rigid: false});
-const $c1353 = $made(Quantity, {dimension: "rotation_speed", limit: $c1355});
-const $c1351 = $made(Either, {first: $c1352, second: $c1353, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
-const $c1280 = $made(Rows, {kind: $c1351, least: 1, most: 10});
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
-Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
+const $c543 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c543, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c544, $c545, $c546, $c547];
+const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
+const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
+const $c552 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c553 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c554 = ["length_coefficient", "secondary_resistance", ""];
+const $c555 = ["start_factor", "start_time", ""];
+const $c36 = [$c552, $c553, $c554, $c555];
+const $c37 = ["capacity", "start_time", "stop_time"];
+const $c1343 = $made(Quantity, $c142, ["force", $c205]);
+const $c1336 = $made(Entry, $c871, ["entry_tension", $c1343, false, "", "", "entry_tension", ""]);
+const $c1337 = $made(Entry, $c871, ["exit_tension", $c1343, false, "", "", "exit_tension", ""]);
+const $c1344 = $made(Quantity, $c142, ["force", null]);
+const $c1338 = $made(Entry, $c871, ["effective_tension", $c1344, false, "", "", "effective_tension", ""]);
+const $c1345 = $made(Quantity, $c142, ["power", null]);
+const $c1339 = $made(Entry, $c871, ["power", $c1345, false, "", "", "power", ""]);
+const $c1347 = $made(Quantity, $c142, ["force", null]);
+const $c1346 = $made(ByName, $c879, [$c1347, 200]);
+const $c1340 = $made(Entry, $c871, ["run", $c1346, false, "", "", "run", ""]);
+const $c1579 = ["first", "second", "words"];
+const $c1582 = $made(Limit, $c877, ["number", -100.0, 100.0, false, false]);
+const $c1580 = $made(Quantity, $c142, ["number", $c1582]);
+const $c1581 = $made(Quantity, $c142, ["power", null]);
+const $c1349 = $made(Either, $c1579, [$c1580, $c1581, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1348 = $made(Rows, $c910, [$c1349, 1, 10]);
+const $c1341 = $made(Entry, $c871, ["share", $c1348, false, "", "", "share", ""]);
+const $c1351 = $made(SpeedList, [], []);
+const $c1342 = $made(Entry, $c871, ["speeds", $c1351, false, "", "", "speeds", ""]);
+const $c1334 = [$c1336, $c1337, $c1338, $c1339, $c1340, $c1341, $c1342];
+const $c1335 = new Map([["entry_tension", $c1336], ["exit_tension", $c1337], ["effective_tension", $c1338], ["power", $c1339], ["run", $c1340], ["share", $c1341], ["speeds", $c1342]]);
+const $c1333 = $made(tables$Table, $c856, [null, $c1334, $c1335]);
+const $c1332 = $made(Entry, $c871, ["train", $c1333, false, "", "", "train", ""]);
+const $c1330 = [$c1227, $c1228, $c1229, $c1230, $c1231, $c1332];
+const $c1331 = new Map([["name", $c1227], ["description", $c1228], ["kind", $c1229], ["condition", $c1230], ["pulley", $c1231], ["train", $c1332]]);
+const $c1329 = $made(tables$Table, $c856, [null, $c1330, $c1331]);
+const $c1328 = $made(Rows, $c910, [$c1329, 1, 1000]);
+const $c1326 = $made(Entry, $c871, ["load_case", $c1328, false, "", "", "load_case", ""]);
+const $c1358 = $made(Quantity, $c142, ["length", $c198]);
+const $c1357 = $made(Rows, $c910, [$c1358, 1, 10]);
+const $c1355 = $made(Entry, $c871, ["diameters", $c1357, false, "", "", "diameters", ""]);
+const $c1374 = ["converter"];
+const $c1373 = $made(Choice, $c894, [$c1374]);
+const $c1362 = $made(Entry, $c871, ["kind", $c1373, true, "", "", "kind", ""]);
+const $c808 = $made(Limit, $c877, ["power", 0.0, 1000000000.0, true, false]);
+const $c1375 = $made(Quantity, $c142, ["power", $c808]);
+const $c1363 = $made(Entry, $c871, ["rated_power", $c1375, true, "", "", "rated_power", ""]);
+const $c809 = $made(Limit, $c877, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1376 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1364 = $made(Entry, $c871, ["rated_speed", $c1376, true, "", "", "rated_speed", ""]);
+const $c810 = $made(Limit, $c877, ["number", 0.0, 10000.0, true, false]);
+const $c1377 = $made(Quantity, $c142, ["number", $c810]);
+const $c1365 = $made(Entry, $c871, ["gear_ratio", $c1377, false, "", "", "gear_ratio", ""]);
+const $c811 = $made(Limit, $c877, ["number", 0.05, 1.0, false, false]);
+const $c1378 = $made(Quantity, $c142, ["number", $c811]);
+const $c1366 = $made(Entry, $c871, ["gear_efficiency", $c1378, false, "", "", "gear_efficiency", ""]);
+const $c812 = $made(Limit, $c877, ["number", 0.05, 1.0, false, false]);
+const $c1379 = $made(Quantity, $c142, ["number", $c812]);
+const $c1367 = $made(Entry, $c871, ["motor_efficiency", $c1379, false, "", "", "motor_efficiency", ""]);
+const $c1380 = $made(Count, $c1221, [1, 8]);
+const $c1368 = $made(Entry, $c871, ["count", $c1380, false, "", "", "count", ""]);
+const $c1381 = $made(Flag, [], []);
+const $c1369 = $made(Entry, $c871, ["brakes", $c1381, false, "", "", "brakes", ""]);
+const $c814 = $made(Limit, $c877, ["number", 0.01, 3.0, false, false]);
+const $c1382 = $made(Quantity, $c142, ["number", $c814]);
+const $c1370 = $made(Entry, $c871, ["setting", $c1382, false, "", "", "setting", ""]);
+const $c815 = $made(Limit, $c877, ["number", 0.0, 0.5, false, false]);
+const $c1383 = $made(Quantity, $c142, ["number", $c815]);
+const $c1371 = $made(Entry, $c871, ["droop", $c1383, false, "", "", "droop", ""]);
+const $c816 = $made(Limit, $c877, ["number", 0.0, Infinity, true, true]);
+const $c1385 = $made(Quantity, $c142, ["number", $c816]);
+const $c1384 = $made(WordOr, $c908, ["rigid", $c1385, Infinity]);
+const $c1372 = $made(Entry, $c871, ["torque_limit", $c1384, false, "", "", "torque_limit", ""]);
+const $c1360 = [$c1362, $c1363, $c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372];
+const $c1361 = new Map([["kind", $c1362], ["rated_power", $c1363], ["rated_speed", $c1364], ["gear_ratio", $c1365], ["gear_efficiency", $c1366], ["motor_efficiency", $c1367], ["count", $c1368], ["brakes", $c1369], ["setting", $c1370], ["droop", $c1371], ["torque_limit", $c1372]]);
+const $c795 = $made(tables$Table, $c856, [VariableSpeed, $c1360, $c1361]);
+const $c1398 = ["induction"];
+const $c1397 = $made(Choice, $c894, [$c1398]);
+const $c1388 = $made(Entry, $c871, ["kind", $c1397, true, "", "", "kind", ""]);
+const $c1399 = $made(Quantity, $c142, ["power", $c808]);
+const $c1389 = $made(Entry, $c871, ["rated_power", $c1399, true, "", "", "rated_power", ""]);
+const $c1400 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1390 = $made(Entry, $c871, ["rated_speed", $c1400, true, "", "", "rated_speed", ""]);
+const $c1401 = $made(Quantity, $c142, ["number", $c810]);
+const $c1391 = $made(Entry, $c871, ["gear_ratio", $c1401, false, "", "", "gear_ratio", ""]);
+const $c1402 = $made(Quantity, $c142, ["number", $c811]);
+const $c1392 = $made(Entry, $c871, ["gear_efficiency", $c1402, false, "", "", "gear_efficiency", ""]);
+const $c1403 = $made(Quantity, $c142, ["number", $c812]);
+const $c1393 = $made(Entry, $c871, ["motor_efficiency", $c1403, false, "", "", "motor_efficiency", ""]);
+const $c1404 = $made(Flag, [], []);
+const $c1394 = $made(Entry, $c871, ["brakes", $c1404, false, "", "", "brakes", ""]);
+const $c1406 = $made(Limit, $c877, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1405 = $made(Quantity, $c142, ["rotation_speed", $c1406]);
+const $c1395 = $made(Entry, $c871, ["synchronous_speed", $c1405, true, "", "", "synchronous_speed", ""]);
+const $c1408 = $made(Limit, $c877, ["number", 1.1, 10.0, false, false]);
+const $c1407 = $made(Quantity, $c142, ["number", $c1408]);
+const $c1396 = $made(Entry, $c871, ["breakdown_ratio", $c1407, false, "", "", "breakdown_ratio", ""]);
+const $c1386 = [$c1388, $c1389, $c1390, $c1391, $c1392, $c1393, $c1368, $c1394, $c1395, $c1396];
+const $c1387 = new Map([["kind", $c1388], ["rated_power", $c1389], ["rated_speed", $c1390], ["gear_ratio", $c1391], ["gear_efficiency", $c1392], ["motor_efficiency", $c1393], ["count", $c1368], ["brakes", $c1394], ["synchronous_speed", $c1395], ["breakdown_ratio", $c1396]]);
+const $c796 = $made(tables$Table, $c856, [Induction, $c1386, $c1387]);
+const $c1423 = ["fluid-coupling"];
+const $c1422 = $made(Choice, $c894, [$c1423]);
+const $c1411 = $made(Entry, $c871, ["kind", $c1422, true, "", "", "kind", ""]);
+const $c1424 = $made(Quantity, $c142, ["power", $c808]);
+const $c1412 = $made(Entry, $c871, ["rated_power", $c1424, true, "", "", "rated_power", ""]);
+const $c1425 = $made(Quantity, $c142, ["rotation_speed", $c809]);
+const $c1413 = $made(Entry, $c871, ["rated_speed", $c1425, true, "", "", "rated_speed", ""]);
+const $c1426 = $made(Quantity, $c142, ["number", $c810]);
+const $c1414 = $made(Entry, $c871, ["gear_ratio", $c1426, false, "", "", "gear_ratio", ""]);
+const $c1427 = $made(Quantity, $c142, ["number", $c811]);
+const $c1415 = $made(Entry, $c871, ["gear_efficiency", $c1427, false, "", "", "gear_efficiency", ""]);
+const $c1428 = $made(Quantity, $c142, ["number", $c812]);
+const $c1416 = $made(Entry, $c871, ["motor_efficiency", $c1428, false, "", "", "motor_efficiency", ""]);
+const $c1429 = $made(Flag, [], []);
+const $c1417 = $made(Entry, $c871, ["brakes", $c1429, false, "", "", "brakes", ""]);
+const $c1430 = $made(Quantity, $c142, ["rotation_speed", $c1406]);
+const $c1418 = $made(Entry, $c871, ["synchronous_speed", $c1430, true, "", "", "synchronous_speed", ""]);
+const $c1431 = $made(Quantity, $c142, ["number", $c1408]);
+const $c1419 = $made(Entry, $c871, ["breakdown_ratio", $c1431, false, "", "", "breakdown_ratio", ""]);
+const $c1434 = $made(Limit, $c877, ["number", 0.0, 10.0, false, false]);
+const $c1433 = $made(Quantity, $c142, ["number", $c1434]);
+const $c1432 = $made(Rows, $c910, [$c1433, 2, 200]);
+const $c1420 = $made(Entry, $c871, ["coupling_load", $c1432, true, "", "", "coupling_load", ""]);
+const $c1421 = $made(Entry, $c871, ["coupling_slip", $c1432, true, "", "", "coupling_slip", ""]);
+const $c1409 = [$c1411, $c1412, $c1413, $c1414, $c1415, $c1416, $c1368, $c1417, $c1418, $c1419, $c1420, $c1421];
+const $c1410 = new Map([["kind", $c1411], ["rated_power", $c1412], ["rated_speed", $c1413], ["gear_ratio", $c1414], ["gear_efficiency", $c1415], ["motor_efficiency", $c1416], ["count", $c1368], ["brakes", $c1417], ["synchronous_speed", $c1418], ["breakdown_ratio", $c1419], ["coupling_load", $c1420], ["coupling_slip", $c1421]]);
+const $c797 = $made(tables$Table, $c856, [FluidCoupling, $c1409, $c1410]);
+const $c1441 = ["follower"];
+const $c1440 = $made(Choice, $c894, [$c1441]);
+const $c1437 = $made(Entry, $c871, ["kind", $c1440, true, "", "", "kind", ""]);
+const $c1442 = $made(Name, $c882, [60]);
+const $c1438 = $made(Entry, $c871, ["master", $c1442, true, "", "", "master", ""]);
+const $c825 = $made(Limit, $c877, ["number", -10.0, 10.0, false, false]);
+const $c1443 = $made(Quantity, $c142, ["number", $c825]);
+const $c1439 = $made(Entry, $c871, ["ratio", $c1443, false, "", "", "ratio", ""]);
+const $c1435 = [$c1437, $c1438, $c1439];
+const $c1436 = new Map([["kind", $c1437], ["master", $c1438], ["ratio", $c1439]]);
+const $c798 = $made(tables$Table, $c856, [TorqueFollower, $c1435, $c1436]);
+const $c95 = new Map([["converter", $c795], ["induction", $c796], ["fluid-coupling", $c797], ["follower", $c798]]);
+const $c96 = $made(Variant, $c1017, ["kind", $c95]);
+const $c1359 = $made(ByName, $c879, [$c96, 200]);
+const $c1356 = $made(Entry, $c871, ["motor", $c1359, false, "", "", "motor", ""]);
+const $c1353 = [$c1336, $c1337, $c1338, $c1339, $c1340, $c1341, $c1342, $c1355, $c1356];
+const $c1354 = new Map([["entry_tension", $c1336], ["exit_tension", $c1337], ["effective_tension", $c1338], ["power", $c1339], ["run", $c1340], ["share", $c1341], ["speeds", $c1342], ["diameters", $c1355], ["motor", $c1356]]);
+const $c1352 = $made(tables$Table, $c856, [null, $c1353, $c1354]);
+const $c1327 = $made(Entry, $c871, ["train", $c1352, false, "", "", "train", ""]);
+const $c1324 = [$c859, $c860, $c861, $c862, $c863, $c864, $c865, $c866, $c1326, $c868, $c544, $c545, $c546, $c547, $c1327, $c870];
+const $c1325 = new Map([["format", $c859], ["title", $c860], ["description", $c861], ["creep_limit", $c862], ["condition", $c863], ["belt", $c864], ["pulley", $c865], ["lagging", $c866], ["load_case", $c1326], ["conveyor", $c868], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c1327], ["motion", $c870]]);
+const $c38 = $made(tables$Table, $c856, [Drive, $c1324, $c1325]);
+const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
+const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
+const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
+const $c42 = ["illustrative", "calibrated", "estimated"];
+const $c43 = new WeakMap();
+const $c582 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+const $c556 = $made(Rule, $c582, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
+const $c557 = $made(Rule, $c582, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
+const $c558 = $made(Rule, $c582, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
+const $c559 = $made(Rule, $c582, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
+const $c560 = $made(Rule, $c582, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
+const $c561 = $made(Rule, $c582, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
+const $c562 = $made(Rule, $c582, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
+const $c563 = $made(Rule, $c582, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
+const $c564 = $made(Rule, $c582, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
+const $c565 = $made(Rule, $c582, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c566 = $made(Rule, $c582, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c567 = $made(Rule, $c582, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
+const $c568 = $made(Rule, $c582, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
+const $c569 = $made(Rule, $c582, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
+const $c570 = $made(Rule, $c582, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
+const $c571 = $made(Rule, $c582, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
+const $c572 = $made(Rule, $c582, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
+const $c573 = $made(Rule, $c582, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c574 = $made(Rule, $c582, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
+const $c575 = $made(Rule, $c582, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
+const $c576 = $made(Rule, $c582, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
+const $c577 = $made(Rule, $c582, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
+const $c578 = $made(Rule, $c582, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
+const $c579 = $made(Rule, $c582, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
+const $c580 = $made(Rule, $c582, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
+const $c581 = $made(Rule, $c582, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c44 = new Map([["gross_slip", $c556], ["design_standard", $c557], ["creep", $c558], ["cover_creep", $c559], ["creep_interval", $c560], ["belt_tension", $c561], ["momentary_tension", $c562], ["belt_safety", $c563], ["face_pressure", $c564], ["bond_stress", $c565], ["fatigue_stress", $c566], ["tested_pressure_max", $c567], ["tested_pressure_min", $c568], ["condition", $c569], ["fit", $c570], ["tested_slip", $c571], ["tested_slip_speed", $c572], ["balance", $c573], ["sag", $c574], ["pulley_diameter", $c575], ["belt_thickness", $c576], ["usual_sizes", $c577], ["motor_load", $c578], ["momentary_load", $c579], ["motor_heat", $c580], ["train_balance", $c581]]);
+const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c46 = ["Speed"];
+const $c47 = ["Motor"];
+const $c583 = ["by creep", "The belt slides (creep of {slides})"];
+const $c584 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c585 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c48 = new Map([[0, $c583], [1, $c584], [2, $c585]]);
+const $c588 = [180.0, 1.2];
+const $c589 = [200.0, 1.0];
+const $c590 = [210.0, 1.0];
+const $c591 = [220.0, 0.9];
+const $c592 = [240.0, 0.8];
+const $c586 = [$c588, $c589, $c590, $c591, $c592];
+const $c593 = [180.0, 0.8];
+const $c594 = [200.0, 0.7];
+const $c595 = [210.0, 0.7];
+const $c596 = [220.0, 0.6];
+const $c597 = [240.0, 0.6];
+const $c587 = [$c593, $c594, $c595, $c596, $c597];
+const $c49 = new Map([["bare", $c586], ["lagged", $c587]]);
+const $c619 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c620 = [0.25, 0.25];
+const $c621 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c598 = $made(DesignFriction, $c619, ["CEMA", "bare", "", $c620, $c621]);
+const $c622 = [0.35, 0.35];
+const $c623 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c599 = $made(DesignFriction, $c619, ["CEMA", "rubber", "", $c622, $c623]);
+const $c624 = [0.5, 0.5];
+const $c625 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c600 = $made(DesignFriction, $c619, ["CEMA", "ceramic", "", $c624, $c625]);
+const $c626 = [0.35, 0.4];
+const $c627 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c601 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "dry", $c626, $c627]);
+const $c628 = [0.1, 0.1];
+const $c629 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c602 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "wet", $c628, $c629]);
+const $c630 = [0.05, 0.1];
+const $c631 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c603 = $made(DesignFriction, $c619, ["DIN 22101", "bare", "wet and dirty", $c630, $c631]);
+const $c632 = [0.4, 0.45];
+const $c633 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c604 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "dry", $c632, $c633]);
+const $c634 = [0.35, 0.35];
+const $c635 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c605 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "wet", $c634, $c635]);
+const $c636 = [0.25, 0.3];
+const $c637 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c606 = $made(DesignFriction, $c619, ["DIN 22101", "rubber", "wet and dirty", $c636, $c637]);
+const $c638 = [0.35, 0.4];
+const $c639 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c607 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "dry", $c638, $c639]);
+const $c640 = [0.35, 0.35];
+const $c641 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c608 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "wet", $c640, $c641]);
+const $c642 = [0.2, 0.2];
+const $c643 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c609 = $made(DesignFriction, $c619, ["DIN 22101", "polyurethane", "wet and dirty", $c642, $c643]);
+const $c644 = [0.4, 0.45];
+const $c645 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c610 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "dry", $c644, $c645]);
+const $c646 = [0.35, 0.4];
+const $c647 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c611 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "wet", $c646, $c647]);
+const $c648 = [0.35, 0.35];
+const $c649 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c612 = $made(DesignFriction, $c619, ["DIN 22101", "ceramic", "wet and dirty", $c648, $c649]);
+const $c650 = [0.35, 0.35];
+const $c651 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c613 = $made(DesignFriction, $c619, ["practice", "rubber", "dry", $c650, $c651]);
+const $c652 = [0.35, 0.35];
+const $c653 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c614 = $made(DesignFriction, $c619, ["practice", "rubber", "wet", $c652, $c653]);
+const $c654 = [0.3, 0.3];
+const $c655 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c615 = $made(DesignFriction, $c619, ["practice", "rubber", "wet and dirty", $c654, $c655]);
+const $c656 = [0.8, 0.8];
+const $c657 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c616 = $made(DesignFriction, $c619, ["practice", "ceramic", "dry", $c656, $c657]);
+const $c658 = [0.45, 0.45];
+const $c659 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c617 = $made(DesignFriction, $c619, ["practice", "ceramic", "wet", $c658, $c659]);
+const $c660 = [0.35, 0.35];
+const $c661 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c618 = $made(DesignFriction, $c619, ["practice", "ceramic", "wet and dirty", $c660, $c661]);
+const $c50 = [$c598, $c599, $c600, $c601, $c602, $c603, $c604, $c605, $c606, $c607, $c608, $c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618];
+const $c51 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c52 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c53 = ["Transition", "GrippingPulley"];
+const $c677 = [1.0, 2.0];
+const $c678 = [5000.0, 5000000.0];
+const $c679 = [0.0004, 0.025];
+const $c680 = [0.0004, 0.035];
+const $c681 = [0.0004, 0.03];
+const $c682 = [0.0015, 0.06];
+const $c683 = [300000.0, 5000000.0];
+const $c662 = new Map([["momentary_factor", $c677], ["in_plane_shear_stiffness", $c678], ["pulley_cover", $c679], ["carry_cover", $c680], ["carcass", $c681], ["thickness", $c682], ["cover_shear_modulus", $c683]]);
+const $c684 = [0.2, 8.0];
+const $c663 = new Map([["sheave_ratio", $c684]]);
+const $c685 = [0.1, 0.9];
+const $c686 = [1.0, 2.5];
+const $c664 = new Map([["friction", $c685], ["start_factor", $c686]]);
+const $c687 = [1.05, 6.0];
+const $c688 = [1.0, 4.0];
+const $c665 = new Map([["running", $c687], ["starting", $c688], ["braking", $c688]]);
+const $c689 = [0.3, 8.0];
+const $c690 = [1.0, 3000.0];
+const $c691 = [0.002, 0.05];
+const $c666 = new Map([["spacing", $c689], ["line_mass", $c690], ["share", $c691]]);
+const $c692 = [1.0, 9.5];
+const $c693 = [1.05, 2.5];
+const $c667 = new Map([["length_coefficient", $c692], ["start_factor", $c693]]);
+const $c694 = [300000.0, 100000000.0];
+const $c695 = [1e-13, 1e-08];
+const $c696 = [0.01, 1.0];
+const $c668 = new Map([["elastic_modulus", $c694], ["wear_coefficient", $c695], ["belt_energy_share", $c696]]);
+const $c697 = [0.002, 0.5];
+const $c698 = [0.0005, 0.06];
+const $c699 = [0.1, 4.0];
+const $c700 = [0.15, 1.0];
+const $c669 = new Map([["width", $c697], ["height", $c698], ["stiffening", $c699], ["contact_fraction", $c700]]);
+const $c701 = [0.05, 200.0];
+const $c670 = new Map([["area", $c701]]);
+const $c702 = [0.05, 1.3];
+const $c671 = new Map([["factor", $c702]]);
+const $c703 = [0.3, 500.0];
+const $c672 = new Map([["distance", $c703]]);
+const $c704 = [0.2, 20.0];
+const $c705 = [0.08726646259971647, 1.2217304763960306];
+const $c706 = [0.05, 2.0];
+const $c673 = new Map([["length", $c704], ["trough_angle", $c705], ["centre_roll", $c706]]);
+const $c707 = [-0.01, 0.01];
+const $c708 = [-0.005, 0.005];
+const $c674 = new Map([["misalignment", $c707], ["deflection", $c708]]);
+const $c709 = [1.0, 250.0];
+const $c710 = [0.6, 1.0];
+const $c711 = [0.5, 1.0];
+const $c712 = [0.001, 0.15];
+const $c713 = [0.8, 4.0];
+const $c714 = [1.5, 5.0];
+const $c675 = new Map([["gear_ratio", $c709], ["gear_efficiency", $c710], ["motor_efficiency", $c711], ["droop", $c712], ["torque_limit", $c713], ["breakdown_ratio", $c714]]);
+const $c715 = [0.1, 5.0];
+const $c676 = new Map([["ratio", $c715]]);
+const $c54 = new Map([["Belt", $c662], ["TakeUp", $c663], ["DesignStandard", $c664], ["SafetyFactors", $c665], ["Sag", $c666], ["Conveyor", $c667], ["Lagging", $c668], ["Block", $c669], ["Cost", $c670], ["ConditionFactor", $c671], ["GrippingPulley", $c672], ["Transition", $c673], ["Across", $c674], ["Motor", $c675], ["TorqueFollower", $c676]]);
+const $c716 = ["mm", "m", "cm", "in", "ft"];
+const $c717 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c718 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c719 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c720 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c721 = ["deg", "rad"];
+const $c722 = ["kW", "W", "hp", "MW"];
+const $c723 = ["t", "kg", "g"];
+const $c724 = ["kg/m", "g/m", "t/m"];
+const $c725 = ["t/h", "kg/s", "kg/h"];
+const $c726 = ["kg m2", "t m2", "kg cm2"];
+const $c727 = ["kN m", "N m", "MN m"];
+const $c728 = ["s", "min", "ms", "h"];
+const $c55 = new Map([["length", $c716], ["force", $c717], ["force_per_width", $c718], ["pressure", $c719], ["speed", $c720], ["angle", $c721], ["power", $c722], ["mass", $c723], ["mass_per_length", $c724], ["mass_flow", $c725], ["moment_of_inertia", $c726], ["torque", $c727], ["time", $c728]]);
+const $c56 = new Place("", "", "");
+const $c57 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
+const $c729 = ["rated power of the motor", "power"];
+const $c730 = ["rated speed of the motor", "rotation_speed"];
+const $c731 = ["speed of the drum over that of the belt", "number"];
+const $c58 = [$c729, $c730, $c731];
+const $c732 = [250.0, 20000000.0];
+const $c733 = [10.0, 400.0];
+const $c734 = [0.6, 1.7];
+const $c59 = [$c732, $c733, $c734];
+const $c735 = ["length", 3.0, 30000.0];
+const $c736 = ["lift", -1500.0, 1500.0];
+const $c737 = ["belt_mass", 3.0, 100.0];
+const $c738 = ["carry_idler_mass", 2.0, 60.0];
+const $c739 = ["return_idler_mass", 0.7, 30.0];
+const $c740 = ["material_mass", 0.5, 4000.0];
+const $c741 = ["capacity", 0.1, 15000.0];
+const $c742 = ["friction_factor", 0.01, 0.04];
+const $c743 = ["secondary_resistance", 10.0, 500000.0];
+const $c744 = ["special_resistance", 10.0, 200000.0];
+const $c745 = ["start_time", 1.0, 600.0];
+const $c746 = ["stop_time", 1.0, 600.0];
+const $c747 = ["take_up_tension", 300.0, 2000000.0];
+const $c748 = ["counterweight", 30.0, 200000.0];
+const $c60 = [$c735, $c736, $c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748];
+const $c61 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
+const $c764 = $made(Limit, $c877, ["speed", 0.0, Infinity, true, false]);
+const $c765 = $made(Limit, $c877, ["number", 0.01, 100.0, false, false]);
+const $c62 = new Map([["length", $c749], ["lift", $c750], ["belt_mass", $c751], ["carry_idler_mass", $c752], ["return_idler_mass", $c753], ["material_mass", $c751], ["capacity", $c754], ["friction_factor", $c755], ["length_coefficient", $c756], ["secondary_resistance", $c757], ["special_resistance", $c757], ["return_share", $c758], ["start_factor", $c759], ["start_time", $c760], ["stop_time", $c760], ["take_up_tension", $c761], ["counterweight", $c762], ["take_up_distance", $c763], ["speed", $c764], ["sheave_ratio", $c765]]);
+const $c766 = [0.2, 4.0];
+const $c767 = [100000.0, 1000000000.0];
+const $c768 = [0.05, 15.0];
+const $c769 = [0.15, 3.0];
+const $c770 = [0.17453292519943295, 4.71238898038469];
+const $c771 = [2.0943951023931953, 4.71238898038469];
+const $c772 = [5e-05, 0.061];
+const $c773 = [-0.002, 0.002];
+const $c774 = [0.0, 0.06];
+const $c775 = [100000.0, 50000000.0];
+const $c776 = [100000.0, 5000000000.0];
+const $c777 = [5000.0, 2000000.0];
+const $c778 = [10000.0, 50000000.0];
+const $c779 = [50000.0, 10000000.0];
+const $c780 = [0.1, 3.0];
+const $c781 = [500.0, 10000000.0];
+const $c782 = [15.0, 1000.0];
+const $c783 = [3.0, 20.0];
+const $c784 = [0.0, 1600000.0];
+const $c785 = [1.0, 130.0];
+const $c63 = [$c766, $c767, $c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c778, $c779, $c780, $c781, $c782, $c783, $c784, $c781, $c781, $c732, $c785];
+const $c790 = [500.0, 2000000.0];
+const $c786 = ["least tested pressure", "pressure", $c790];
+const $c791 = [10000.0, 10000000.0];
+const $c787 = ["largest tested pressure", "pressure", $c791];
+const $c792 = [5e-05, 0.3];
+const $c788 = ["largest tested slip", "length", $c792];
+const $c793 = [2e-06, 0.3];
+const $c789 = ["tested slip speed", "speed", $c793];
+const $c64 = new Map([["pressure_min", $c786], ["pressure_max", $c787], ["slip_max", $c788], ["slip_speed", $c789]]);
+const $c65 = [0.03, 1.9];
+const $c66 = ["force", "mass_per_length"];
+const $c67 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c68 = new WeakMap();
+const $c69 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c70 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c71 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c72 = new WeakMap();
+const $c73 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c74 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c75 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c77 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c78 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c81 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c82 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c84 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1455 = $made(Name, $c882, [60]);
+const $c1446 = $made(Entry, $c871, ["name", $c1455, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1456 = $made(Quantity, $c142, ["length", $c817]);
+const $c1447 = $made(Entry, $c871, ["thickness", $c1456, false, "", "", "thickness", ""]);
+const $c1457 = $made(Quantity, $c142, ["pressure", $c820]);
+const $c1448 = $made(Entry, $c871, ["elastic_modulus", $c1457, false, "", "", "elastic_modulus", ""]);
+const $c1459 = $made(Quantity, $c142, ["pressure", $c818]);
+const $c1458 = $made(WordOr, $c908, ["rigid", $c1459, Infinity]);
+const $c1449 = $made(Entry, $c871, ["shear_modulus", $c1458, false, "", "", "shear_modulus", ""]);
+const $c1461 = $made(Quantity, $c142, ["pressure", $c819]);
+const $c1460 = $made(WordOr, $c908, ["rigid", $c1461, Infinity]);
+const $c1450 = $made(Entry, $c871, ["compression_modulus", $c1460, false, "", "", "compression_modulus", ""]);
+const $c1462 = $made(Quantity, $c142, ["wear_coefficient", $c821]);
+const $c1451 = $made(Entry, $c871, ["wear_coefficient", $c1462, false, "", "", "wear_coefficient", ""]);
+const $c1463 = $made(Quantity, $c142, ["number", $c822]);
+const $c1452 = $made(Entry, $c871, ["belt_energy_share", $c1463, false, "", "", "belt_energy_share", ""]);
+const $c1464 = $made(Quantity, $c142, ["pressure", $c823]);
+const $c1453 = $made(Entry, $c871, ["bond_strength", $c1464, false, "", "", "bond_strength", ""]);
+const $c1465 = $made(Quantity, $c142, ["pressure", $c824]);
+const $c1454 = $made(Entry, $c871, ["fatigue_limit", $c1465, false, "", "", "fatigue_limit", ""]);
+const $c1444 = [$c859, $c1446, $c938, $c939, $c940, $c1447, $c1448, $c1449, $c1450, $c945, $c1451, $c1452, $c1453, $c1454, $c950, $c951, $c952, $c953, $c954, $c135, $c136, $c955];
+const $c1445 = new Map([["format", $c859], ["name", $c1446], ["title", $c938], ["description", $c939], ["surface", $c940], ["thickness", $c1447], ["elastic_modulus", $c1448], ["shear_modulus", $c1449], ["compression_modulus", $c1450], ["block", $c945], ["wear_coefficient", $c1451], ["belt_energy_share", $c1452], ["bond_strength", $c1453], ["fatigue_limit", $c1454], ["cost", $c950], ["slip_speed", $c951], ["temperature", $c952], ["condition_factor", $c953], ["law", $c954], ["provenance", $c135], ["sources", $c136], ["notes", $c955]]);
+const $c88 = $made(tables$Table, $c856, [Lagging, $c1444, $c1445]);
+const $c794 = ["compression_modulus", "block"];
+const $c89 = [$c794];
+const $c90 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c91 = new RunsGain(0.0, 0.0);
+const $c93 = ["effective_tension", "torque", "power"];
+const $c94 = ["share", "speeds", "motor"];
+const $c97 = ["data", "sense"];
+const $c98 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c99 = $Decimal.of("0");
+const $c100 = [""];
+const $c799 = ["form", "coefficients", "sign"];
+const $c800 = [0.0];
+const $c101 = $made(Trend, $c799, ["polynomial", $c800, 1]);
+const $c801 = [1000000000.0];
+const $c102 = $made(Trend, $c799, ["polynomial", $c801, 1]);
+const $c103 = new Map([["factor", $c802]]);
+const $c104 = new Map([["x", $c803], ["y", $c803], ["diameter", $c804]]);
+const $c805 = $made(Limit, $c877, ["force", 0.1, 1000000000.0, false, false]);
+const $c105 = new Map([["entry", $c205], ["exit", $c805]]);
+const $c106 = new Map([["creep_limit", $c806]]);
+const $c807 = $made(Limit, $c877, ["length", 0.0, Infinity, true, false]);
+const $c107 = new Map([["creep_limit", $c807]]);
+const $c813 = $made(Limit, $c877, ["number", 1, 8, false, false]);
+const $c108 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813]]);
+const $c109 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813], ["setting", $c814], ["droop", $c815], ["torque_limit", $c816]]);
+const $c110 = new Map([["thickness", $c817], ["shear_modulus", $c818], ["compression_modulus", $c819], ["elastic_modulus", $c820], ["wear_coefficient", $c821], ["belt_energy_share", $c822], ["bond_strength", $c823], ["fatigue_limit", $c824]]);
+const $c111 = new Map([["ratio", $c825]]);
+const $c112 = new Map([["entry_tension", $c205], ["exit_tension", $c805]]);
+const $c113 = new Map([["sheave_ratio", $c826]]);
+const $c114 = new Map([["friction", $c827], ["start_factor", $c828]]);
+const $c115 = new Map([["running", $c828], ["starting", $c828], ["braking", $c828]]);
+const $c116 = ["of"];
+const $c137 = ["key", "kind", "example", "attribute"];
+const $c144 = ["dimension"];
+const $c146 = ["word", "kind"];
+const $c177 = ["kind"];
+const $c829 = ["balance", "train_balance", "across_balance"];
+const $c830 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c831 = ["gross_slip", "operating_point"];
+const $c832 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1466 = [false, false];
+const $c1467 = [true, false];
+const $c1468 = [true, true];
+const $c1469 = [false, true];
+const $c833 = new Map([["polynomial", $c1466], ["logarithmic", $c1467], ["power", $c1468], ["exponential", $c1469]]);
+const $c838 = $made(_OfClass, [], []);
+const $c839 = new Map([[10, null], [9, null]]);
+const $c840 = $re("ST[ -]?(\\d{3,5})\\b", "");
+const $c1470 = [80.0, 1.92];
+const $c1471 = [90.0, 1.86];
+const $c1472 = [100.0, 1.78];
+const $c1473 = [120.0, 1.7];
+const $c1474 = [140.0, 1.63];
+const $c1475 = [160.0, 1.56];
+const $c1476 = [180.0, 1.5];
+const $c1477 = [200.0, 1.45];
+const $c1478 = [250.0, 1.38];
+const $c1479 = [300.0, 1.31];
+const $c1480 = [350.0, 1.27];
+const $c1481 = [400.0, 1.25];
+const $c1482 = [450.0, 1.22];
+const $c1483 = [500.0, 1.2];
+const $c1484 = [550.0, 1.18];
+const $c1485 = [600.0, 1.17];
+const $c1486 = [700.0, 1.14];
+const $c1487 = [800.0, 1.12];
+const $c1488 = [900.0, 1.1];
+const $c1489 = [1000.0, 1.09];
+const $c1490 = [1500.0, 1.06];
+const $c1491 = [2000.0, 1.05];
+const $c843 = [$c1470, $c1471, $c1472, $c1473, $c1474, $c1475, $c1476, $c1477, $c1478, $c1479, $c1480, $c1481, $c1482, $c1483, $c1484, $c1485, $c1486, $c1487, $c1488, $c1489, $c1490, $c1491];
+const $c1492 = $made(Limit, $c877, ["number", 0.0, Infinity, false, false]);
+const $c1493 = $made(Limit, $c877, ["number", 1.0, Infinity, false, false]);
+const $c845 = new Map([["residual_noise", $c1492], ["coverage_factor", $c1493]]);
+const $c846 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c847 = $Decimal.of("0");
+const $c848 = new Map([["misalignment", $c1179], ["deflection", $c1181]]);
+const $c849 = new Map([["diameter", $c198], ["wrap_angle", $c200], ["overrun", $c211], ["creep_limit", $c214], ["mass", $c217]]);
+const $c850 = new Map([["spacing", $c1317], ["line_mass", $c1319], ["share", $c1321]]);
+const $c851 = new Map([["material", $c995], ["installation", $c997], ["area", $c1000]]);
+const $c852 = new Map([["width", $c976], ["height", $c978], ["stiffening", $c980], ["contact_fraction", $c982]]);
+const $c1494 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c853 = new Map([["factor", $c1494]]);
+const $c854 = new Map([["rated_power", $c808], ["rated_speed", $c809], ["gear_ratio", $c810], ["gear_efficiency", $c811], ["motor_efficiency", $c812], ["count", $c813], ["synchronous_speed", $c1406], ["breakdown_ratio", $c1408]]);
+const $c855 = new Map([["length", $c1205], ["trough_angle", $c1207], ["centre_roll", $c1209]]);
+const $c1350 = ["words"];
+const $c1495 = [0.016, 0.03];
+const $c1496 = new Map([["distance", $c1194]]);
+const $c1586 = $made(Limit, $c877, ["number", 0.0, 10.0, true, false]);
+const $c1584 = $made(Quantity, $c142, ["number", $c1586]);
+const $c1587 = $made(Limit, $c877, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1585 = $made(Quantity, $c142, ["rotation_speed", $c1587]);
+const $c1583 = $made(Either, $c1579, [$c1584, $c1585, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1497 = $made(Rows, $c910, [$c1583, 1, 10]);
+Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
 $sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
-$sig(Provenance, ["kind", "source", "date", "note"]);
-Provenance.$compared = ["kind", "source", "date", "note"];
+Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
-$sig(Condition, ["name", "factor", "factors", "standard", "source"]);
-Condition.$compared = ["name", "factor", "factors", "standard", "source"];
-Condition.LIMITS = Condition.prototype.LIMITS = $c70;
-$sig(Conditions, ["main", "cases"]);
-Conditions.$compared = ["main", "cases"];
-$sig(Point, ["x", "y", "diameter", "turn"]);
-Point.$compared = ["x", "y", "diameter", "turn"];
-Point.LIMITS = Point.prototype.LIMITS = $c71;
+Condition.$compared = Condition.$names;
+Condition.LIMITS = Condition.prototype.LIMITS = $c103;
+Conditions.$compared = Conditions.$names;
+Point.$compared = Point.$names;
+Point.LIMITS = Point.prototype.LIMITS = $c104;
 $sig(_UnitTextError, ["message", "remedy"], false);
-$sig(Unit, ["factor", "powers", "zero"]);
-Unit.$compared = ["factor", "powers", "zero"];
-$sig(WidthProfile, ["position", "value", "crown", "uncertainty"]);
-WidthProfile.$compared = ["position", "value", "crown", "uncertainty"];
-$sig(Criteria, ["take_up", "standard", "safety", "sag"]);
-Criteria.$compared = ["take_up", "standard", "safety", "sag"];
-$sig(Layers, ["pulley_cover", "carry_cover", "carcass"]);
-Layers.$compared = ["pulley_cover", "carry_cover", "carcass"];
-$sig(Given, ["name", "place", "values", "raw", "diameter", "inherited"]);
-Given.$compared = ["name", "place", "values", "raw", "diameter", "inherited"];
+Unit.$compared = Unit.$names;
+UnitRow.$compared = UnitRow.$names;
+WidthProfile.$compared = WidthProfile.$names;
+Criteria.$compared = Criteria.$names;
+Layers.$compared = Layers.$names;
+Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
-$sig(NipTensions, ["entry", "exit"]);
-NipTensions.$compared = ["entry", "exit"];
-$sig(LoadFault, ["message", "remedy", "lacks"]);
-LoadFault.$compared = ["message", "remedy", "lacks"];
-$sig(Tensions, ["entry", "exit", "computed"]);
+NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c72;
-$sig(LoadCase, ["name", "tensions", "kind", "condition"]);
-LoadCase.$compared = ["name", "tensions", "kind", "condition"];
-$sig(Drive, ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description", "conveyor"]);
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c105;
+LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c73;
-$sig(Train, ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"]);
-Train.$compared = ["title", "description", "belt", "pulleys", "cases", "nominal_diameters", "creep_limit", "criteria"];
-Train.LIMITS = Train.prototype.LIMITS = $c74;
+Drive.LIMITS = Drive.prototype.LIMITS = $c106;
+Train.$compared = Train.$names;
+Train.LIMITS = Train.prototype.LIMITS = $c107;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
-$sig(CatalogueBelt, ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"]);
-CatalogueBelt.$compared = ["name", "kind", "rating", "modulus", "least_pulley_diameter", "carcass", "carcass_mass", "cover_mass", "provenance", "carcass_source"];
-$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"]);
-TestedRange.$compared = ["pressure_min", "pressure_max", "slip_max", "slip_speed"];
-$sig(FrictionLaw, ["slip_includes"]);
-FrictionLaw.$compared = ["slip_includes"];
-$sig(MeasuredTable, ["slip_includes", "slip", "pressure", "values"]);
-MeasuredTable.$compared = ["slip_includes", "slip", "pressure", "values"];
+CatalogueBelt.$compared = CatalogueBelt.$names;
+WrapArc.$compared = WrapArc.$names;
+in_page$Given.$compared = in_page$Given.$names;
+Rise.$compared = Rise.$names;
+in_page$Criteria.$compared = in_page$Criteria.$names;
+Place.$compared = Place.$names;
+Check.$compared = Check.$names;
+Miss.$compared = Miss.$names;
+Motors.$compared = Motors.$names;
+Motor.$compared = Motor.$names;
+Motor.LIMITS = Motor.prototype.LIMITS = $c108;
+Pulls.$compared = Pulls.$names;
+Speeds.$compared = Speeds.$names;
+Owner.$compared = Owner.$names;
+Sliding.$compared = Sliding.$names;
+Asked.$compared = Asked.$names;
+VariableSpeed.$compared = VariableSpeed.$names;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c109;
+Sizes.$compared = Sizes.$names;
+Figure.$compared = Figure.$names;
+LeastTension.$compared = LeastTension.$names;
+Verdict.$compared = Verdict.$names;
+Row.$compared = Row.$names;
+Table.$compared = Table.$names;
+TestedRange.$compared = TestedRange.$names;
+FrictionLaw.$compared = FrictionLaw.$names;
+MeasuredTable.$compared = MeasuredTable.$names;
 MeasuredTable.title = MeasuredTable.prototype.title = "measured table";
-$sig(_Term, ["coefficient", "function", "power", "exponent"]);
-_Term.$compared = ["coefficient", "function", "power", "exponent"];
-$sig(Trend, ["form", "coefficients", "sign"]);
-Trend.$compared = ["form", "coefficients", "sign"];
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"]);
-Piece.$compared = ["a", "b", "post_peak_slope", "residual_friction"];
-$sig(CoefficientPieces, ["pressure", "pieces", "slip_unit", "continuity"]);
-CoefficientPieces.$compared = ["pressure", "pieces", "slip_unit", "continuity"];
-$sig(PressureKnots, ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"]);
-PressureKnots.$compared = ["pressure", "peak_friction", "peak_slip", "post_peak_slope", "residual_friction"];
-$sig(IntegralLog, ["slip_includes", "coefficients", "tested"]);
-IntegralLog.$compared = ["slip_includes", "coefficients", "tested"];
+_Term.$compared = _Term.$names;
+Trend.$compared = Trend.$names;
+Piece.$compared = Piece.$names;
+CoefficientPieces.$compared = CoefficientPieces.$names;
+PressureKnots.$compared = PressureKnots.$names;
+IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
-$sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"]);
-Factors.$compared = ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"];
-$sig(Lagging, ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "block", "provenance", "sources", "notes", "description"]);
+Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c75;
-$sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque", "power"]);
-LoadGiven.$compared = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
-$sig(DrumAt, ["diameter", "speed"]);
-DrumAt.$compared = ["diameter", "speed"];
-$sig(Shares, ["fractions"]);
-Shares.$compared = ["fractions"];
-$sig(Pair, ["entry", "exit"]);
-Pair.$compared = ["entry", "exit"];
-$sig(Pulls, ["effective_tensions"]);
-Pulls.$compared = ["effective_tensions"];
-$sig(Speeds, ["rotation_speeds", "absolute"]);
-Speeds.$compared = ["rotation_speeds", "absolute"];
-$sig(TorqueFollower, ["master", "ratio"]);
-TorqueFollower.$compared = ["master", "ratio"];
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c76;
-$sig(TrainCase, ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"]);
-TrainCase.$compared = ["name", "entry_tension", "exit_tension", "division", "runs", "kind", "condition"];
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c77;
-$sig(RunsGain, ["base", "case"]);
-RunsGain.$compared = ["base", "case"];
-$sig(BehindTakeUp, ["share", "behind", "runs"]);
-BehindTakeUp.$compared = ["share", "behind", "runs"];
-$sig(Motors, ["motors"]);
-Motors.$compared = ["motors"];
-$sig(TakeUp, ["kind", "sheave_ratio", "after"]);
-TakeUp.$compared = ["kind", "sheave_ratio", "after"];
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c78;
-$sig(DesignStandard, ["name", "condition", "friction", "start_factor", "binding"]);
-DesignStandard.$compared = ["name", "condition", "friction", "start_factor", "binding"];
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c79;
-$sig(SafetyFactors, ["running", "starting", "braking", "source"]);
-SafetyFactors.$compared = ["running", "starting", "braking", "source"];
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c80;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c110;
+LoadGiven.$compared = LoadGiven.$names;
+DrumAt.$compared = DrumAt.$names;
+Shares.$compared = Shares.$names;
+Pair.$compared = Pair.$names;
+TorqueFollower.$compared = TorqueFollower.$names;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c111;
+TrainCase.$compared = TrainCase.$names;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c112;
+RunsGain.$compared = RunsGain.$names;
+BehindTakeUp.$compared = BehindTakeUp.$names;
+Description.$compared = Description.$names;
+TakeUp.$compared = TakeUp.$names;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c113;
+DesignStandard.$compared = DesignStandard.$names;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c114;
+SafetyFactors.$compared = SafetyFactors.$names;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c115;
 $sig(Kind.prototype.built, ["value", "report"], true);
-$sig(Table, ["title", "of", "on_one_line"], false);
-$sig(Table.prototype.built, ["value", "report"], true);
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"]);
-$sig(Name, ["longest"]);
-$sig(Text, ["longest", "lines"]);
-$sig(Quantity, ["dimension", "limit"]);
-$sig(WordOr, ["word", "kind", "meaning"]);
-$sig(ByName, ["kind", "most"]);
-$sig(Limit, ["dimension", "least", "most", "open", "rigid"]);
-Limit.$compared = ["dimension", "least", "most", "open", "rigid"];
-$sig(Belt, ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"]);
-Belt.$compared = ["name", "width", "modulus", "rating", "strength", "speed", "kind", "momentary_factor", "least_pulley_diameter", "largest_wrap_pressure", "in_plane_shear_stiffness", "pulley_cover", "carry_cover", "carcass", "thickness", "cover_shear_modulus", "mass", "provenance", "sources"];
+$sig(tables$Table, ["title", "of", "on_one_line"], false);
+$sig(tables$Table.prototype.built, ["value", "report"], true);
+Limit.$compared = Limit.$names;
+Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
-$sig(TextOr, ["text", "table"]);
-$sig(Flag, []);
-$sig(Choice, ["options"]);
-$sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"]);
-Across.$compared = ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"];
-Across.LIMITS = Across.prototype.LIMITS = $c610;
-$sig(DimensionText, ["si_unit", "name", "example"]);
-DimensionText.$compared = ["si_unit", "name", "example"];
-$sig(Definition, ["names", "factor", "unit", "zero"]);
-Definition.$compared = ["names", "factor", "unit", "zero"];
+Across.$compared = Across.$names;
+Across.LIMITS = Across.prototype.LIMITS = $c848;
+DimensionText.$compared = DimensionText.$names;
+Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
-$sig(Pulley, ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"]);
-Pulley.$compared = ["name", "diameter", "wrap_angle", "lagging", "overrun", "recovery", "creep_limit", "side", "mass", "across", "sources", "conditions"];
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c611;
-$sig(Sag, ["spacing", "line_mass", "share"]);
-Sag.$compared = ["spacing", "line_mass", "share"];
-Sag.LIMITS = Sag.prototype.LIMITS = $c612;
-$sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"]);
-Conveyor.$compared = ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"];
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c613;
-$sig(Cost, ["material", "installation", "currency", "area", "life_years"]);
-Cost.$compared = ["material", "installation", "currency", "area", "life_years"];
-Cost.LIMITS = Cost.prototype.LIMITS = $c614;
-$sig(Block, ["shape", "width", "height", "stiffening", "contact_fraction"]);
-Block.$compared = ["shape", "width", "height", "stiffening", "contact_fraction"];
-Block.LIMITS = Block.prototype.LIMITS = $c615;
-$sig(ConditionFactor, ["factor", "source"]);
-ConditionFactor.$compared = ["factor", "source"];
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c616;
-$sig(FrictionFactor, ["at", "factor", "source"]);
-FrictionFactor.$compared = ["at", "factor", "source"];
-$sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"]);
-Fit.$compared = ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"];
-$sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"]);
-DesignFriction.$compared = ["standard", "surface", "condition", "friction", "provenance"];
-$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"]);
-Motor.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"];
-Motor.LIMITS = Motor.prototype.LIMITS = $c617;
-$sig(VariableSpeed, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"]);
-VariableSpeed.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "setting", "droop", "torque_limit"];
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c618;
-$sig(Induction, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"]);
-Induction.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio"];
-Induction.LIMITS = Induction.prototype.LIMITS = $c619;
-$sig(FluidCoupling, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"]);
-FluidCoupling.$compared = ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes", "synchronous_speed", "breakdown_ratio", "coupling_load", "coupling_slip"];
-$sig(Transition, ["length", "trough_angle", "centre_roll", "depth"]);
-Transition.$compared = ["length", "trough_angle", "centre_roll", "depth"];
-Transition.LIMITS = Transition.prototype.LIMITS = $c620;
-$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"]);
-State.$compared = ["name", "kind", "resistances", "head", "tail", "entry", "exit"];
-$sig(Resistance, ["name", "carrying", "returning", "source"]);
-Resistance.$compared = ["name", "carrying", "returning", "source"];
-$sig(OneOrMore, ["kind", "most"]);
-$sig(Rows, ["kind", "least", "most"]);
-$sig(Constant, ["slip_includes", "friction_coefficient", "tested"]);
-Constant.$compared = ["slip_includes", "friction_coefficient", "tested"];
+Pulley.$compared = Pulley.$names;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c849;
+Sag.$compared = Sag.$names;
+Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
+Sag.LIMITS = Sag.prototype.LIMITS = $c850;
+Conveyor.$compared = Conveyor.$names;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c62;
+Rule.$compared = Rule.$names;
+DesignFriction.$compared = DesignFriction.$names;
+Cost.$compared = Cost.$names;
+Cost.LIMITS = Cost.prototype.LIMITS = $c851;
+Block.$compared = Block.$names;
+Block.LIMITS = Block.prototype.LIMITS = $c852;
+ConditionFactor.$compared = ConditionFactor.$names;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c853;
+FrictionFactor.$compared = FrictionFactor.$names;
+Fit.$compared = Fit.$names;
+Induction.$compared = Induction.$names;
+Induction.LIMITS = Induction.prototype.LIMITS = $c854;
+FluidCoupling.$compared = FluidCoupling.$names;
+Load.$compared = Load.$names;
+Transition.$compared = Transition.$names;
+Transition.LIMITS = Transition.prototype.LIMITS = $c855;
+State.$compared = State.$names;
+Resistance.$compared = Resistance.$names;
+Constant.$compared = Constant.$names;
 Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
-$sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"]);
-ElasticPlastic.$compared = ["slip_includes", "stiffness", "friction_coefficient", "tested"];
+ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
-$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"]);
-PressurePower.$compared = ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"];
+PressurePower.$compared = PressurePower.$names;
 PressurePower.title = PressurePower.prototype.title = "power of pressure";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
-$sig(GrippingPulley, ["distance"]);
-GrippingPulley.$compared = ["distance"];
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1279;
-$sig(Count, ["least", "most"]);
-$sig(Elsewhere, []);
-$sig(Either, ["first", "second", "words"]);
-Either.$compared = ["first", "second", "words"];
-$sig(SpeedList, []);
-SpeedList.$compared = [];
-SpeedList.rows = SpeedList.prototype.rows = $c1280;
+GrippingPulley.$compared = GrippingPulley.$names;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1496;
+Either.$compared = Either.$names;
+SpeedList.$compared = SpeedList.$names;
+SpeedList.rows = SpeedList.prototype.rows = $c1497;
+CompactLaw.$compared = CompactLaw.$names;
 $sig(_Pair, ["dimension"], false);
-$sig(drive_file__drive_from_document, ["document", "file", "folder", "overrides", "allow_paths"], false);
-$sig(display__display, ["value", "dimension", "system", "digits"], false);
-$sig(tensions__resolve, ["given", "speed", "report", "sure"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };
 export { InputError as InputError };
 export { CatalogueBelt as CatalogueBelt };
 export { Provenance as Provenance };
 export { source__syntax_problem as syntaxProblem };
-export { wrap_arc__of_belt as ofBelt };
-export { of_data__weak_sources as weakSources };
+export { in_page_checks__arcs_of as arcsOf };
+export { in_page_checks__given_of as givenOf };
+export { in_page_checks__criteria_of as criteriaOf };
+export { in_page_checks__results_of as resultsOf };
+export { in_page_checks__result_of as resultOf };
+export { in_page_checks__train_drive as trainDrive };
+export { in_page_checks__running_at as runningAt };
+export { TrainResult as TrainResult };
+export { CaseResult as CaseResult };
+export { MemberResult as MemberResult };
+export { in_page_checks__alone as alone };
+export { in_page_checks__remarks_of as remarksOf };
+export { in_page_checks__weak_kinds as weakKinds };
+export { in_page_checks__idle_in as idleIn };
+export { judge__judge as judge };
+export { least_tension__least_tension as leastTension };
+export { least_tension__least_sentence as leastSentence };
+export { least_tension__least_table as leastTable };
+export { least_tension__shown_least as shownLeast };
+export { checks_table__check_table as checkTable };
+export { words__short as short };
+export { words__alone_of as aloneOf };

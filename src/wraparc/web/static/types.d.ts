@@ -4,8 +4,24 @@ import type { ComponentChildren } from "preact";
 export type Units = "si" | "us";
 export type Children = ComponentChildren;
 export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
-/** The same text in both systems of units; some texts have no units and are plain. */
-export type Text = string | { si: string; us: string } | null | undefined;
+/** A number of a text, see NumberInText of the API. */
+export interface Cell {
+  at?: [number, number];
+  value: number;
+  from?: number;
+  apart?: number;
+  name?: string;
+  dimension?: string;
+  digits?: number;
+  form?: string;
+}
+/** A text in metric units with its numbers, one that is a number, or one that has none. */
+export type Text =
+  | string
+  | { text: string; us?: string; cells: (Cell & { at: [number, number] })[] }
+  | ({ text: string; us?: undefined; cells?: undefined } & Cell)
+  | null
+  | undefined;
 export type Path = (string | number)[];
 export interface Limits {
   least: number;
@@ -91,22 +107,22 @@ export interface Problem {
 }
 export interface Verdict {
   level: Level;
-  told?: string;
+  word?: string;
   headline: Text;
   sentences: Text[];
 }
 export interface TableRow {
   name: string;
-  title: string;
+  title: Text;
   symbol?: string;
-  values: { si: string[]; us: string[] };
+  values: Text[];
   note: Text;
   level: Level | null;
 }
 export interface Table {
   key: string;
-  title: string;
-  heads: { si: string[]; us: string[] };
+  title: Text;
+  heads: Text[];
   note: Text;
   rows: TableRow[];
 }
@@ -146,86 +162,25 @@ export interface Prepared {
   given: Record<string, number | string>;
   inputs: Input[];
 }
-/** A check without its numbers; `when` names the end of the arc that it is for, if one,
- * and after a colon where it slides. */
-export interface Words {
-  name: string;
-  title: string;
-  level: Level;
-  place: string;
-  value: number | string;
-  limit: number | string;
-  dimension: string;
-  at_most: boolean;
-  short: string;
-  says: string;
-  remedy: string;
-  otherwise: string;
-  more: Record<string, [number | string, string]>;
-  binding: boolean;
-  advises: boolean;
-  numerical: boolean;
-  leads: boolean;
-  miss: Miss | null;
-  when: string;
-  pulley?: string;
-}
-/** What a check says that is not kept; far beyond its limit it fails, as `because` says, and up to
- * what it tolerates more may be allowed, as `allows` says. */
-export interface Miss {
-  level: Level;
-  short: string;
-  says: string;
-  remedy: string;
-  fails_beyond: number | string;
-  because: string;
-  tolerates: number | string;
-  allows: string;
-  otherwise: string;
-}
-/** What a check asks of the slack side, but for the tension. */
-export interface Ask {
-  name: string;
-  title: string;
-  what: string;
-  place: string;
-  binding: boolean;
-  at_least: boolean;
-}
-/** What the page judges a drive of one pulley by. */
+/** What the server has solved of a drive of one pulley, for the page to move its numbers. */
 export interface Judging {
-  levels: Level[];
-  qualifier: string;
-  take_up: boolean;
-  least_name: string;
-  counterweight: number;
-  /** What a take-up elsewhere on the conveyor holds [N]; nan where it is at the drives. */
-  held_at: number;
-  checks: Words[];
+  cases: { load_case: string; prepared: Prepared; elsewhere: Path[] }[];
+}
+/** A drive that the page has put together: as the program reads it, and its arcs in numbers. */
+export interface Assembled {
+  drive: any;
+  arcs: any[];
   cases: {
     load_case: string;
-    condition?: string;
-    prepared: Prepared;
-    elsewhere: Path[];
-    tested: Arc["tested"];
-    criteria: Record<string, number | string>;
-    /** Compliance of a cover that the slip of the law may hold or not [m/Pa]. */
-    cover?: number;
-    checks: Words[];
-    asks: Ask[];
-    /** Of a pulley among others: its name, what it shares with these, its names for the words. */
-    pulley?: string;
-    among?: Record<string, number>;
-    names?: Record<string, string>;
+    pulley: string;
+    lagging: string;
+    condition: string;
+    belt: string;
+    prepared: { law: any; given: Record<string, number>; inputs: Input[] };
+    tested: any;
+    criteria: Record<string, number>;
   }[];
-  /** Of a drive that the page has put together: what is said where load cases contradict the
-   * take-up, what that holds, and names for the words. */
-  odd?: Words | null;
-  anew?: boolean;
-  adrift?: boolean;
-  held?: string;
-  names?: Record<string, string>;
-  kinds?: string[];
+  kinds: string[];
 }
 /** A number of the document that the page may move. */
 export interface Input {
@@ -341,55 +296,12 @@ export interface ChartLook {
   numbered?: boolean;
 }
 
-/** Numbers as JSON has them: those that it has none for are words. */
-export type Number_ = number | string;
-/** What drives of one pulley are put together from: see web/answers/book.py. */
+/** What the page reads drives with: see web/answers/book.py. */
 export interface Book {
-  levels: Level[];
   laggings: Record<string, BookLagging>;
   catalogue: { belts: any[]; laggings: Record<string, any> };
-  words: Record<string, Words[]>;
-  asks: Record<string, Ask>;
-  standards: {
-    rows: {
-      standard: string;
-      surface: string;
-      condition: string;
-      friction: Number_;
-      rule: string;
-    }[];
-    manual: Record<string, { angle: Number_; factor: Number_; rule: string }[]>;
-    own: string;
-    silent: Record<string, string>;
-  };
-  grounds: Record<string, string>;
-  weak_kinds: string[];
-  more_creep: Record<string, number>;
-  customary_safety: Record<string, number>;
-  least_names: Record<string, string>;
-  held: Record<string, string>;
-  heads: { checks: Table; least: Record<string, Table> };
-  usual: Record<string, number>;
-  sizes: Record<string, Record<string, [number, number]>>;
-  load: [number, number];
-  steepest: number;
-  design: string;
   own: Record<string, any>;
 }
 export interface BookLagging {
-  name: string;
-  first: string;
-  laws: Record<string, BookLaw>;
-  /** What wet leaves of its dry friction: nan if not known, 0 where it was not tested dry. */
-  wet: Number_;
-}
-export interface BookLaw {
-  condition: string;
-  law: Record<string, number | number[]>;
-  steepest_fall: number;
-  slip_with_shear: boolean;
-  tested: Record<string, Number_> | null;
-  grounds: string[];
-  told: string[];
-  checks: Words[];
+  laws: Record<string, { condition: string; law: any; steepest_fall: number }>;
 }

@@ -1,25 +1,15 @@
 // Numbers and units: texts of the drive file in the units looked at, and answers as texts.
+import { cell__cell_text as cellText, display__display as display } from "../cells.js";
 import { h } from "../vendor/preact.js";
 import { app } from "./design.js";
 
 /** @import { Children, Text, Units } from "../types.d.ts" */
 
-/**
- * A number as the command line prints it: so many significant digits, plain where it fits, and
- * whole where it was given, which four digits hold.
- * @param {number | null | undefined} v
- */
-export function digits(v, n = 3) {
-  if (v == null || Number.isNaN(v)) return "–";
-  if (!Number.isFinite(v)) return "unbounded";
-  if (Math.abs(v) < 1e-9) return "0"; // what is left of a difference of equal numbers
-  const given = +v.toExponential(3);
-  const whole = Math.abs(v - given) <= 1e-9 * Math.abs(v);
-  const r = whole ? given : +v.toExponential(n - 1);
-  const e = +r.toExponential().split("e")[1];
-  if (e < -4 || e >= 12) return v.toExponential(n - 1);
-  return whole ? String(r) : r.toFixed(Math.max(0, n - 1 - e));
-}
+/** A number as the command line prints it. @param {number | null | undefined} v */
+export const digits = (v, n = 3) => shownOr(v, () => display(v, "number", "si", n));
+/** @param {number | null | undefined} v @param {() => string} text */
+const shownOr = (v, text) =>
+  v == null || Number.isNaN(v) ? "–" : Number.isFinite(v) ? text() : "unbounded";
 /**
  * Unit of a dimension and its SI value, in the units looked at.
  * @param {string} dimension @param {Units} [system] @returns {[string, number]}
@@ -49,30 +39,39 @@ export function sign(text) {
   return low.length ? [first, h("sub", {}, low.join(" "))] : first;
 }
 
-/** From which size on a larger unit reads better: @type {Record<string, [number, string]>} */
-export const LARGER_SI = { length: [10, "m"], pressure: [1e7, "MPa"] };
-/** @type {Record<string, [number, string]>} */
-export const LARGER_US = {
-  length: [10.16, "ft"],
-  pressure: [6.8948e7, "ksi"],
-};
 /**
  * Value [SI] with the unit that people read it in.
  * @param {number | null | undefined} v @param {string} dimension
  */
-export function show(v, dimension, n = 3) {
-  if (v == null) return "–";
-  let [u, f] = unit(dimension);
-  const big = (app.units === "us" ? LARGER_US : LARGER_SI)[dimension];
-  if (big && Math.abs(v) >= big[0]) [u, f] = [big[1], factor(big[1], dimension) ?? 1];
-  return `${digits(v / f, n)} ${Number.isFinite(v) ? u : ""}`.trim();
-}
+export const show = (v, dimension, n = 3) => shownOr(v, () => display(v, dimension, app.units, n));
 /** @param {string} name @param {number | null | undefined} v @param {number} [n] */
 export const shown = (name, v, n) => show(v, dimensionOf(name), n);
 /** @param {number | null | undefined} v */
 export const percent = (v, n = 3) => (v == null ? "–" : `${digits(100 * v, n)} %`);
-/** A sentence of the server in the units looked at. @param {Text} text @returns {string} */
-export const words = (text) => (text && typeof text === "object" ? text[app.units] : text) || "";
+/** A text in the units looked at: of the server, or with slots for its numbers.
+ * @param {Text} text @returns {string} */
+export function words(text) {
+  if (!text || typeof text === "string")
+    return (text || "").replace(SLOT, (_, of, n, form, value, other) =>
+      cellText(+value, of, +n, form, +other, app.units),
+    );
+  if (app.units === "si" || text.us) return (app.units === "us" && text.us) || text.text;
+  if (!text.cells) return inUnits(text);
+  const all = [...text.text];
+  const parts = text.cells.map((cell, i) => {
+    const from = text.cells[i - 1]?.at[1] ?? 0;
+    return all.slice(from, cell.at[0]).join("") + inUnits(cell);
+  });
+  return parts.join("") + all.slice(text.cells.at(-1)?.at[1]).join("");
+}
+// biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
+const SLOT = /\x02(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|.*?\x03/g;
+/** @param {import("../types.d.ts").Cell} cell */
+const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart }) =>
+  cellText(
+    ...[value, dimension ?? dimensionOf(name), digits, form, from ?? apart ?? Number.NaN],
+    app.units,
+  );
 
 const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(\S.*)?$/i;
 /** Text of a quantity into its number and its unit, or null where it is none. @param {any} text */

@@ -1,22 +1,19 @@
 // The head of the page: tabs, units, undo, the menus Report and File.
-import { turnTo } from "../base/address.js";
 import { app, history, look, redo, redraw, undo } from "../base/design.js";
-import { drafts, draftTitle, forgetDrafts, openDraft, otherDrafts } from "../base/drafts.js";
 import { act, part } from "../base/server.js";
 import { oneOf } from "../parts/choose.js";
 import { h } from "../vendor/preact.js";
-import { download, newDrive, openExample } from "./files.js";
-import { PAGES } from "./registry.js";
+import { download } from "./files.js";
 import { tabs } from "./tabs.js";
 
 /** @import { Children } from "../types.d.ts" */
 
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
-/** What is behind Export, fetched when that is opened first. */
-let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
+/** What is behind the menus, fetched when one is opened first. */
+let menus = /** @type {typeof import("./menus.js") | null} */ (null);
 
-const fetchExporting = act(async () => {
-  exporting ??= await part(() => import("./exporting.js"));
+const fetchMenus = act(async () => {
+  menus ??= await part(() => import("./menus.js"));
   redraw();
 });
 
@@ -32,7 +29,7 @@ export const Header = () => [
     "nav",
     { "aria-label": "Pages", id: "nav", key: "nav" },
     tabs(),
-    menu("export", "Report", exporting?.exportMenu(), fetchExporting),
+    menu("export", "Report", menus?.exportMenu()),
   ),
   h(
     "div",
@@ -41,7 +38,7 @@ export const Header = () => [
     unitSwitch(),
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
-    menu("file", "File", fileMenu()),
+    menu("file", "File", menus?.fileMenu()),
   ),
 ];
 /** @type {[string, string][]} */
@@ -58,12 +55,11 @@ const step = (id, sign, title, f, can) =>
     { type: "button", id, "aria-label": title.split(" ")[0], title, disabled: !can, onClick: f },
     sign,
   );
-/** @param {string} id @param {string} title @param {Children} items
- * @param {(e: Event) => any} [onToggle] */
-const menu = (id, title, items, onToggle) =>
+/** @param {string} id @param {string} title @param {Children} items */
+const menu = (id, title, items) =>
   h(
     "details",
-    { class: "menu", id, key: id, onToggle },
+    { class: "menu", id, key: id, onToggle: fetchMenus },
     h("summary", {}, title),
     h("div", { id: `${id}-menu` }, items),
   );
@@ -86,46 +82,6 @@ function shut(details) {
   if (!details) return;
   details.removeAttribute("open");
   /** @type {HTMLElement | null} */ (details.querySelector("summary"))?.focus();
-}
-function choose() {
-  const input = document.createElement("input");
-  input.type = "file";
-  input.accept = ".toml";
-  input.addEventListener(
-    "change",
-    act(async () => {
-      const file = input.files?.[0];
-      if (file) await (await part(() => import("./opening.js"))).openFile(file);
-    }),
-  );
-  input.click();
-}
-function fileMenu() {
-  const kept = otherDrafts();
-  return [
-    item("New drive", newDrive),
-    item(PAGES.saved ? "Open a drive or lagging file …" : "Open a drive file …", choose),
-    item("Download the drive file", download),
-    PAGES.saved &&
-      item("Save, and saved designs …", () => {
-        turnTo("saved");
-        redraw();
-      }),
-    PAGES.saved &&
-      item("Copy a link to this design", async () =>
-        (await part(() => import("./link.js"))).copied(),
-      ),
-    item("Print", () => print()),
-    h("p", { class: "help", key: "examples" }, "Examples"),
-    app.catalogue.examples.map((x) => item(x.title, () => openExample(x.name))),
-    kept.length > 0 && h("p", { class: "help", key: "drafts" }, "Drafts kept in this browser"),
-    kept.map((d) => item(draftTitle(d), () => openDraft(d))),
-    drafts().length > 0 &&
-      item("Forget all drafts", () => {
-        forgetDrafts();
-        redraw();
-      }),
-  ];
 }
 /** Menus shut at a press elsewhere and at Escape; keys for undo, redo and download. */
 export function listen() {

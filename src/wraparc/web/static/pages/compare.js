@@ -13,7 +13,7 @@ import { Dots } from "./compare/dots.js";
 
 /** @import { Level, Problem, Text } from "../types.d.ts" */
 /**
- * @typedef {{value: number | null, si: string, us: string}} Cell
+ * @typedef {{value: number | null, text: Text}} Cell
  * @typedef {{name: string, title: string, condition: string, level: Level, short: string,
  *   cells: Record<string, Cell>, cost_note: Text, kind: string, source: string, present: boolean,
  *   change: {path: string, value: any}[]}} Row
@@ -190,7 +190,7 @@ function dots(a) {
     const { creep, cost_total, of_limit } = r.cells;
     if (creep?.value == null || !cost_total?.value || !of_limit?.value) return [];
     const [name, limit] = [label(r), Math.abs(creep.value) / of_limit.value];
-    const told = `${name} ${words(creep)}, ${words(cost_total)}`;
+    const told = `${name} ${words(creep.text)}, ${words(cost_total.text)}`;
     return [{ name, cost: cost_total.value, creep: creep.value, limit, level: r.level, told }];
   });
   const money = a.currency ? ` [${a.currency}]` : "";
@@ -256,7 +256,7 @@ function row(r, columns, best) {
     redraw();
   };
   const condition = r.condition && r.condition !== "dry" ? `, ${r.condition}` : "";
-  const outside = r.cells.outside?.value ? words(r.cells.outside) : "";
+  const outside = r.cells.outside?.value ? words(r.cells.outside.text) : "";
   return h(
     "tr",
     { class: `${pin ? "pinned" : ""} ${r.present ? "present" : ""}`, key: r.name },
@@ -294,7 +294,7 @@ function row(r, columns, best) {
 /** @param {Row} r @param {string} key @param {number} best */
 function cell(r, key, best) {
   const c = r.cells[key];
-  const text = words(c) || "–";
+  const text = words(c?.text) || "–";
   const first = r.level === "OK" && c?.value != null && c.value === best;
   const bold = h("strong", {}, text, h("span", { class: "away" }, " (best)"));
   return h("td", { class: "num", key }, first ? bold : text);

@@ -152,7 +152,7 @@ function result(r) {
     h(
       "section",
       { class: "card", "aria-label": "Fitted lagging" },
-      h("h2", {}, r.sheet?.title || r.name),
+      h("h2", {}, words(r.sheet?.title) || r.name),
       h("p", {}, words(r.sheet?.subtitle)),
       r.lagging
         ? h(

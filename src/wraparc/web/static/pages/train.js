@@ -1,6 +1,7 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
+import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import {
   judgedIf,
@@ -183,7 +184,9 @@ const result = (a) =>
     h(
       "div",
       { class: "tables one" },
-      (a.tables || []).map((/** @type {Table} */ t) => table(t, /^(Drives|All)/.test(t.title))),
+      (a.tables || []).map((/** @type {Table} */ t) =>
+        table(t, /^(Drives|All)/.test(words(t.title))),
+      ),
     ),
   );
 /** @param {any} c */
@@ -205,6 +208,6 @@ const matching = (m) =>
     h(
       "div",
       { class: "tables" },
-      (m.tables || []).map((/** @type {Table} */ t) => table(t, !/^Drives/.test(t.title))),
+      (m.tables || []).map((/** @type {Table} */ t) => table(t, !/^Drives/.test(words(t.title)))),
     ),
   );

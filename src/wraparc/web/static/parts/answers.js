@@ -66,7 +66,7 @@ export const verdict = (v, before, after) =>
     "div",
     { class: `verdict ${levelClass(v.level)}` },
     before,
-    h("p", { class: "headline" }, badge(v.level, v.told), " ", words(v.headline), " ", after),
+    h("p", { class: "headline" }, badge(v.level, v.word), " ", words(v.headline), " ", after),
     list(v.sentences),
   );
 /** @param {Text[] | undefined} texts @param {string} [cls] */
@@ -103,9 +103,9 @@ class Tabled extends Component {
     return h(
       "details",
       { class: `table t-${t.key}`, open },
-      h("summary", {}, t.title),
+      h("summary", {}, words(t.title)),
       scroll(
-        t.title,
+        words(t.title),
         h(
           "table",
           {},
@@ -123,7 +123,7 @@ class Tabled extends Component {
 }
 /** @param {Table} t */
 export const table = (t, open = true) =>
-  h(Tabled, { of: t, open, units: app.units, key: t.key + t.title });
+  h(Tabled, { of: t, open, units: app.units, key: t.key + words(t.title) });
 /** @param {Table} t */
 const columns = (t) => ({
   symbols: t.rows.some((r) => r.symbol),
@@ -131,7 +131,7 @@ const columns = (t) => ({
 });
 /** @param {Table} t */
 function tableHead(t) {
-  const heads = t.heads[app.units];
+  const heads = t.heads.map(words);
   if (!heads.some(Boolean)) return null;
   const { symbols, notes } = columns(t);
   const cells = heads.map((x) => (x ? h("th", { scope: "col", class: "num" }, x) : h("td", {})));
@@ -147,9 +147,9 @@ function tableRow(t, r) {
   return h(
     "tr",
     { class: levelClass(r.level) },
-    h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning ?? r.name }, r.title),
+    h("th", { scope: "row", title: app.form.glossary[r.name]?.meaning ?? r.name }, words(r.title)),
     symbols && h("td", { class: "sym" }, sign(r.symbol)),
-    r.values[app.units].map((v) => h("td", { class: "num" }, v)),
+    r.values.map((v) => h("td", { class: "num" }, words(v))),
     notes && h("td", { class: "remark" }, badge(r.level), " ", words(r.note)),
   );
 }

@@ -2,7 +2,7 @@
 
 import { app, blank, change, get, painted, redraw, set } from "../../base/design.js";
 import { part } from "../../base/server.js";
-import { viewed } from "../../base/units.js";
+import { viewed, words } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
@@ -148,7 +148,7 @@ export const ofBelt = (s) =>
   });
 const presetBelt = () => app.catalogue.belts.find((b) => b.name === app.doc.belt.preset);
 /** @param {string} key @returns {string | undefined} */
-const ofPreset = (key) => presetBelt()?.[key]?.[app.units];
+const ofPreset = (key) => words(presetBelt()?.[key]) || undefined;
 function preset() {
   const { belts } = app.catalogue;
   const groups = [...new Set(belts.map((b) => b.kind))].map((kind) => ({

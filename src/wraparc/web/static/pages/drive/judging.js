@@ -1,19 +1,19 @@
 // When the page judges itself: after the frame that shows the moved drive is painted.
 import { app } from "../../base/design.js";
 import { ask } from "../../base/server.js";
-import { assemble } from "./assemble.js";
+import { assemble, inCase } from "./assemble.js";
 import { beside } from "./beside.js";
 import { arcsOf, asked, judge, misses } from "./judge.js";
-import { leastTold, raiseTo } from "./least.js";
 import * as own from "./own.js";
 import { answer } from "./solving.js";
-import { firstAnswer, wholeOf } from "./whole.js";
-import { barsOf, checkTable, verdictOf } from "./words.js";
+import { wholeOf } from "./whole.js";
+import { remarksOf, verdictOf } from "./words.js";
 
+export { raise, raiseAlone } from "./advice.js";
 export { confirmed } from "./own.js";
 export { find, ways } from "./ways.js";
 
-/** @import { Book, Design, FullAnswer, Judging, QuickAnswer } from "../../types.d.ts" */
+/** @import { Assembled, Book, Design, FullAnswer, QuickAnswer } from "../../types.d.ts" */
 
 const FOLLOWS = "The other tables follow once the hand rests.";
 /** What drives are put together from. @type {Book | null} */
@@ -27,12 +27,14 @@ export const ready = ask("book").then(
 /** The drive that was put together last. */
 let last = {
   doc: /** @type {Design | null} */ (null),
-  judging: /** @type {Judging | null} */ (null),
+  judging: /** @type {Assembled | null} */ (null),
 };
-/** A drive as the page puts it together; null where that is for the server. @param {Design} doc */
-function assembled(doc) {
+/** A drive as the page puts it together; null where that is for the server. @param {Design} doc
+ * @param {import("./assemble.js").Served} [served] */
+function assembled(doc, served) {
   if (!book) return null;
-  if (last.doc !== doc) last = { doc, judging: assemble(doc, book).judging };
+  if (last.doc !== doc || !last.judging)
+    last = { doc, judging: assemble(doc, book, served).judging };
   return last.judging;
 }
 
@@ -41,8 +43,7 @@ function assembled(doc) {
 export async function alone(doc, name) {
   await ready;
   const judging = book && assemble(doc, book).judging;
-  const cases = judging?.cases.filter((c) => c.load_case === name) ?? [];
-  return judging && cases.length ? { ...judging, cases } : null;
+  return judging?.cases.some((c) => c.load_case === name) ? inCase(judging, name) : null;
 }
 /** The answer of the page itself to the arc that is looked at; null where it is for the server.
  * @param {{doc: Design, answer: QuickAnswer, pulley: number, case: string}} base
@@ -57,13 +58,10 @@ export function ownAnswer(base, points, judged) {
   if (!judging || !arc) return null;
   const before = {
     ...base,
-    answer: { ...base.answer, ...remarksAlone(firstAnswer(judging, arc)) },
+    answer: { ...base.answer, pulley: arc.pulley, load_case: arc.load_case },
   };
   return own.ownAnswer(before, doc, points, judged, arc);
 }
-/** @param {QuickAnswer} of */
-const remarksAlone = ({ remarks, pulley, load_case }) => ({ remarks, pulley, load_case });
-
 /** What the page has found last. @type {import("./judge.js").Judged | null} */
 let found = null;
 /** What is being judged, and whether more has changed since. */
@@ -89,50 +87,44 @@ async function begin() {
   again = busy;
   if (again || !full || !fullDoc || !quick?.own || quickDoc !== doc) return;
   const moved = asked(fullDoc, full, doc);
-  const other = moved ? null : assembled(doc);
-  const arcs = moved ?? (other && arcsOf(other));
-  if (!arcs) return take(doc, full, full.judging, null);
+  const judging = assembled(doc, moved ?? undefined);
+  if (!judging) return take(doc, full, null, null, false);
   busy = true;
-  take(doc, full, other ?? full.judging, await beside(arcs));
+  take(doc, full, judging, await beside(arcsOf(judging)), Boolean(moved));
   busy = false;
   if (again) begin();
 }
-/** @param {Design} doc @param {FullAnswer} full @param {Judging | null} judging
- * @param {any[] | null} numbers */
-function take(doc, full, judging, numbers) {
+/** @param {Design} doc @param {FullAnswer} full @param {Assembled | null} judging
+ * @param {any[] | null} numbers @param {boolean} moved */
+function take(doc, full, judging, numbers, moved) {
   const { quick } = answer;
   if (full !== answer.full || !quick?.own) return; // the server was first
   found = numbers && judging && judge(judging, doc, numbers);
-  answer.judged = found && judging && told(found, full, judging);
+  answer.judged = found && told(found, moved ? full : null);
   answer.judgedDoc = doc;
   const arc = answer.judged?.arcs.find((a) => a.load_case === quick.load_case);
   const none = { level: /** @type {any} */ (""), levels: {} };
   const { level, levels } = arc || none;
   Object.assign(quick, { level, levels });
-  if (found) quick.verdict = verdictOf(found, quick.load_case);
+  if (found) {
+    quick.verdict = verdictOf(found, quick.load_case);
+    quick.remarks = remarksOf(found);
+  }
   show();
 }
-/** A judgement as the server tells one. @param {import("./judge.js").Judged} of
- * @param {FullAnswer} full @param {Judging} judging @returns {FullAnswer} */
-function told(of, full, judging) {
-  if (judging !== full.judging && book) {
-    const whole = wholeOf(of, judging, book);
-    whole.verdict.sentences.push(FOLLOWS);
-    return whole;
-  }
-  const verdict = verdictOf(of);
-  const least_tension = leastTold(of, full.least_tension);
-  if (least_tension) verdict.sentences.unshift(least_tension.sentence);
-  verdict.sentences.push(FOLLOWS);
-  const arcs = of.arcs.map((a) => {
-    const before = full.arcs.find((b) => b.load_case === a.load_case);
-    const { level, levels, short } = verdictOf(of, a.load_case);
-    const raise_to = raiseTo(of, [a]);
-    const bars = barsOf(of, a.load_case);
-    const told = { level, levels, short, raise_to, bars, numbers: a.numbers };
-    return { .../** @type {any} */ (before), ...told };
+/** A judgement as the server tells one; of a drive whose numbers alone have moved with what it
+ * told before. @param {import("./judge.js").Judged} of @param {FullAnswer | null} full
+ * @returns {FullAnswer} */
+function told(of, full) {
+  const whole = wholeOf(of);
+  whole.verdict.sentences.push(FOLLOWS);
+  if (!full) return whole;
+  const { verdict, checks, least_tension } = whole;
+  const arcs = whole.arcs.map((arc) => {
+    const before = full.arcs.find((b) => b.load_case === arc.load_case);
+    const { level, levels, short, raise_to, bars, numbers } = arc;
+    return { .../** @type {any} */ (before), level, levels, short, raise_to, bars, numbers };
   });
-  const checks = checkTable(of, full.checks);
   return { ...full, verdict, checks, arcs, least_tension };
 }
 /** The page's judgement and the server's are one. @param {FullAnswer} full */

@@ -2,6 +2,7 @@
 // what the drive is held against. Fetched behind the first page.
 import { app, besides, change, edit, get, look, set } from "../../base/design.js";
 import { nameCheck, renameCase, renamePulley } from "../../base/names.js";
+import { words } from "../../base/units.js";
 import { choose } from "../../parts/choose.js";
 import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
@@ -96,9 +97,7 @@ const PARTS = ["thickness", "shear_modulus", "compression_modulus"].concat([
 /** @param {number} i */
 function lagging(i) {
   const known = catalogued(i);
-  const parts = PARTS.map((key) =>
-    laggingPart(["pulley", i, "lagging"], key, known?.[key]?.[app.units]),
-  );
+  const parts = PARTS.map((key) => laggingPart(["pulley", i, "lagging"], key, words(known?.[key])));
   const origin =
     known &&
     h("p", { class: "origin", key: "origin" }, (known.source || "").replace(`${known.kind}: `, ""));

@@ -3,7 +3,7 @@
 import { si } from "../../base/units.js";
 import { in_page__quick as quick } from "../../kernel.js";
 
-/** @import { Design, Input, Judging, Path, Prepared, QuickAnswer } from "../../types.d.ts" */
+/** @import { Assembled, Design, Input, Path, Prepared, QuickAnswer } from "../../types.d.ts" */
 
 /** A document and what the server answered to it.
  * @typedef {{doc: Design, answer: QuickAnswer}} Solved */
@@ -50,7 +50,7 @@ const finite = (v) => (Number.isFinite(v) ? v : null);
  * has put together itself; null where it is for the server.
  * @param {Solved} base @param {Design} doc @param {number} points
  * @param {QuickAnswer | null} [judged] whose verdict stands until this one is judged
- * @param {Judging["cases"][number] | null} [assembled] the arc as put together
+ * @param {Assembled["cases"][number] | null} [assembled] the arc as put together
  * @returns {QuickAnswer | null}
  */
 export function ownAnswer(base, doc, points, judged, assembled) {

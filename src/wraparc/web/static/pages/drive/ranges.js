@@ -1,6 +1,6 @@
 // How far the sliders and handles of a drive go, and where its limits are on them.
 import { app, gripped } from "../../base/design.js";
-import { si } from "../../base/units.js";
+import { si, words } from "../../base/units.js";
 import { answer, wholeArc } from "./solving.js";
 
 /** @import { Scale } from "../../parts/field.js" */
@@ -29,8 +29,8 @@ const SIZES = {
 /** Rating of the belt [N]; nan if it is not known. */
 function rating() {
   const { belt } = app.doc;
-  const of = app.catalogue.belts.find((b) => b.name === belt.preset)?.rating?.si;
-  return si(belt.rating ?? of, "force_per_width") * si(belt.width, "length");
+  const of = app.catalogue.belts.find((b) => b.name === belt.preset)?.rating;
+  return si(belt.rating ?? words(of), "force_per_width") * si(belt.width, "length");
 }
 /** Tension [N] at the far end of a strand: it stays while a hand moves something. */
 let full = 1;

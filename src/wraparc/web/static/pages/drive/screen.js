@@ -16,20 +16,19 @@ import {
   words,
   written,
 } from "../../base/units.js";
+import { views } from "../../frame/tabs.js";
 import { levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
 import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
-import { raise, raiseAlone } from "./advice.js";
 import { addCase } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
-import { fullTension, limits, scaleOf } from "./ranges.js";
 import { questions } from "./questions.js";
-import { views } from "../../frame/tabs.js";
+import { fullTension, limits, scaleOf } from "./ranges.js";
 import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
 
 /** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */
@@ -378,11 +377,10 @@ function action(arc) {
   const { train } = app.doc;
   if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
   const all = known()?.least_tension?.raise_to;
-  const found = all != null ? raise(all) : raiseAlone(wholeArc());
+  const own = solver();
+  const found = all != null ? own?.raise(all) : own?.raiseAlone(wholeArc());
   if (found) return found;
-  const way = solver()
-    ?.ways()
-    .find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
+  const way = own?.ways().find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
   if (!way) return null;
   const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
   return h(

@@ -92,7 +92,7 @@ function otherwise({ path }) {
     path[0] === "belt"
       ? app.catalogue.belts.find((b) => b.name === belt.preset)
       : app.catalogue.laggings.find((l) => l.name === (lagging?.preset ?? lagging));
-  return from?.[key]?.[app.units] ?? "";
+  return words(from?.[key]);
 }
 /** A wanted value with the unit that is shown beside it, if it has none. */
 function wanted() {

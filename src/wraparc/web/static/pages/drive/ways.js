@@ -83,11 +83,10 @@ async function solved(doc, load_case) {
   const judging = await alone(doc, load_case);
   const numbers = judging && (await beside(arcsOf(judging)));
   if (!numbers) return null;
-  const { level } = verdictOf(judge(judging, doc, numbers) ?? NONE, load_case);
+  const { level } = verdictOf(judge(judging, doc, numbers), load_case);
   const [{ solved: rests, summary }] = numbers;
   return { creep: rests ? Math.abs(summary.exit_creep) : Number.POSITIVE_INFINITY, level };
 }
-const NONE = /** @type {any} */ ({ checks: [], of: {}, wet: -1, over: false });
 /** The least wrap that keeps the limit, between those that are tried. @param {unknown[]} of
  * @param {string} name @param {number} limit */
 async function seekWrap(of, name, limit) {

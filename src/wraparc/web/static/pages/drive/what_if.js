@@ -1,6 +1,6 @@
 // What if: wet, worn, bare, another lagging or belt, each beside the drive as it is.
 import { app, redraw } from "../../base/design.js";
-import { viewed } from "../../base/units.js";
+import { viewed, words } from "../../base/units.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
@@ -21,7 +21,7 @@ const pulley = () => app.doc.pulley[app.pulley];
 function half() {
   const { lagging } = pulley();
   const known = app.catalogue.laggings.find((l) => l.name === laggingName(lagging));
-  const text = lagging?.thickness ?? known?.thickness?.[app.units] ?? "";
+  const text = lagging?.thickness ?? words(known?.thickness);
   const [number, unit] = viewed(text, "length");
   return unit ? `${+number / 2} ${unit}` : "";
 }

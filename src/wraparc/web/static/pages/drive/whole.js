@@ -1,11 +1,11 @@
 // A judged drive as an answer of the server tells one, for what the page has put together itself.
 import { app } from "../../base/design.js";
-import { digits, percent, unit } from "../../base/units.js";
-import { leastOf, leastTold, raiseTo } from "./least.js";
-import { filled } from "./wording.js";
-import { barsOf, checkTable, onSafeSide, quantity, verdictOf } from "./words.js";
+import { cellOf } from "../../base/digits.js";
+import { cell__percent as percent, cell__quantity as quantity } from "../../cells.js";
+import { leastAlone, leastTold } from "./least.js";
+import { barsOf, checkTable, remarksOf, verdictOf } from "./words.js";
 
-/** @import { Book, FullAnswer, FullArc, Judging, QuickAnswer } from "../../types.d.ts" */
+/** @import { Assembled, FullAnswer, FullArc, QuickAnswer } from "../../types.d.ts" */
 /** @import { Table, TableRow } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
 
@@ -45,7 +45,7 @@ const TABLES = [
 function told(name, v) {
   const { dimension } = app.form.glossary[name];
   if (name === "efficiency") return percent(v, 4);
-  return dimension === "number" ? digits(v) : quantity(v, dimension);
+  return quantity(v, dimension);
 }
 /** @param {Record<string, number>} numbers @returns {Table[]} */
 const tablesOf = (numbers) =>
@@ -57,13 +57,13 @@ const tablesOf = (numbers) =>
       const { title, symbol } = app.form.glossary[name];
       return row(name, title, symbol, [told(name, numbers[name])]);
     });
-    return { key, title, heads: { si: [""], us: [""] }, note: "", rows };
+    return { key, title, heads: [""], note: "", rows };
   });
 /** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
  * @param {any} [note] @param {any} [level] @returns {TableRow} */
 const row = (name, title, symbol, cells, note = "", level = null) => ({
   ...{ name, title, symbol, note, level },
-  values: { si: cells, us: cells },
+  values: cells,
 });
 
 /** Numbers that an arc was found from, by their names in the glossary. */
@@ -78,43 +78,42 @@ const GIVEN = {
   compression_modulus: "compression_modulus",
   creep_limit: "creep_limit",
 };
-/** What an arc was found from: a sheet of paper has no form. @param {Judging} of
- * @param {Judging["cases"][number]} c @returns {Table} */
-function inputsOf(of, { prepared: { given }, condition, names = of.names }) {
+/** What an arc was found from: a sheet of paper has no form.
+ * @param {Assembled["cases"][number]} c @returns {Table} */
+function inputsOf({ prepared: { given }, condition, lagging: of, belt }) {
   const numbers = Object.entries(GIVEN).map(
     ([name, key]) => /** @type {const} */ ([name, +given[key]]),
   );
-  const lagging = `${names?.lagging} (${condition})`;
+  const lagging = `${of} (${condition})`;
   const rows = numbers
     .filter(([name, v]) => !Number.isNaN(v) && app.form.glossary[name])
     .map(([name, v]) => {
       const { title, symbol } = app.form.glossary[name];
       return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
     });
-  const words = [row("", "Belt", "", [names?.belt ?? ""]), row("", "Lagging", "", [lagging])];
-  const heads = { si: [""], us: [""] };
-  return { key: "inputs", title: "Inputs", heads, note: "", rows: [...words, ...rows] };
+  const words = [row("", "Belt", "", [belt]), row("", "Lagging", "", [lagging])];
+  return { key: "inputs", title: "Inputs", heads: [""], note: "", rows: [...words, ...rows] };
 }
 
-/** All load cases side by side, and all pulleys. @param {Judged} judged @param {Judging} of
+/** All load cases side by side, and all pulleys. @param {Judged} judged
  * @returns {Table | null} */
-function summaryOf(judged, of) {
+function summaryOf(judged) {
   const { arcs } = judged;
   if (arcs.length < 2) return null;
   const several = arcs.some((a) => a.pulley !== arcs[0].pulley);
   const rows = arcs.map((arc, i) => {
     const { load_case, pulley, solved, numbers: n } = arc;
     const { level, short } = verdictOf(judged, load_case, pulley);
-    const limit = +of.cases[i].prepared.given.creep_limit;
+    const limit = +judged.of.cases[i].prepared.given.creep_limit;
     const part = Math.abs(n.exit_creep) / limit;
     const creep = solved ? [bare(n.exit_creep, "length"), percent(part)] : ["-", "-"];
     const cells = [
       ...[bare(n.entry_tension, "force"), bare(n.exit_tension, "force"), bare(n.tension_ratio)],
-      ...[...creep, several ? "-" : leastIn({ ...judged, arcs: [arc] }), short],
+      ...[...creep, several ? "-" : leastIn(judged, i), short],
     ];
     return row("", several ? `${load_case}: ${pulley}` : load_case, "", cells, "", level);
   });
-  const [[force], [length]] = [unit("force"), unit("length")];
+  const [force, length] = ["force", "length"].map((of) => cellOf(0, of, undefined, "unit"));
   const heads = [
     ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
     ...["of limit", `least T2 [${force}]`, ""],
@@ -122,76 +121,65 @@ function summaryOf(judged, of) {
   return {
     key: "summary",
     title: several ? "All load cases and pulleys" : "All load cases",
-    heads: { si: heads, us: heads },
+    heads,
     note: "",
     rows,
   };
 }
-/** Least slack-side tension of one arc alone. @param {Judged} judged */
-function leastIn(judged) {
-  const found = leastOf(judged);
+/** Least slack-side tension of one arc alone. @param {Judged} judged @param {number} i */
+function leastIn(judged, i) {
+  const found = leastAlone(judged, i);
   if (!found) return "-";
   if (!Number.isFinite(found.tension)) return "none";
-  return bare(onSafeSide(found.tension, "force", true), "force");
+  return cellOf(found.tension, "force", undefined, "bare up");
 }
-/** A value in the unit of its table, bare. @param {number} v @param {string} [dimension] */
-const bare = (v, dimension) => {
-  const size = dimension ? unit(dimension)[1] : 1;
-  return Number.isNaN(v) ? "-" : quantity(v / size, "number");
-};
+/** A value in the unit of its table. @param {number} v @param {string} [dimension] */
+const bare = (v, dimension = "number") =>
+  Number.isFinite(v) ? cellOf(v, dimension, undefined, "bare") : quantity(v, dimension);
 
 /**
- * The answer of a drive that the page has put together, in the units looked at.
- * @param {Judged} judged @param {Judging} of @param {Book} book @returns {FullAnswer}
+ * The answer of a drive that the page has put together.
+ * @param {Judged} judged @returns {FullAnswer}
  */
-export function wholeOf(judged, of, book) {
-  const { heads } = book;
-  const least = heads.least[of.held ?? "slack"];
-  /** @param {any} text @returns {string} */
-  const open = (text) =>
-    typeof text === "string" ? filled(text, of.names ?? {}) : open(text?.[app.units] ?? "");
-  const table = { ...least, title: open(least.title), note: open(least.note) };
-  const least_tension = leastTold(judged, /** @type {any} */ ({ table }));
+export function wholeOf(judged) {
+  const least_tension = leastTold(judged);
   const verdict = verdictOf(judged);
   if (least_tension) verdict.sentences.unshift(least_tension.sentence);
-  const arcs = judged.arcs.map((arc) => arcOf(judged, arc, of));
+  const arcs = judged.arcs.map((_, i) => arcOf(judged, i));
   const worst = arcs.find((a) => a.level === verdict.level) ?? arcs[0];
   return {
     verdict,
     governing: { pulley: worst.pulley, load_case: worst.load_case },
     arcs,
     conditions: null,
-    checks: checkTable(judged, heads.checks),
+    checks: checkTable(judged),
     least_tension,
-    summary: summaryOf(judged, of),
-    sources: (of.kinds ?? []).map((kind) => ({ kind })),
-    remarks: remarksOf(of),
-    judging: of,
+    summary: summaryOf(judged),
+    sources: judged.of.kinds.map((kind) => ({ kind })),
+    remarks: remarksOf(judged),
+    judging: null,
   };
 }
-/** @param {Judged} judged @param {Judged["arcs"][number]} arc @param {Judging} of
- * @returns {FullArc} */
-function arcOf(judged, arc, of) {
-  const { load_case, pulley, solved, numbers } = arc;
+/** @param {Judged} judged @param {number} i @returns {FullArc} */
+function arcOf(judged, i) {
+  const { load_case, pulley, solved, numbers } = judged.arcs[i];
   const { level, levels, short } = verdictOf(judged, load_case, pulley);
-  const c = /** @type {Judging["cases"][number]} */ (
-    of.cases.find((x) => x.load_case === load_case && x.pulley === pulley)
-  );
+  const c = judged.of.cases[i];
   // in gross slip there is no state at rest to tell of
   const told = tablesOf(numbers).filter((t) => solved || t.key === "capacity");
   return {
-    pulley: pulley ?? of.names?.pulley ?? "",
+    pulley,
     load_case,
     status: solved ? "solved" : "breakaway",
     status_text: "",
-    raise_to: raiseTo(judged, [arc]),
+    raise_to: leastAlone(judged, i)?.raise_to ?? null,
     ...{ level, levels, short, numbers: finite(numbers) },
     bars: barsOf(judged, load_case, pulley),
     creep_limit: +c.prepared.given.creep_limit,
     profile: {},
     tested: c.tested,
     outside: [],
-    tables: [...told.filter((t) => t.rows.length > 0), inputsOf(of, c)],
+    tables: [...told.filter((t) => t.rows.length > 0), inputsOf(c)],
     table_sources: [],
     paper: null,
   };
@@ -200,38 +188,11 @@ function arcOf(judged, arc, of) {
  * @param {Record<string, number>} of @returns {Record<string, any>} */
 const finite = (of) =>
   Object.fromEntries(Object.entries(of).map(([k, v]) => [k, Number.isFinite(v) ? v : null]));
-/** Sentences about the data that an answer stands on. @param {Judging} of */
-export const remarksOf = (of) => [
-  ...new Set(
-    of.checks
-      .filter((c) => c.name === "data" && c.says)
-      .map((c) => c.says.replace(/\{\{|\}\}/g, (brace) => brace[0])),
-  ),
-];
-/** The same in both systems of units: texts as pairs. @template T @param {() => T} make
- * @returns {T} */
-export function inBoth(make) {
-  const { units } = app;
-  app.units = "si";
-  const si = make();
-  app.units = "us";
-  const us = make();
-  app.units = units;
-  return paired(si, us);
-}
-/** @param {any} a @param {any} b @param {string} [key] @returns {any} */
-function paired(a, b, key = "") {
-  if (key === "values" || key === "heads") return { si: a.si, us: b.us };
-  if (typeof a === "string") return a === b ? a : { si: a, us: b };
-  if (Array.isArray(a)) return a.map((x, i) => paired(x, b[i]));
-  if (typeof a !== "object" || a === null) return a;
-  return Object.fromEntries(Object.keys(a).map((k) => [k, paired(a[k], b[k], k)]));
-}
-/** The first answer to an arc that nothing was solved of. @param {Judging} of
- * @param {Judging["cases"][number]} c @returns {QuickAnswer} */
-export const firstAnswer = (of, c) => ({
+/** The first answer to an arc that nothing was solved of.
+ * @param {Assembled["cases"][number]} c @returns {QuickAnswer} */
+export const firstAnswer = (c) => ({
   sequence: 0,
-  pulley: c.pulley ?? of.names?.pulley ?? "",
+  pulley: c.pulley,
   load_case: c.load_case,
   status: "solved",
   level: /** @type {any} */ (""),
@@ -242,6 +203,6 @@ export const firstAnswer = (of, c) => ({
   tested: c.tested,
   outside: [],
   verdict: { level: /** @type {any} */ (""), headline: "", sentences: [] },
-  remarks: remarksOf(of),
+  remarks: [],
   prepared: null,
 });

@@ -1,6 +1,6 @@
 // The plan of a study: what is varied, about the values of the drive, and its file.
 import { app } from "../../base/design.js";
-import { split, trim } from "../../base/units.js";
+import { split, trim, words } from "../../base/units.js";
 
 /** @typedef {Record<string, string> & {field: string}} Axis */
 /** Where an axis of a file came from. @type {WeakMap<Axis, any>} */
@@ -42,12 +42,12 @@ export function fields() {
   const lagging = app.catalogue.laggings.find((x) => x.name === name);
   const belt = app.catalogue.belts.find((x) => x.name === app.doc.belt.preset);
   const given = GIVEN.filter((k) => p[k]).map((k) => [`${at}.${k}`, p[k]]);
-  const of = (/** @type {string} */ k) => p.lagging?.[k] || lagging?.[k]?.[app.units];
+  const of = (/** @type {string} */ k) => p.lagging?.[k] || words(lagging?.[k]);
   return Object.fromEntries([
     ...given,
     [`${at}.lagging.friction_factor`, "1"],
     [`${at}.lagging.slip_factor`, "1"],
-    ["belt.modulus", app.doc.belt.modulus || belt?.modulus[app.units]],
+    ["belt.modulus", app.doc.belt.modulus || words(belt?.modulus)],
     ["belt.width", app.doc.belt.width],
     [`${at}.diameter`, p.diameter],
     [`${at}.wrap_angle`, p.wrap_angle],

@@ -1,0 +1,74 @@
+"""Numbers as people write them: significant digits, plain notation where it fits."""
+
+import math
+
+#: Significant digits of what was computed: no friction is known to more. Files hold every digit.
+RESULT_DIGITS = 3
+#: A number that so many digits hold entirely is one that somebody gave, and is shown as it is.
+GIVEN_DIGITS = 4
+_EXACT = 1e-9
+#: What is less, in the unit shown, is what rounding leaves of a difference of equal numbers.
+NOTHING = 1e-9
+
+
+def rounded(number: float, digits: int) -> str:
+    """Return the number with so many significant digits, in plain notation where it fits."""
+    if math.isnan(number):
+        return "nan"
+    if math.isinf(number):
+        return "inf" if number > 0.0 else "-inf"
+    if number == 0.0:
+        return "0"
+    given = scientific(number, GIVEN_DIGITS - 1)
+    power = exponent_of(given)
+    if digits <= GIVEN_DIGITS and _equal(read(given), number) and -4 <= power < 12:
+        return trimmed(fixed(read(given), max(0, GIVEN_DIGITS - 1 - power)))
+    text = scientific(number, digits - 1)
+    power = exponent_of(text)
+    return fixed(read(text), max(0, digits - 1 - power)) if -4 <= power < 12 else text
+
+
+def safe(value: float, size: float, up: bool) -> float:
+    """Return the same of a value that shows in units of a size."""
+    number = value / size
+    if not math.isfinite(number) or abs(number) < NOTHING:
+        return value
+    shown = read(rounded(number, RESULT_DIGITS))
+    if _equal(shown, number):
+        return value
+    if (shown < number) == up:
+        step = 10.0 ** (exponent_of(scientific(shown, 3)) - RESULT_DIGITS + 1)
+        shown += step if up else -step
+    return shown * size
+
+
+def _equal(a: float, b: float) -> bool:
+    return abs(a - b) <= _EXACT * max(abs(a), abs(b))
+
+
+# What JavaScript writes otherwise: these stand in `web/static/base/digits.js`.
+
+
+def read(text: str) -> float:
+    """Return the number that such a text is."""
+    return float(text)
+
+
+def scientific(number: float, digits: int) -> str:
+    """Return a number with so many digits behind the point, and an exponent."""
+    return f"{number:.{digits}e}"
+
+
+def exponent_of(text: str) -> int:
+    """Return the exponent of such a text."""
+    return int(text.rpartition("e")[2])
+
+
+def fixed(number: float, digits: int) -> str:
+    """Return a number with so many digits behind the point."""
+    return f"{number:.{digits}f}"
+
+
+def trimmed(text: str) -> str:
+    """Return such a text without zeros at its end that say nothing."""
+    return text.rstrip("0").rstrip(".") if "." in text else text

@@ -1,0 +1,23 @@
+// What Python writes of numbers and JavaScript otherwise, for what is translated (cells.js).
+import { app } from "./design.js";
+
+/** What values of a dimension are shown in. @param {string} dimension @param {string} system */
+export const unitRow = (dimension, system) => app.form.units[dimension][system];
+/** The slot of a number in a text. @param {number} value @param {string} dimension
+ * @param {number} [digits] @param {string} [form] @param {number} [other] @param {string} [name] */
+export const cellOf = (value, dimension, digits = 3, form = "", other = Number.NaN, name = "") =>
+  `\x02${[dimension, digits, form, value, other, name].join("|")}\x03`;
+/** A tie goes to the even digit. @param {number} x @param {number} digits */
+export function scientific(x, digits) {
+  const [text, power] = x.toExponential(digits).split("e");
+  const all = x.toExponential(100);
+  const at = all.indexOf(".") + 1 + digits;
+  const tie = /^50*e/.test(all.slice(at)) && +all[at - 1] % 2 === 0;
+  return `${tie ? all.slice(0, at) : text}e${power.replace(/^(.)(.)$/, "$10$2")}`;
+}
+/** @param {string} text */
+export const exponentOf = (text) => +text.split("e")[1];
+/** @param {number} x @param {number} digits */
+export const decimal = (x, digits) => x.toFixed(digits);
+/** @param {string} text */
+export const trimmed = (text) => text.replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, "");

@@ -1,0 +1,34 @@
+"""Texts of answers, as the API and ``--json`` have them, read in a system of units."""
+
+import math
+from typing import Any
+
+from wraparc.glossary import GLOSSARY
+from wraparc.units import RESULT_DIGITS, Cell, System
+
+
+def worded(text: Any, system: System = "si") -> str:
+    """Return a text of an answer in a system of units, from its numbers where it has any."""
+    if isinstance(text, str):
+        return text
+    if system == "si" or "us" in text:
+        told: str = text["text"] if system == "si" else text["us"]
+        return told
+    whole, cells = text["text"], text.get("cells")
+    if cells is None:
+        return _cell(text).text(system)
+    told, end = "", 0
+    for cell in cells:
+        begin, following = cell["at"]
+        told += whole[end:begin] + _cell(cell).text(system)
+        end = following
+    return told + whole[end:]
+
+
+def _cell(data: dict[str, Any]) -> Cell:
+    name = data.get("name", "")
+    of = data.get("dimension") or GLOSSARY[name].dimension
+    other = data.get("from", data.get("apart", math.nan))
+    return Cell(
+        data["value"], of, data.get("digits", RESULT_DIGITS), data.get("form", ""), other, name
+    )
