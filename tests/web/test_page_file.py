@@ -21,6 +21,7 @@ from web.calculators import wait_for
 from web.firefox import Firefox, firefox
 from web.test_page_file_trains import assert_firefox_says
 from web.test_pages_looks import violations
+from worded import worded
 from wraparc.arc import solve
 from wraparc.checks import judge
 from wraparc.files import load_drive
@@ -621,7 +622,7 @@ def assert_compares(page: Page, expected: CompareAnswer, what: str, system: Syst
     keys = [k for k in keys if any(r.cells[k].value is not None for r in expected.rows)]
     for shown, row in zip(rows.all(), expected.rows, strict=True):
         cells = [cell.text_content() for cell in shown.locator("td.num").all()]
-        told = [getattr(row.cells[key], system) for key in keys]
+        told = [worded(row.cells[key].text, system) for key in keys]
         assert [str(cell).replace(" (best)", "") for cell in cells] == told
         answer = str(shown.locator("td").nth(1).text_content())
         assert answer.endswith(f"{row.level} {row.short}")

@@ -79,7 +79,7 @@ def test_what_is_not_finite() -> None:
     forms: tuple[Form, ...] = ("", "bare", "percent", "up", "slip apart", "to", "unit")
     ends = (1.0, math.inf, -math.inf)
     cells = [Cell(a, "force", 3, form, b) for form in forms for a in ends for b in (1e3, math.inf)]
-    assert_alike([f"from {cell} on" for cell in cells ])
+    assert_alike([f"from {cell} on" for cell in cells])
 
 
 @pytest.fixture(scope="module")
