@@ -98,15 +98,17 @@ class Paper(Answer):
 
 
 class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value over the limit.
+    """A check as a bar against its limit; `share` is the value [SI] over the limit.
 
     `says` is what it says where it is not kept, `source` where its limit came from.
     """
 
+    name: str
     title: str
     level: Level
     place: str
     at_most: bool
+    value: float
     share: float
     found: Text
     limit: Text
@@ -293,10 +295,12 @@ def _bars(checks: Sequence[Check]) -> list[Bar]:
             continue
         made.append(
             Bar(
+                name=check.name,
                 title=check.title,
                 level=check.level,
                 place=str(check.place),
                 at_most=check.at_most,
+                value=check.value,
                 share=share,
                 found=worded(check.texts()[0]),
                 limit=worded(check.bound()),

@@ -12,8 +12,8 @@ const MORE = ["least_exit_tension", "largest_effective_tension"];
 
 /** A table of Python as the page shows one.
  * @param {any} of @param {string} key @returns {Table} */
-export function tableOf({ title, heads, note, rows }, key) {
-  return { key, title, heads, note, rows };
+export function tableOf({ name, title, heads, note, rows }, key) {
+  return { key, name, title, heads, note, rows };
 }
 /** As `wholeOf`, its capacities with notes. @param {Judged} judged @param {Judging} judging
  * @param {Book} book */

@@ -121,6 +121,8 @@ export interface TableRow {
 }
 export interface Table {
   key: string;
+  /** Word that `--table` asks for it by. */
+  name: string;
   title: Text;
   heads: Text[];
   note: Text;
@@ -254,6 +256,9 @@ export interface Input {
 }
 /** A check against its limit; share is its value over the limit. */
 export interface Bar {
+  name: string;
+  /** What is held against the limit [SI]. */
+  value: number;
   title: string;
   level: Level;
   place: string;

@@ -59,7 +59,7 @@ const tablesOf = (numbers) =>
       const { title, symbol } = app.form.glossary[name];
       return row(name, title, symbol, [told(name, numbers[name])]);
     });
-    return { key, title, heads: [""], note: "", rows };
+    return { key, name: "", title, heads: [""], note: "", rows };
   });
 /** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
  * @param {any} [note] @param {any} [level] @returns {TableRow} */
@@ -94,7 +94,14 @@ function inputsOf(of, { prepared: { given }, condition, names = of.names }) {
       return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
     });
   const words = [row("", "Belt", "", [names?.belt ?? ""]), row("", "Lagging", "", [lagging])];
-  return { key: "inputs", title: "Inputs", heads: [""], note: "", rows: [...words, ...rows] };
+  return {
+    key: "inputs",
+    name: "",
+    title: "Inputs",
+    heads: [""],
+    note: "",
+    rows: [...words, ...rows],
+  };
 }
 
 /** All load cases side by side, and all pulleys. @param {Judged} judged @param {Judging} of
@@ -122,6 +129,7 @@ function summaryOf(judged, of) {
   ];
   return {
     key: "summary",
+    name: "cases",
     title: several ? "All load cases and pulleys" : "All load cases",
     heads,
     note: "",

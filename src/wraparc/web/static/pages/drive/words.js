@@ -171,11 +171,11 @@ export const barsOf = ({ checks }, load_case, pulley) =>
     .filter((c) => c.level !== NOT_CHECKED && !c.numerical)
     .filter((c) => Number.isFinite(c.value / c.limit))
     .map((c) => {
-      const { title, level, place, at_most } = c;
+      const { name, title, level, place, at_most, value } = c;
       const [found, limit] = [texts(c)[0], bound(c)];
       const says = c.missed ? sentence({ ...c, remedy: "" }) : "";
-      const share = c.value / c.limit;
-      return { title, level, place, at_most, share, found, limit, says, source: "" };
+      const share = value / c.limit;
+      return { name, value, title, level, place, at_most, share, found, limit, says, source: "" };
     });
 /** The checks as a table, in the place of one of the server.
  * @param {Judged} judged @param {Table} before @returns {Table} */
