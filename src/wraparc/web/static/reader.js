@@ -861,7 +861,7 @@ for ([item, [entry, exit_]] of $iter($b.zip(given, tensions__spread(given, speed
 if (((entry == null) || (exit_ == null))) {
 if ($truth(sure)) {
 (fault = tension_rules__too_few($bound(item, "values")));
-report.add($bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy"));
+$method(report, "add", [$bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy")], [["code", "few_tensions"]]);
 }
 } else {
 if ($truth((made = tensions___made(item, entry, exit_, report)))) {
@@ -1067,7 +1067,7 @@ $m.append(problems, $call(Problem, [], [["key", second], ["message", message], [
 } else {
 if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
 (remedy = ("" + "Write " + $str(example) + ", or " + $str(second) + "."));
-$m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], ["remedy", remedy]]));
+$m.append(problems, $call(Problem, [], [["key", first], ["message", "missing"], ["remedy", remedy], ["code", "missing"]]));
 }
 }
 }
@@ -2325,7 +2325,7 @@ let row;
 return [row.unit, row.factor];
 }
 class Problem extends $Object {
-$init(message, remedy = "", file = "", key = "", value = "", line = null) { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line;  }
+$init(message, remedy = "", file = "", key = "", value = "", line = null, code = "") { this.message = message; this.remedy = remedy; this.file = file; this.key = key; this.value = value; this.line = line; this.code = code;  }
 __str__() {
 const self = this; let given, place, sentence;
 (place = self.file);
@@ -2362,15 +2362,17 @@ const self = this; (self.file = file);
 (self.problems = []);
 (self._left_out = 0);
 }
-add(place, message, remedy = "", value = $c7) {
-const self = this; let given;
+add(place, message, remedy = "", value = $c7, code = "") {
+const self = this; let given, key;
 
 if ($truth(self.full)) {
 (self._left_out = $add(self._left_out, 1));
 return null;
 }
 (given = ((value === $c7) ? "" : $shown(value)));
-self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", problems__place_text(place)], ["value", given]]));
+(code = (($eq(message, "missing")) ? "missing" : code));
+(key = problems__place_text(place));
+self._append($call(Problem, [], [["message", message], ["remedy", remedy], ["key", key], ["value", given], ["code", code]]));
 }
 take(error, place, raw = $c7, names = null) {
 const self = this; let below, given, key, problem, value;
@@ -5721,11 +5723,11 @@ const $c1354 = $made(Limit, {dimension: "rotation_speed", least: 0.0, most: Infi
 const $c1352 = $made(Quantity, {dimension: "rotation_speed", limit: $c1354});
 const $c1350 = $made(Either, {first: $c1351, second: $c1352, words: "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""});
 const $c1279 = $made(Rows, {kind: $c1350, least: 1, most: 10});
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line"]);
-Problem.$compared = ["message", "remedy", "file", "key", "value", "line"];
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code"]);
+Problem.$compared = ["message", "remedy", "file", "key", "value", "line", "code"];
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
-$sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
+$sig(Report.prototype.add, ["place", "message", "remedy", "value", "code"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
 $sig(Provenance, ["kind", "source", "date", "note"]);
 Provenance.$compared = ["kind", "source", "date", "note"];

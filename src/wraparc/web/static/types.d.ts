@@ -101,6 +101,8 @@ export interface Catalogue {
 export interface Problem {
   path: string;
   message: string;
+  /** What kind it is: `missing`, `few_tensions`, or nothing. */
+  code?: string;
   sentence?: string;
   /** Of a drive that is right and that a page without a server does not solve. */
   beyond?: boolean;
