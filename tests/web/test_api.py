@@ -116,6 +116,24 @@ def test_answers_have_the_form_of_every_json(api: TestClient) -> None:
     assert (cell["unit"], cell["form"]) == ("N", "up")
 
 
+def test_what_is_still_to_be_filled_in_has_a_code(api: TestClient) -> None:
+    """By it the page marks fields; expected: the codes that `Problem` names."""
+    drive = document("head-drive-fabric")
+    del drive["load_case"]
+    drive["belt"]["speed"] = "3 kN"
+    (pulley,) = drive["pulley"]
+    del pulley["diameter"], pulley["entry_tension"]
+    answer = api.post(f"{API}/solve", json={"document": drive})
+    assert answer.headers["content-type"] == "application/problem+json"
+    codes = {p["path"]: p["code"] for p in answer.json()["problems"]}
+    assert codes["belt.speed"] == ""
+    assert codes["pulley.head.diameter"] == "missing"
+    del drive["belt"]["speed"]
+    pulley["diameter"] = "800 mm"
+    (few,) = api.post(f"{API}/solve", json={"document": drive}).json()["problems"]
+    assert (few["path"], few["code"]) == ("pulley.head", "few_tensions")
+
+
 def test_a_breakaway_is_an_answer(api: TestClient) -> None:
     drive = document()
     drive["pulley"][0]["exit_tension"] = "2 kN"

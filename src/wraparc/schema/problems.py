@@ -83,6 +83,7 @@ class Report:
         message: str,
         remedy: str = "",
         value: object = NOTHING,
+        *,
         code: str = "",
     ) -> None:
         """Add one problem; that something is missing is a code, too."""
