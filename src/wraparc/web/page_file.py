@@ -77,7 +77,7 @@ def page_file(document: Document, name: str, text: str) -> str:
         "version": __version__,
         "title": html.escape(str(document.get("title") or name)),
         "icon": f"data:image/svg+xml;base64,{icon}",
-        "style": style,
+        "style": packed(style),
         "data": packed(data),
         "start": start,
         "solver": packed(solver),

@@ -1,9 +1,9 @@
-// Unpacks the scripts of the file and runs them: packed they are a third as large.
+// Unpacks style and scripts of the file: packed they are a third as large.
 import { unpacked } from "./unpacked.js";
 
-for (const id of ["solver", "program"]) {
-  const script = document.createElement("script");
-  script.textContent = await unpacked(`${id}-packed`);
-  script.id = id;
-  document.body.append(script);
+for (const id of ["style", "solver", "program"]) {
+  const part = document.createElement(id === "style" ? id : "script");
+  part.textContent = await unpacked(`${id}-packed`);
+  part.id = id;
+  document.body.append(part);
 }
