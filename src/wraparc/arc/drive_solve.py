@@ -49,17 +49,18 @@ class DriveResult(Viewable):
         return len(self.arcs)
 
     def arc(self, pulley: str, load_case: str = "") -> ArcResult:
-        """Result of one pulley, in the first load case unless one is named.
+        """Result of one pulley, in the running load case of the largest pull unless one is named.
 
         Raises
         ------
         KeyError
             If the drive has no such pulley or load case.
         """
-        for result in self.arcs:
-            if result.arc.pulley == pulley and load_case in ("", result.arc.load_case):
-                return result
-        raise KeyError((pulley, load_case))
+        found = {result.arc.load_case: result for result in self if result.arc.pulley == pulley}
+        name = load_case or self.drive.load_case().name
+        if name not in found:
+            raise KeyError((pulley, load_case))
+        return found[name]
 
     @property
     def governing(self) -> ArcResult:

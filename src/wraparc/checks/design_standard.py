@@ -103,7 +103,7 @@ def wrap_factors(
     factors = 1.0 / np.expm1(friction * wrap_angle)
     if not prints(standard, lagging.surface):
         return factors
-    return np.vectorize(as_printed, otypes=[float])(factors)  # of no row too
+    return np.asarray(np.vectorize(as_printed, otypes=[float])(factors))  # of no row too
 
 
 def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:

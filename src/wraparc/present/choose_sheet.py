@@ -125,10 +125,12 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     if lighter is not None:
         width = selection.search.drive.belt.width
         tight = named("belt_modulus", lighter.tight_tension / width)
+        shares = (selection.search.limits.rating or {}).items()
+        allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
         sentences.append(
             f"The lightest catalogue belt that would do is {lighter.belt.name}: "
             f"slack side {named('tension', lighter.slack_tension)}, largest tension "
-            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}."
+            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
     odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
     headline = " ".join([headline, *odd[:1]])
