@@ -124,6 +124,8 @@ class Visitor:
         told_long: bool = True,
         **context: Any,
     ) -> None:
+        # a page that moves by itself is painted without end, and a test has only to look at it
+        context = {"reduced_motion": "reduce", **context}
         self.context = browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )

@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, browser, turn
+from web.browser import Visitor, turn
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
 from web.test_page_file_trains import assert_firefox_says
@@ -117,12 +117,6 @@ DRIVES["conveyor, drive at the tail"] = (
     "OK",
 )
 READY = "html:not(.stale) #drive .screen[data-whole]"
-
-
-@pytest.fixture(scope="module")
-def chrome() -> Iterator[Browser]:
-    with browser() as found:
-        yield found
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from playwright.sync_api import Browser, Page
 
 from cli.running import wraparc
 from judgement.rows import MOTORS
-from web.browser import Visitor, browser
+from web.browser import Visitor
 from web.calculators import wait_for
 from web.firefox import Firefox
 from wraparc.train import solve_train
@@ -70,12 +70,6 @@ TRAINS: dict[str, str] = {
         'speeds = "equal"', '[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n'
     ).replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]'),
 }  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def chrome() -> Iterator[Browser]:
-    with browser() as found:
-        yield found
 
 
 def answer_of(text: str) -> dict[str, Any]:

@@ -44,6 +44,7 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
 
 def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:
     page = opened(visitor, with_layers(short()), tmp_path)
+    page.emulate_media(reduced_motion="no-preference")
     page.click("#follow")
     # the answers stand first, and it plays by itself
     expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
@@ -114,7 +115,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
 ) -> None:
     # on a phone, by somebody who wants less motion
     browser, server = calculator
-    visitor = Visitor(browser, server.address, PHONE, reduced_motion="reduce")
+    visitor = Visitor(browser, server.address, PHONE)
     back = '{ kind = "load-step", at = "0.5 s", factor = -2.0, time = "0.5 s" }'
     start = '{ kind = "start", shape = "s-curve", time = "20 s" }'
     text = short()
