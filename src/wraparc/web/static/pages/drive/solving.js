@@ -201,9 +201,9 @@ async function complete() {
   const doc = app.doc;
   if (answer.fullDoc === doc) return settle();
   try {
-    const how = { points: 180, sequence: ++sequence, prepared: true };
+    const asked = { document: doc, points: 180, sequence: ++sequence, prepared: true };
     const given = came.get(doc)?.whole;
-    const found = given || (await ask("solve", { document: doc, ...how }, { signal: stop.signal }));
+    const found = given || (await ask("solve", asked, { signal: stop.signal }));
     if (doc !== app.doc) return;
     own?.compare(found);
     Object.assign(answer, { full: found, fullDoc: doc, awaited: false });
