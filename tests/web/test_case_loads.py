@@ -12,6 +12,7 @@ from web.browser import Visitor
 from web.test_advice import downloaded
 from web.test_inputs import kept
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 

@@ -34,6 +34,7 @@ from wraparc.web.answers.compare import CompareAnswer, compare
 from wraparc.web.answers.documents import json_like
 from wraparc.web.asked import CompareRequest
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 #: Largest size of a page [bytes].
@@ -154,19 +155,20 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
     verdict, arc = told["verdict"], told["arcs"][0]
     result = solve(load_drive(file), raise_on_failure=False)
+    found, least = judge(result), least_sentence(result)
+    carried_by = capacity_table(next(iter(result)))
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
         page.get_by_label(system.upper(), exact=True).check(force=True)
-        found = judge(result)
         shown_text = page.locator(".governing .headline").inner_text()
         said = re.split(r"\s+Raise T2 to ", shown_text)[0]  # a button stands behind it
         assert said.partition(" ")[2] == f"{verdict['word']} {found.headline(system)}"
         sentences = page.locator(".governing li").all_inner_texts()
-        assert sentences == [in_units(least_sentence(result), system), *found.sentences(system)]
+        assert sentences == [in_units(least, system), *found.sentences(system)]
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
         shown = [row.split("\t")[:4] for row in rows]
         assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
-        carried = shown_in(capacity_table(next(iter(result))), system)
+        carried = shown_in(carried_by, system)
         assert carried is not None
         cells: list[list[str]] = page.locator("#drive .t-capacity tbody tr").evaluate_all(
             "rows => rows.map((r) => [...r.cells].map((c) => c.textContent.trim()))"
