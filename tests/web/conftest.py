@@ -48,6 +48,16 @@ def calculator(chrome: Browser, server: Process) -> Calculator:
     return chrome, server
 
 
+@pytest.fixture(scope="module")
+def long_visit(calculator: Calculator) -> Iterator[Visitor]:
+    """One visit for a file whose tests each begin by opening a drive of their own."""
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    found.open("drive")
+    yield found
+    found.close()
+
+
 @pytest.fixture
 def visitor(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator

@@ -1,7 +1,6 @@
 """Trains in the calculator of one file: the numbers and sentences of the program."""
 
 import json
-from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
