@@ -81,16 +81,22 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("time", range(times))
 
 
-#: What takes longest, so that workers who begin with it end together; then what needs a browser.
+#: What takes longest, so that workers who begin with it end together.
 FIRST = (
-    "golden/test_golden", "arc/test_wide_net", "web/test_pages_looks", "web/test_page_file",
-    "web/test_pages", "web/test_pages_editing", "web/test_states_looks",
-    "web/test_page_file_trains", "web/test_case_loads", "web/test_restarted", "web/test_serve",
-    "web/test_advice", "web/test_across_page", "web/test_fuzz", "web/test_pages_events",
-    "web/test_questions", "web/test_inputs", "web/test_drafts", "web/test_exports",
-    "study/test_study_dask", "batch/test_batch",
-    "present/test_rounding", "cli/test_readme", "plot/test_pictures", "report/test_note_pdf",
-    "cli/test_process",
+    "golden/test_golden", "web/test_pages", "web/test_page_file", "web/test_standing",
+    "web/test_pages_looks", "web/test_pages_editing", "web/test_cut_off",
+    "web/test_page_file_trains", "web/test_case_loads", "web/test_first_screen",
+    "web/test_pages_figure", "present/test_rounding", "web/test_ten_questions",
+    "web/test_across_page", "arc/test_wide_net", "web/test_questions", "web/test_states_looks",
+    "calibrate/test_calibration", "web/test_inputs", "web/test_advice", "calibrate/test_speeds",
+    "judgement/test_rows", "motion/test_station", "web/test_drafts", "web/test_exports",
+    "web/test_pages_tests", "motion/test_motion_file", "web/test_keyboard_focus",
+    "motion/test_long_steps", "arc/test_thick_belt", "train/test_curves", "web/test_pages_events",
+    "web/test_seek_page", "web/test_restarted", "web/test_serve", "cli/test_process",
+    "cli/test_readme", "study/test_study_dask", "judgement/test_advised", "web/test_assembled",
+    "checks/test_runs", "arc/test_capacity", "motion/test_checkpoint", "cli/test_belt_doors",
+    "cli/test_trim", "batch/test_batch", "web/test_jobs", "train/test_branches",
+    "report/test_note_pdf", "motion/test_real_belt",
 )  # fmt: skip
 
 
@@ -107,7 +113,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
         items.sort(key=lambda i: (mixed(i.nodeid.partition("::")[0]), mixed(i.nodeid)))
     elif not config.getoption("--budget"):
-        items.sort(key=lambda i: places.get(_place(i), len(FIRST) + (i.path.parent.name != "web")))
+        items.sort(key=lambda i: places.get(_place(i), len(FIRST)))
     if config.getoption("--under-load"):
         others = [item for item in items if not item.get_closest_marker("processes")]
         config.hook.pytest_deselected(items=others)

@@ -3,7 +3,7 @@
 import contextlib
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from importlib.metadata import distributions
 from pathlib import Path
@@ -124,6 +124,8 @@ class Visitor:
         told_long: bool = True,
         **context: Any,
     ) -> None:
+        # a page that moves by itself is painted without end, and a test has only to look at it
+        context = {"reduced_motion": "reduce", **context}
         self.context = browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
@@ -177,13 +179,21 @@ class Visitor:
         )
         self.page.wait_for_selector("#details .details")
 
-    def example(self, title: str) -> None:
-        """Open an example from the menu, and wait until it is there: it comes from the server."""
+    def anew(self, opening: Callable[[], None]) -> None:
+        """Open a design in some way, and wait until it is there."""
         opened = "import('/static/main.js').then((m) => m.app.opened)"
         before = self.page.evaluate(opened)
-        self.page.click("#file > summary")
-        self.page.get_by_role("button", name=title, exact=True).click()
+        opening()
         wait_for(lambda: self.page.evaluate(opened) > before)
+
+    def example(self, title: str) -> None:
+        """Open an example from the menu, which comes from the server."""
+
+        def chosen() -> None:
+            self.page.click("#file > summary")
+            self.page.get_by_role("button", name=title, exact=True).click()
+
+        self.anew(chosen)
 
     def load(self, file: Path) -> None:
         """Open a file from the menu."""

@@ -1,9 +1,11 @@
 """The server and the browser that the tests of the pages share."""
 
+import asyncio
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser
 
 from web.browser import Calculator, Visitor, browser
 from web.calculators import Process
@@ -26,11 +28,34 @@ def server(folder: Path) -> Iterator[Process]:
     found.kill()
 
 
-@pytest.fixture(scope="module")
-def calculator(server: Process) -> Iterator[Calculator]:
-    """A browser of each file's own: Playwright keeps a loop running as long as it is open."""
+@pytest.fixture(scope="session")
+def only_browser() -> Iterator[Browser]:
+    """One browser for all files of pages; each visit has a context of its own."""
     with browser() as found:
-        yield found, server
+        yield found
+
+
+@pytest.fixture(scope="module")
+def chrome(only_browser: Browser) -> Iterator[Browser]:
+    """The browser, for a file: between files its loop is not the one that runs."""
+    yield only_browser
+    # Playwright leaves its loop marked as running, and the next file may run one of its own
+    asyncio._set_running_loop(None)
+
+
+@pytest.fixture(scope="module")
+def calculator(chrome: Browser, server: Process) -> Calculator:
+    return chrome, server
+
+
+@pytest.fixture(scope="module")
+def long_visit(calculator: Calculator) -> Iterator[Visitor]:
+    """One visit for a file whose tests each begin by opening a drive of their own."""
+    browser, server = calculator
+    found = Visitor(browser, server.address)
+    found.open("drive")
+    yield found
+    found.close()
 
 
 @pytest.fixture

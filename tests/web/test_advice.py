@@ -10,6 +10,7 @@ from playwright.sync_api import Page, Route, expect
 from cli.running import wraparc
 from web.browser import Visitor
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 #: The drive of the example in its load case design, in one that takes T2 over from it, and in

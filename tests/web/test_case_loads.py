@@ -1,6 +1,7 @@
 """The section Load of the drive page: it shows and changes the load case that is shown."""
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +13,7 @@ from web.browser import Visitor
 from web.test_advice import downloaded
 from web.test_inputs import kept
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 
@@ -22,14 +24,20 @@ def arcs(file: Path) -> dict[str, Any]:
     return {arc["load_case"]: arc for arc in told["arcs"]}
 
 
+@pytest.fixture
+def visitor(long_visit: Visitor) -> Iterator[Visitor]:
+    yield long_visit
+    assert long_visit.wrong == []
+    assert long_visit.elsewhere == []
+
+
 def opened(visitor: Visitor, folder: Path, text: str) -> Page:
     file = folder / "before.toml"
     file.write_text(text, "utf-8")
-    page = visitor.open("drive")
-    visitor.load(file)
-    expect(page.locator("#toast")).to_contain_text("Opened")
+    visitor.anew(lambda: visitor.load(file))
+    visitor.unfold()
     visitor.solved()
-    return page
+    return visitor.page
 
 
 def look(page: Page, case: str) -> Locator:
@@ -102,10 +110,11 @@ def test_load_case_that_takes_over_writes_the_changed_key_alone(
 
 
 @pytest.mark.parametrize("case", ["design", "start"])
-def test_box_that_is_emptied_to_be_typed_anew_stays(visitor: Visitor, case: str) -> None:
+def test_box_that_is_emptied_to_be_typed_anew_stays(
+    visitor: Visitor, tmp_path: Path, case: str
+) -> None:
     # the pull of the pair T2 and pull: a box that goes away takes the typing hand's place with it
-    page = visitor.open("drive")
-    visitor.solved()
+    page = opened(visitor, tmp_path, HEAD)
     load = look(page, case)
     if case == "design":
         load.get_by_label("Load given by").select_option(label="T2 and Te")

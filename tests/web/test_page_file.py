@@ -16,7 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import site_pages
 from cli.running import wraparc
-from web.browser import Visitor, browser, turn
+from web.browser import Visitor, turn
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
 from web.test_page_file_trains import assert_firefox_says
@@ -35,6 +35,7 @@ from wraparc.web.answers.compare import CompareAnswer, compare
 from wraparc.web.answers.documents import json_like
 from wraparc.web.asked import CompareRequest
 
+pytestmark = pytest.mark.usefixtures("solved_once")
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 #: Largest size of a page [bytes].
@@ -120,12 +121,6 @@ DRIVES["conveyor, drive at the tail"] = (
 READY = "html:not(.stale) #drive .screen[data-whole]"
 
 
-@pytest.fixture(scope="module")
-def chrome() -> Iterator[Browser]:
-    with browser() as found:
-        yield found
-
-
 @pytest.fixture
 def page_of(chrome: Browser, tmp_path: Path) -> Iterator[Any]:
     """A function that writes the page of a drive and opens it from the disk, without a network."""
@@ -161,19 +156,20 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
     verdict, arc = told["verdict"], told["arcs"][0]
     result = solve(load_drive(file), raise_on_failure=False)
+    found, least = judge(result), least_sentence(result)
+    carried_by = capacity_table(next(iter(result)))
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
         page.get_by_label(system.upper(), exact=True).check(force=True)
-        found = judge(result)
         shown_text = page.locator(".governing .headline").inner_text()
         said = re.split(r"\s+Raise T2 to ", shown_text)[0]  # a button stands behind it
         assert said.partition(" ")[2] == f"{verdict['word']} {found.headline(system)}"
         sentences = page.locator(".governing li").all_inner_texts()
-        assert sentences == [in_units(least_sentence(result), system), *found.sentences(system)]
+        assert sentences == [in_units(least, system), *found.sentences(system)]
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
         shown = [row.split("\t")[:4] for row in rows]
         assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
-        carried = shown_in(capacity_table(next(iter(result))), system)
+        carried = shown_in(carried_by, system)
         assert carried is not None
         cells: list[list[str]] = page.locator("#drive .t-capacity tbody tr").evaluate_all(
             "rows => rows.map((r) => [...r.cells].map((c) => c.textContent.trim()))"

@@ -1,7 +1,6 @@
 """Trains in the calculator of one file: the numbers and sentences of the program."""
 
 import json
-from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any, get_args
@@ -11,7 +10,7 @@ from playwright.sync_api import Browser, Page
 
 from cli.running import wraparc
 from judgement.rows import MOTORS
-from web.browser import Visitor, browser
+from web.browser import Visitor
 from web.calculators import wait_for
 from web.firefox import Firefox
 from worded import worded
@@ -72,12 +71,6 @@ TRAINS: dict[str, str] = {
         'speeds = "equal"', '[sag]\nidler_spacing = "3 m"\nline_mass = "22 kg/m"\n'
     ).replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]'),
 }  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def chrome() -> Iterator[Browser]:
-    with browser() as found:
-        yield found
 
 
 def answer_of(text: str) -> dict[str, Any]:

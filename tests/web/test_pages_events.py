@@ -4,9 +4,10 @@ import re
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from web.browser import PHONE, Calculator, Visitor
+from web.calculators import wait_for
 from wraparc.web.examples import examples
 
 
@@ -44,6 +45,7 @@ def opened(visitor: Visitor, text: str, folder: Path) -> Page:
 
 def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> None:
     page = opened(visitor, with_layers(short()), tmp_path)
+    page.emulate_media(reduced_motion="no-preference")
     page.click("#follow")
     # the answers stand first, and it plays by itself
     expect(page.locator("#events .verdict .headline").nth(1)).to_contain_text("does not pulsate")
@@ -93,10 +95,22 @@ def test_what_is_missing_is_told_at_its_field_and_can_be_filled_in(visitor: Visi
     field = "#e-motion-drum-head-inertia"
     expect(page.locator(f"{field}-e")).to_contain_text("Still needed.")
     page.fill(field, "2200")
+    # at once, and not when the button below is pressed, which would move from under the press
+    assert page.locator(f"{field}-e").inner_text() == ""
+    held: list[Route] = []
+    page.route("**/solve/fast", lambda route: held.append(route))  # noqa: PLW0108
     page.select_option("#e-motion-drum-head-control-kind", "speed-loop")
     page.click("#follow")
-    expect(page.locator("#e-motion-drum-head-control-reset-e")).to_contain_text("Still needed.")
+    reset = page.locator("#e-motion-drum-head-control-reset-e")
+    expect(reset).to_contain_text("Still needed.")
     expect(page.locator(f"{field}-e")).to_be_empty()
+    # an answer of the drive that comes after it takes nothing of it away
+    wait_for(lambda: page.evaluate("1") and held)
+    page.route("**/solve/fast", lambda route: route.continue_())
+    for route in held:
+        route.continue_()
+    page.wait_for_selector("html:not(.stale)")
+    assert reset.inner_text() == "Still needed."
     page.fill(field, "2300")  # two changes of one field within a second undo as one
     page.select_option("#e-motion-drum-head-control-kind", "")
     page.click("#follow")
@@ -114,7 +128,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
 ) -> None:
     # on a phone, by somebody who wants less motion
     browser, server = calculator
-    visitor = Visitor(browser, server.address, PHONE, reduced_motion="reduce")
+    visitor = Visitor(browser, server.address, PHONE)
     back = '{ kind = "load-step", at = "0.5 s", factor = -2.0, time = "0.5 s" }'
     start = '{ kind = "start", shape = "s-curve", time = "20 s" }'
     text = short()

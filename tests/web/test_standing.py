@@ -53,10 +53,24 @@ def tandem(visitor: Visitor) -> Page:
 
 def stands(page: Page, name: str) -> list[str]:
     turn(page, name)
+    return _marks(page, name)
+
+
+def _marks(page: Page, name: str) -> list[str]:
     # all at once: a mark may go while it is asked for
     marks = page.locator(f"#{name} [data-stands]:visible")
     found: list[str] = marks.evaluate_all("(all) => all.map((mark) => mark.dataset.stands)")
     return found
+
+
+def come_to(page: Page, name: str, right: Callable[[list[str]], bool]) -> None:
+    """Go to a page and wait until its answers stand so: it is drawn by itself, not by going."""
+    turn(page, name)
+    wait_for(lambda: right(_marks(page, name)))
+
+
+def computed(marks: list[str]) -> bool:
+    return "computing" not in marks
 
 
 def judged(page: Page, name: str) -> list[str]:
@@ -190,17 +204,17 @@ def test_whatever_was_asked_nothing_of_it_is_good_once_it_is_of_before(
         guest.open(name)
         if name in ANSWERING:
             own = ["fresh"] * MARKS.get(name, 1)
-            wait_for(lambda name=name, own=own: stands(page, name) == own)
+            come_to(page, name, own.__eq__)
         if ask:
             ask(page)
-        wait_for(lambda name=name, count=count: stands(page, name) == ["fresh"] * count)
+        come_to(page, name, (["fresh"] * count).__eq__)
         assert praised(page, name) == []
     assert any(praised(page, name, fresh=True) for name in asked)
     for name, (_, count, other) in asked.items():
         if other:  # asked for something else on the page itself: one answer is of before
             turn(page, name)
             other(page)
-            wait_for(lambda name=name: "computing" not in stands(page, name))
+            come_to(page, name, computed)
             found = stands(page, name)
             assert sorted(found) == ["fresh"] * (count - 1) + ["stale"], (name, found)
             assert praised(page, name) == [], name
@@ -210,8 +224,8 @@ def test_whatever_was_asked_nothing_of_it_is_good_once_it_is_of_before(
         page.locator("#f-belt-width").blur()
         for name in asked:
             anew = MARKS.get(name, 1) if name in ANSWERING and width != "wide" else 0
-            wait_for(lambda name=name, anew=anew: stands(page, name).count("fresh") == anew)
-            wait_for(lambda name=name: "computing" not in stands(page, name))
+            come_to(page, name, lambda marks, anew=anew: marks.count("fresh") == anew)
+            come_to(page, name, computed)
             assert stands(page, name).count("fresh") == anew
             assert praised(page, name) == [], (name, width)
 
@@ -223,7 +237,7 @@ def test_no_page_gives_a_verdict_of_another_drive_or_one_that_has_not_come(guest
     page.fill("#f-belt-width", "wide")
     page.wait_for_selector("#f-belt-width[aria-invalid=true]")
     for name in PAGES:
-        wait_for(lambda name=name: "computing" not in stands(page, name))
+        come_to(page, name, computed)
         assert "fresh" not in stands(page, name), name
         assert judged(page, name) == [], name
         if name == "train":
@@ -232,7 +246,7 @@ def test_no_page_gives_a_verdict_of_another_drive_or_one_that_has_not_come(guest
     turn(page, "drive")
     page.fill("#f-belt-width", "1400")
     for name in ANSWERING:
-        wait_for(lambda name=name: set(stands(page, name)) == {"fresh"})
+        come_to(page, name, lambda marks: set(marks) == {"fresh"})
         wait_for(lambda name=name: name == "compare" or judged(page, name))
     # none comes, and then the server is gone
     held: list[Route] = []
@@ -254,7 +268,7 @@ def test_no_page_gives_a_verdict_of_another_drive_or_one_that_has_not_come(guest
         assert set(found) <= {"gone", "computing"}, (name, found)
         assert judged(page, name) == [], name
     for name in ANSWERING:
-        wait_for(lambda name=name: set(stands(page, name)) == {"gone"})
+        come_to(page, name, lambda marks: set(marks) == {"gone"})
     expect(page.locator(".gone[role=alert]")).to_have_count(1)
     page.unroute_all(behavior="ignoreErrors")
 

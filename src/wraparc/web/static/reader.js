@@ -4966,14 +4966,14 @@ __iter__() {
 const self = this; return $b.iter($bound(self, "arcs"));
 }
 arc(pulley, load_case = "") {
-const self = this; let result;
+const self = this; let found, name;
 
-for (result of $iter(self.arcs)) {
-if ((($eq(result.arc.pulley, pulley)) && ($in(load_case, ["", result.arc.load_case])))) {
-return result;
-}
-}
+(found = $map([...(function* () { for (const result of $iter(self)) { if (!(($eq(result.arc.pulley, pulley)))) continue; yield [result.arc.load_case, result]; } })()]));
+(name = $or(load_case, () => self.drive.load_case().name));
+if ((!$in(name, found))) {
 throw new $KeyError([pulley, load_case]);
+}
+return $at(found, name);
 }
 get governing() {
 const self = this; let worst;

@@ -99,11 +99,13 @@ export function solve() {
     base && !answer.foreign && own?.ownAnswer(base, POINTS, answer.judged && answer.quick);
   if (found) {
     Object.assign(answer, { quick: found, quickDoc: app.doc, foreign: false, slow: false });
-    if (answer.problems.length) told([]);
+    told([]);
     own?.judgeAfter(show);
     confirmed();
   } else quick();
   if (documentChanged) {
+    // what other pages had marked was of the design before
+    if (!answer.problems.length) mark([]);
     document.documentElement.classList.add("stale");
     if (answer.awaited) complete();
     else completeLater();
@@ -146,7 +148,7 @@ async function quick() {
       if (!app.gone) throw x; // the bar on top says that the server is gone
     } finally {
       clearTimeout(slow);
-      if (!wanted) answer.slow = false;
+      answer.slow &&= wanted;
     }
     show();
   }
@@ -185,10 +187,10 @@ function settle() {
 }
 /** @param {Problem[]} problems */
 function told(problems) {
-  const news = problems.length > 0 || answer.problems.length > 0;
+  if (!problems.length && !answer.problems.length) return; // what is marked is another page's
   answer.problems = problems;
   answer.unplaced = mark(problems);
-  if (news) redraw();
+  redraw();
 }
 
 /** @type {AbortController | null} */
@@ -199,9 +201,9 @@ async function complete() {
   const doc = app.doc;
   if (answer.fullDoc === doc) return settle();
   try {
-    const how = { points: 180, sequence: ++sequence, prepared: true };
+    const asked = { document: doc, points: 180, sequence: ++sequence, prepared: true };
     const given = came.get(doc)?.whole;
-    const found = given || (await ask("solve", { document: doc, ...how }, { signal: stop.signal }));
+    const found = given || (await ask("solve", asked, { signal: stop.signal }));
     if (doc !== app.doc) return;
     own?.compare(found);
     Object.assign(answer, { full: found, fullDoc: doc, awaited: false });
