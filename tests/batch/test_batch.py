@@ -96,7 +96,7 @@ OF_OPERATING_POINT = {
 def test_precise_is_the_solver_of_one_arc() -> None:
     arcs = random_arcs(10, 5)
     batch = solve_arcs(columns_of(arcs, LAGGINGS), setting=Setting.PRECISE, capacities=False)
-    # the marches of one arc, of 24 steps, keep 1e-5, this 1e-6: two ways to the same numbers
+    # each on a mesh of its own: two ways to the same numbers
     same(batch, arcs, capacities=False, within=5e-6)
 
 

@@ -353,11 +353,11 @@ class WrapArc:
         )
 
     def geometry(self) -> Geometry:
-        """Numbers of the arc for the march, but for the entry tension."""
+        """Numbers of the arc that do not depend on its tensions."""
         return geometry_of(self.described())
 
     def load(self) -> Load:
-        """Tensions above m v^2 and limits, as the kernel reads them."""
+        """Tensions above m v^2 and limits."""
         tested = self.law.tested
         ends = (math.nan, math.nan, math.nan)
         if tested is not None:

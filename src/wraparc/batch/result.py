@@ -48,7 +48,7 @@ class BatchResult(Mapping[str, Array]):
     arcs
         What was solved.
     found
-        Rows of the kernel's numbers, shape (n, 21).
+        Rows of results, in the order of `row`, shape (n, 23).
     """
 
     arcs: Arcs

@@ -24,7 +24,7 @@ TENSIONS = 1
 RATIO = 32  # of the operating point the creep ratio alone, and how it answers to the tensions
 EVERYTHING = TENSIONS + CAPACITIES
 
-#: numbers that a kernel reads for one arc
+#: numbers of one arc, as they are read
 INPUTS = (*Geometry._fields[:8], *Load._fields)
 
 # places in a row of results
@@ -49,7 +49,7 @@ INPUTS = (*Geometry._fields[:8], *Load._fields)
     LEAST_SLACK,  # [N]
     MOST_PULL,  # [N]
     LARGEST_SLIP,  # along the arc [m]
-    STEEPEST_SLIP,  # along the arc [-]; of the lanes a bound from below, see `engineering`
+    STEEPEST_SLIP,  # along the arc [-]
     RATIO_BY_ENTRY,  # dg/dT1 and dg/dT2 [1/N]; nan where not known
     RATIO_BY_EXIT,
 ) = range(23)

@@ -3,7 +3,7 @@
 Every law hands over a :class:`CompactLaw`: a kind, the pressures where its pieces meet, and the
 coefficients of the pieces. The functions below evaluate it for one slip and one pressure with both
 derivatives. They are written for plain floats and anything that can be indexed, so that the same
-source runs in the interpreter on tuples and compiled on arrays.
+source runs in the interpreter and translated for the page.
 
 A *segment* is an interval of pressure: -1 below the lowest tested pressure, 0 .. n - 2 between the
 n edges, n - 1 above the highest. A *branch* is an interval of slip. Friction has kinks only where

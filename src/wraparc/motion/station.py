@@ -64,7 +64,7 @@ class Station:
     drums
         One for each pulley, in belt order.
     load_case
-        Name of the load case that runs; the first if empty.
+        Name of the load case that runs; if empty the running one of the largest pull.
     conveyor_mass
         Belt, load and idlers, moving with the belt [kg]; None where the tensions outside the
         drives are held.

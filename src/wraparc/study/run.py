@@ -30,7 +30,7 @@ Progress = Callable[[int, int], object]
 
 #: Rows of a study that is run without asking.
 MOST_ROWS = 1_000_000
-#: Rows of a part: a second of work or so, and few enough for little memory.
+#: Rows of a part: a third of a second of work or so, and few enough for little memory.
 PART_ROWS = {Setting.ENGINEERING: 4_096, Setting.PRECISE: 2_048}
 _BYTES_A_NUMBER = 8
 _PLAN, _WHOLE = "study.json", "whole.tmp"

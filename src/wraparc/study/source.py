@@ -102,7 +102,7 @@ class DriveSource:
     """A drive file whose fields are varied on one pulley.
 
     Fields that are a column of the batch kernel, and tensions, are varied for all designs at once.
-    For the others a drive is built for every combination of their values, some 600 a second.
+    For the others a drive is built for every combination of their values, some 1,500 a second.
 
     Parameters
     ----------
