@@ -17,12 +17,12 @@ def worded(text: Any, system: System = "si") -> str:
     whole, cells = text["text"], text.get("cells")
     if cells is None:
         return _cell(text).text(system)
-    told, end = "", 0
+    parts, end = [], 0
     for cell in cells:
         begin, following = cell["at"]
-        told += whole[end:begin] + _cell(cell).text(system)
+        parts += [whole[end:begin], _cell(cell).text(system)]
         end = following
-    return told + whole[end:]
+    return "".join([*parts, whole[end:]])
 
 
 def _cell(data: dict[str, Any]) -> Cell:

@@ -94,6 +94,9 @@ class Problem:
         The value as given, in source notation (see `shown`).
     line
         Line in the file, counted from 1.
+    code
+        What kind it is, for programs: ``missing`` where nothing stands, ``few_tensions`` where more
+        is needed to fix the tensions; else empty.
     """
 
     message: str
@@ -102,6 +105,7 @@ class Problem:
     key: str = ""
     value: str = ""
     line: int | None = None
+    code: str = ""
 
     def __str__(self) -> str:
         place = self.file

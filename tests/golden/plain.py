@@ -1,9 +1,10 @@
 """Answers to numbers: what a golden file keeps of a result, a JSON answer or a text.
 
-Kept are every number, yes and no, and a few words that are answers themselves
-(`ANSWERS`). Other texts leave only their numbers with their units, in order: a sentence may be
-said better. What differs from run to run or from machine to machine is left out by name
-(`LEFT_OUT`). A long row of numbers is kept thinned, with the sum of the sizes of all of them.
+Kept are every number, yes and no, and a few words that are answers themselves (`ANSWERS`). Other
+texts leave only their numbers with their units, in order: a sentence may be said better. What a
+text tells as a typed number is kept as that, in SI; others as they are shown. What differs from run
+to run or from machine to machine is left out by name (`LEFT_OUT`). A long row of numbers is kept
+thinned, with the sum of the sizes of all of them.
 """
 
 import dataclasses
@@ -27,6 +28,8 @@ LEFT_OUT = {
 #: Where an answer holds tables of texts, as shown: one text, so that rows may come in between.
 TABLES = "tables"
 _KEPT = 12  # numbers of a long row
+_DIGITS = 12  # of a typed number
+_NOTHING = 1e-9  # what is shown as 0
 _UNIT = (
     r"(?:%|deg|rad|rpm|N m|kN m|lbf ft|kN/m|N/mm|MN/m|N/m|PIW|kPa/mm|psi/in|1/mm|1/in|J/m2|W|kW|hp"
     r"|MPa|kPa|Pa|psi|ksi|mm3/J|in3/\(ft lbf\)|kg/m|lbm/ft|m/s|fpm|m2|mm|in|ft|m|kN|N|lbf|h|years)"
@@ -43,27 +46,58 @@ def numbers_of_text(text: str) -> list[str]:
     return [f"{number} {unit}".strip() for number, unit in found]
 
 
+def numbers_told(text: Mapping[str, Any]) -> list[str]:
+    """Return the same of a text that comes with its numbers."""
+    if "cells" not in text:
+        return _typed(text)
+    found, end = [], 0
+    for cell in text["cells"]:
+        begin, following = cell["at"]
+        found += [*numbers_of_text(text["text"][end:begin]), *_typed(cell)]
+        end = following
+    return found + numbers_of_text(text["text"][end:])
+
+
+def _typed(cell: Mapping[str, Any]) -> list[str]:
+    """Return a number in SI; nothing of one that is what rounding left."""
+    if cell.get("form") == "unit":
+        return []
+    unit = "" if cell["unit"] == "1" else cell["unit"]
+    values = [cell[key] for key in ("from", "value") if key in cell]
+    small = cell["unit"] != "m3/J"
+    told = [0.0 if small and abs(v or 0.0) < _NOTHING else v for v in values]
+    return [f"{v:.{_DIGITS}g} {unit}".strip() for v in told]
+
+
 def plain(value: Any, key: str = "") -> Plain:
     """Return the numbers of an answer as dictionaries, lists and numbers; None if it has none."""
     if isinstance(value, np.ndarray):
         return _row(value.ravel().tolist())
     if isinstance(value, np.generic):
         return plain(value.item(), key)
+    if value is None or isinstance(value, bool | int | float | str | enum.Enum):
+        return _one(value, key)
+    if isinstance(value, _Told):
+        return [*value] or None
+    if isinstance(value, list | tuple):
+        return _list(value, key)
+    named = value if isinstance(value, Mapping) else _fields(value)
+    if is_told(named):
+        return numbers_told(named) or None
+    if TABLES in named:
+        named = {**named, TABLES: _Told(_texts(named[TABLES]))}
+    found = {str(k): plain(v, str(k)) for k, v in named.items() if k not in LEFT_OUT}
+    return {k: v for k, v in found.items() if v is not None or named[k] is None} or None
+
+
+def _one(value: Any, key: str) -> Plain:
     if isinstance(value, enum.Enum):
         return value.name
-    if value is None or isinstance(value, bool | int):
-        return value
     if isinstance(value, float):
         return value if math.isfinite(value) else f"{value}"
     if isinstance(value, str):
         return value if key in ANSWERS else (numbers_of_text(value) or None)
-    if isinstance(value, list | tuple):
-        return _list(value, key)
-    named = value if isinstance(value, Mapping) else _fields(value)
-    if TABLES in named:
-        named = {**named, TABLES: " ; ".join(_texts(named[TABLES]))}
-    found = {str(k): plain(v, str(k)) for k, v in named.items() if k not in LEFT_OUT}
-    return {k: v for k, v in found.items() if v is not None or named[k] is None} or None
+    return value
 
 
 def _fields(value: Any) -> dict[str, Any]:
@@ -87,13 +121,25 @@ def _list(values: Any, key: str) -> Plain:
     return items if any(item is not None for item in items) else None
 
 
+class _Told(list[str]):
+    """Numbers of texts, one after the other."""
+
+
+def is_told(value: Mapping[str, Any]) -> bool:
+    """Whether it is a text that comes with its numbers."""
+    return "text" in value and ("cells" in value or "unit" in value)
+
+
 def _texts(value: Any) -> Iterator[str]:
-    """Yield the texts of tables as they stand, each table by its keys in order."""
+    """Yield the numbers of tables as they stand, each table by its keys in order."""
     if isinstance(value, str):
-        yield value
+        yield from numbers_of_text(value)
     elif isinstance(value, Mapping):
-        for key in sorted(value):
-            yield from _texts(value[key])
+        if is_told(value):
+            yield from numbers_told(value)
+        else:
+            for key in sorted(value):
+                yield from _texts(value[key])
     elif isinstance(value, list | tuple):
         for item in value:
             yield from _texts(item)

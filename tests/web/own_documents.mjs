@@ -15,6 +15,6 @@ const plain = (v) => {
 };
 const all = documents.map((document) => {
   const { found, problems } = read(document);
-  return { found: plain(found), sentences: problems.map((p) => p.sentence) };
+  return { found: plain(found), sentences: problems.map((p) => `${p.sentence} ${p.code}`) };
 });
 process.stdout.write(JSON.stringify(all));

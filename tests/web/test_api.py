@@ -4,6 +4,7 @@ import csv
 import json
 import math
 from collections.abc import Iterator
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,7 @@ from wraparc.web.examples import examples
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
+REPOSITORY = Path(__file__).parents[2]
 SYSTEMS: tuple[System, ...] = ("si", "us")
 
 
@@ -86,6 +88,50 @@ def test_stretches_outside_the_tested_range_add_up_to_the_share(api: TestClient)
     share = found["numbers"]["outside_tested_share"]
     assert share > 0.0
     assert span / math.pi == pytest.approx(share, abs=0.004)  # wrap of 180 degrees
+
+
+def test_answers_have_the_form_of_every_json(api: TestClient) -> None:
+    """Expected: the schema of `--json`, for verdict, tables, remarks and single texts."""
+    schema = json.loads((REPOSITORY / "docs" / "reference" / "answer.schema.json").read_text())
+    kind = import_module("jsonschema").Draft202012Validator
+
+    def hold(part: Any, form: str) -> None:
+        kind({**schema, "$ref": f"#/$defs/{form}"}).validate(part)
+
+    found = post(api, "/solve", document=document("head-drive-fabric"))
+    train = post(api, "/train", document=document("tandem-fabric"))
+    tables = [*train["tables"], *(table for arc in found["arcs"] for table in arc["tables"])]
+    assert len(tables) > 20
+    for told in (found, train):
+        hold(told["verdict"], "verdict")
+    for table in [*tables, found["checks"], found["summary"], found["least_tension"]["table"]]:
+        del table["key"]  # a name that no two tables share
+        hold(table, "table")
+    for bar in found["arcs"][0]["bars"]:
+        for text in (bar["found"], bar["limit"], bar["says"]):
+            hold(text, "text")
+    least = post(api, "/solve", document=document("downhill-braking"))["least_tension"]
+    cell = least["shown"]
+    assert cell["value"] == pytest.approx(least["tension"], rel=1e-12)
+    assert (cell["unit"], cell["form"]) == ("N", "up")
+
+
+def test_what_is_still_to_be_filled_in_has_a_code(api: TestClient) -> None:
+    """By it the page marks fields; expected: the codes that `Problem` names."""
+    drive = document("head-drive-fabric")
+    del drive["load_case"]
+    drive["belt"]["speed"] = "3 kN"
+    (pulley,) = drive["pulley"]
+    del pulley["diameter"], pulley["entry_tension"]
+    answer = api.post(f"{API}/solve", json={"document": drive})
+    assert answer.headers["content-type"] == "application/problem+json"
+    codes = {p["path"]: p["code"] for p in answer.json()["problems"]}
+    assert codes["belt.speed"] == ""
+    assert codes["pulley.head.diameter"] == "missing"
+    del drive["belt"]["speed"]
+    pulley["diameter"] = "800 mm"
+    (few,) = api.post(f"{API}/solve", json={"document": drive}).json()["problems"]
+    assert (few["path"], few["code"]) == ("pulley.head", "few_tensions")
 
 
 def test_a_breakaway_is_an_answer(api: TestClient) -> None:

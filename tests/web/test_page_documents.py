@@ -44,7 +44,7 @@ def read_by_the_program(document: Data) -> Data:
         read = train_from_document if "train" in document else any_drive_from_document
         return {"found": plain(read(document)), "sentences": []}
     except InputError as error:
-        return {"found": None, "sentences": [str(problem) for problem in error.problems]}
+        return {"found": None, "sentences": [f"{p} {p.code}" for p in error.problems]}
 
 
 def plain(value: Any) -> Any:

@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 from playwright.sync_api import Browser, Page
@@ -17,6 +17,7 @@ from web.firefox import Firefox
 from worded import worded
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
+from wraparc.units import System
 from wraparc.web.answers.trains import train_part
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -110,7 +111,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     page.click("#nav-train")
     page.wait_for_selector("#train .tables details")
     answer = answer_of(TRAINS[name])
-    for system in ("si", "us"):
+    for system in get_args(System):
         page.get_by_label(system.upper(), exact=True).check(force=True)
         assert_says(page, answer, system)
     drawn = page.locator("#train svg.chart").first.locator("text").all_text_contents()
@@ -120,7 +121,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     assert (visitor.wrong, visitor.elsewhere) == ([], [])
 
 
-def assert_says(page: Page, answer: dict[str, Any], system: str) -> None:
+def assert_says(page: Page, answer: dict[str, Any], system: System) -> None:
     verdict = answer["verdict"]
     said = page.locator("#train .verdict .headline").first.inner_text()
     assert said.partition(" ")[2].endswith(worded(verdict["headline"], system))

@@ -16,6 +16,7 @@ import pytest
 from golden.answers import DOORS
 from golden.record import record
 from worded import worded
+from wraparc import units
 from wraparc.glossary import GLOSSARY
 from wraparc.present import answer_data
 from wraparc.present.answer_data import text_data
@@ -86,7 +87,7 @@ def test_what_is_not_finite() -> None:
 def said() -> list[str]:
     """Return every text with numbers in the answers of the calculator."""
     found: dict[str, None] = {}
-    kept = answer_data.placed
+    kept = units.placed
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(answer_data, "placed", lambda text: (found.setdefault(text), kept(text))[1])
         for door in DOORS:

@@ -373,7 +373,7 @@ def choices(given: Collection[str]) -> list[Problem]:
             problems.append(Problem(key=second, message=message, remedy="Leave one of them out."))
         elif example != "" and first not in given and second not in given:
             remedy = f"Write {example}, or {second}."
-            problems.append(Problem(key=first, message="missing", remedy=remedy))
+            problems.append(Problem(key=first, message="missing", remedy=remedy, code="missing"))
     for key in _NEED_SPEED:
         if key in given and "speed" not in given:
             remedy = 'Write speed = "3 m/s" in [belt].'

@@ -108,7 +108,7 @@ def resolve(
         if entry is None or exit_ is None:
             if sure:
                 fault = tension_rules.too_few(item.values)
-                report.add(item.place, fault.message, fault.remedy)
+                report.add(item.place, fault.message, fault.remedy, code="few_tensions")
         elif made := _made(item, entry, exit_, report):
             tensions[item.name] = made
     return tensions

@@ -77,13 +77,23 @@ class Report:
         """Whether further problems will only be counted."""
         return len(self.problems) >= _MOST
 
-    def add(self, place: Place, message: str, remedy: str = "", value: object = NOTHING) -> None:
-        """Add one problem."""
+    def add(
+        self,
+        place: Place,
+        message: str,
+        remedy: str = "",
+        value: object = NOTHING,
+        *,
+        code: str = "",
+    ) -> None:
+        """Add one problem; that something is missing is a code, too."""
         if self.full:
             self._left_out += 1
             return
         given = "" if value is NOTHING else shown(value)
-        self._append(Problem(message=message, remedy=remedy, key=place_text(place), value=given))
+        code = "missing" if message == "missing" else code
+        key = place_text(place)
+        self._append(Problem(message=message, remedy=remedy, key=key, value=given, code=code))
 
     def take(
         self,

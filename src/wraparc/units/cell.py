@@ -94,15 +94,6 @@ def cell_text(
 ) -> str:
     """Return what a cell of such a value shows, see `Cell`."""
     row = unit_row(dimension, system)
-
-    def told(number: float, places: int) -> tuple[str, str]:
-        if not math.isfinite(number):
-            return NONE if math.isnan(number) else _UNBOUNDED, ""
-        if form in ("slip", "slip apart") and dimension == "speed" and abs(number) < _SLOW:
-            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
-            return display(number / size, "number", system, places), unit
-        return parts(number, dimension, system, places)
-
     if form == "unit":
         return row.unit
     if form == "percent":
@@ -111,6 +102,20 @@ def cell_text(
         value = safe(value, row.factor, form != "down")
     if form in ("bare", "bare up"):
         return display(value / row.factor, "number", system, digits)
+    return _with_unit(value, dimension, digits, form, other, system)
+
+
+def _with_unit(
+    value: float, dimension: Dimension, digits: int, form: Form, other: float, system: System
+) -> str:
+    def told(number: float, places: int) -> tuple[str, str]:
+        if not math.isfinite(number):
+            return NONE if math.isnan(number) else _UNBOUNDED, ""
+        if form in ("slip", "slip apart") and dimension == "speed" and abs(number) < _SLOW:
+            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+            return display(number / size, "number", system, places), unit
+        return parts(number, dimension, system, places)
+
     if form in ("to", "-"):
         first, last = told(other, digits), told(value, digits)
         if joined(first) == joined(last):

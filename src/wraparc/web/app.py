@@ -30,8 +30,8 @@ from wraparc.web.settings import Settings
 
 _DESCRIPTION = (
     "Belt-conveyor drive pulleys: creep, slip, lagging shear and traction capacity. Numbers are "
-    "SI; texts with units come in both systems. What is wrong with a request comes as a list of "
-    "problems, each with the sentence of the command line."
+    "SI; texts come in metric units with the numbers in them. What is wrong with a request comes "
+    "as a list of problems, each with the sentence of the command line."
 )
 
 

@@ -21,13 +21,14 @@ _BODY = (
 
 
 class ToldProblem(Answer):
-    """One thing wrong, with the sentence of the command line."""
+    """One thing wrong, with the sentence of the command line; `code` says of what kind it is."""
 
     path: str
     message: str
     value: str
     remedy: str
     line: int | None
+    code: str
     sentence: str
 
 
@@ -91,6 +92,7 @@ def told(problems: Iterable[Problem]) -> list[ToldProblem]:
             value=problem.value,
             remedy=problem.remedy,
             line=problem.line,
+            code=problem.code,
             sentence=str(problem),
         )
         for problem in problems

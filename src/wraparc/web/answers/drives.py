@@ -282,10 +282,12 @@ def _bars(checks: Sequence[Check]) -> list[Bar]:
     """Return the checks that have a value and a limit, in the order of their table."""
     return [
         Bar(
+            name=check.name,
             title=check.title,
             level=check.level,
             place=str(check.place),
             at_most=check.at_most,
+            value=check.value,
             share=check.share,
             found=worded(check.texts()[0]),
             limit=worded(check.bound()),

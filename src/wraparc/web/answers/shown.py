@@ -36,25 +36,36 @@ class Answer(BaseModel):
     )
 
 
-_NUMBER: Data = {
-    "value": float | None,
-    "from": NotRequired[float],
-    "apart": NotRequired[float],
-    "unit": str,
-    "name": NotRequired[str],
-    "dimension": NotRequired[Dimension],
-    "digits": NotRequired[int],
-    "form": NotRequired[Form],
-}
-NumberInText = TypedDict("NumberInText", {"at": tuple[int, int], **_NUMBER})
-NumberInText.__doc__ = "A number in a text, at its first and behind its last character."
-Number = TypedDict("Number", {"text": str, **_NUMBER})
-Number.__doc__ = """A text that is one number [in its SI `unit`]; None without bound.
+_Number = TypedDict(
+    "_Number",
+    {
+        "value": float | None,
+        "from": NotRequired[float],
+        "apart": NotRequired[float],
+        "unit": str,
+        "name": NotRequired[str],
+        "dimension": NotRequired[Dimension],
+        "digits": NotRequired[int],
+        "form": NotRequired[Form],
+    },
+)
 
-`name` is that of the glossary, which has its dimension; `dimension` is there where there is none.
-`form` is how it is shown, see `wraparc.units.cell.Form`; `from` is where a range begins, `apart` a
-number that its digits tell it from. Left out are three digits and the plain form.
-"""
+
+class NumberInText(_Number):
+    """A number in a text, at its first and behind its last character."""
+
+    at: tuple[int, int]
+
+
+class Number(_Number):
+    """A text that is one number [in its SI `unit`]; None without bound.
+
+    `name` is that of the glossary, which has its dimension; `dimension` is there where there is
+    none. `form` is how it is shown, see `wraparc.units.cell.Form`; `from` is where a range begins,
+    `apart` a number that its digits tell it from. Left out are three digits and the plain form.
+    """
+
+    text: str
 
 
 class TextWithNumbers(TypedDict):

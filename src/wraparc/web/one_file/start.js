@@ -1,4 +1,4 @@
-// Unpacks the style and the scripts of the file: packed they are a third as large.
+// Unpacks style and scripts of the file: packed they are a third as large.
 import { unpacked } from "./unpacked.js";
 
 for (const id of ["style", "solver", "program"]) {

@@ -689,13 +689,14 @@ export class Told {
 }
 
 export class Problem {
-  constructor(message, remedy = "", file = "", key = "", value = "", line = null) {
+  constructor(message, remedy = "", file = "", key = "", value = "", line = null, code = "") {
     this.message = message;
     this.remedy = remedy;
     this.file = file;
     this.key = key;
     this.value = value;
     this.line = line;
+    this.code = code;
   }
 }
 
@@ -2084,7 +2085,9 @@ export function conveyor__choices(given) {
       problems.push(new Problem(message, "Leave one of them out.", undefined, second));
     } else if (example !== "" && !given.includes(first) && !given.includes(second)) {
       remedy = "" + "Write " + $text(example) + ", or " + $text(second) + ".";
-      problems.push(new Problem("missing", remedy, undefined, first));
+      problems.push(
+        new Problem("missing", remedy, undefined, first, undefined, undefined, "missing"),
+      );
     }
   }
   for (const each2 of _NEED_SPEED) {

@@ -97,10 +97,8 @@ export function digits__safe(value, size, up) {
   return shown * size;
 }
 
-/** Return what a cell of such a value shows, see `Cell`. */
-export function cell__cell_text(value, dimension, digits, form, other, system) {
+export function cell___with_unit(value, dimension, digits, form, other, system) {
   let begin, first, last;
-  let row = unitRow(dimension, system);
   const told = (number, places) => {
     let size, unit;
     if (!Number.isFinite(number)) {
@@ -116,18 +114,6 @@ export function cell__cell_text(value, dimension, digits, form, other, system) {
     }
     return display__parts(number, dimension, system, places);
   };
-  if (form === "unit") {
-    return row.unit;
-  }
-  if (form === "percent") {
-    return display__display(100.0 * value, "number", system, digits) + " %";
-  }
-  if (form === "up" || form === "bare up" || form === "down") {
-    value = digits__safe(value, row.factor, form !== "down");
-  }
-  if (form === "bare" || form === "bare up") {
-    return display__display(value / row.factor, "number", system, digits);
-  }
   if (form === "to" || form === "-") {
     first = told(other, digits);
     last = told(value, digits);
@@ -145,6 +131,24 @@ export function cell__cell_text(value, dimension, digits, form, other, system) {
     digits += 1;
   }
   return display__joined(told(value, digits));
+}
+
+/** Return what a cell of such a value shows, see `Cell`. */
+export function cell__cell_text(value, dimension, digits, form, other, system) {
+  let row = unitRow(dimension, system);
+  if (form === "unit") {
+    return row.unit;
+  }
+  if (form === "percent") {
+    return display__display(100.0 * value, "number", system, digits) + " %";
+  }
+  if (form === "up" || form === "bare up" || form === "down") {
+    value = digits__safe(value, row.factor, form !== "down");
+  }
+  if (form === "bare" || form === "bare up") {
+    return display__display(value / row.factor, "number", system, digits);
+  }
+  return cell___with_unit(value, dimension, digits, form, other, system);
 }
 
 /** Return the cell of a value [SI]; `NONE` for nan and words for infinity. */

@@ -46,8 +46,8 @@ export function read(document) {
 }
 /** A problem as the server tells one. @param {any} problem */
 export const told = (problem) => {
-  const { key, message, value, remedy, line } = problem;
-  return { path: key, message, value, remedy, line, sentence: problem.__str__() };
+  const { key, message, value, remedy, line, code } = problem;
+  return { path: key, message, value, remedy, line, code, sentence: problem.__str__() };
 };
 
 // What the functions take from files and options, taken here from what is known.

@@ -833,7 +833,7 @@ for ([item, [entry, exit_]] of $iter($b.zip(given, tensions__spread(given, speed
 if (((entry == null) || (exit_ == null))) {
 if ($truth(sure)) {
 (fault = tension_rules__too_few($bound(item, "values")));
-report.add($bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy"));
+$method(report, "add", [$bound(item, "place"), $bound(fault, "message"), $bound(fault, "remedy")], [["code", "few_tensions"]]);
 }
 } else {
 if ($truth((made = tensions___made(item, entry, exit_, report)))) {
@@ -973,7 +973,7 @@ $m.append(problems, new Problem(message, "Leave one of them out.", undefined, se
 } else {
 if (((!$eq(example, "")) && (!$in(first, given)) && (!$in(second, given)))) {
 (remedy = ("" + "Write " + $str(example) + ", or " + $str(second) + "."));
-$m.append(problems, new Problem("missing", remedy, undefined, first));
+$m.append(problems, new Problem("missing", remedy, undefined, first, undefined, undefined, "missing"));
 }
 }
 }
@@ -1260,7 +1260,7 @@ function in_page_checks__alone(drive, name) {
 let cases;
 
 (cases = [...(function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })()]);
-return $replaced(drive, new Map([["load_cases", $slice($or(cases, () => drive.load_cases), null, 1)]]));
+return $replaced(drive, new Map([["load_cases", $b.tuple($slice([...$iter(cases), ...$iter(drive.load_cases)], null, 1))]]));
 }
 function in_page_checks__remarks_of(drive, verdict) {
 let left;
@@ -3985,7 +3985,7 @@ if ((self.line != null)) {
 return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null});
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null, code: () => ""});
 class WraparcError extends $Error {
 }
 class InputError extends WraparcError {
@@ -4011,15 +4011,17 @@ const self = this; (self.file = file);
 (self.problems = []);
 (self._left_out = 0);
 }
-add(place, message, remedy = "", value = $c7) {
-const self = this; let given;
+add(place, message, remedy = "", value = $c7, code = "") {
+const self = this; let given, key;
 
 if ($truth(self.full)) {
 (self._left_out = $add(self._left_out, 1));
 return null;
 }
 (given = ((value === $c7) ? "" : $shown(value)));
-self._append(new Problem(message, remedy, undefined, problems__place_text(place), given));
+(code = (($eq(message, "missing")) ? "missing" : code));
+(key = problems__place_text(place));
+self._append(new Problem(message, remedy, undefined, key, given, undefined, code));
 }
 take(error, place, raw = $c7, names = null) {
 const self = this; let below, given, key, problem, value;
@@ -8413,7 +8415,7 @@ const $c1497 = $made(Rows, $c910, [$c1583, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
-$sig(Report.prototype.add, ["place", "message", "remedy", "value"], false);
+$sig(Report.prototype.add, ["place", "message", "remedy", "value", "code"], false);
 $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);

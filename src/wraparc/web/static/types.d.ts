@@ -101,6 +101,8 @@ export interface Catalogue {
 export interface Problem {
   path: string;
   message: string;
+  /** What kind it is: `missing`, `few_tensions`, or nothing. */
+  code?: string;
   sentence?: string;
   /** Of a drive that is right and that a page without a server does not solve. */
   beyond?: boolean;
@@ -121,6 +123,8 @@ export interface TableRow {
 }
 export interface Table {
   key: string;
+  /** Word that `--table` asks for it by. */
+  name: string;
   title: Text;
   heads: Text[];
   note: Text;
@@ -193,6 +197,9 @@ export interface Input {
 }
 /** A check against its limit; share is its value over the limit. */
 export interface Bar {
+  name: string;
+  /** What is held against the limit [SI]. */
+  value: number;
   title: string;
   level: Level;
   place: string;

@@ -9,13 +9,21 @@ import { tabs } from "./tabs.js";
 /** @import { Children } from "../types.d.ts" */
 
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
-/** What is behind the menus, fetched when one is opened first. */
-let menus = /** @type {typeof import("./menus.js") | null} */ (null);
+/** What is behind Export, fetched when that is opened first. */
+let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
+/** What is behind File, fetched behind the first answer. */
+let files = /** @type {typeof import("./file_menu.js") | null} */ (null);
 
-const fetchMenus = act(async () => {
-  menus ??= await part(() => import("./menus.js"));
+const fetchExporting = act(async () => {
+  exporting ??= await part(() => import("./exporting.js"));
   redraw();
 });
+const fetchFiles = act(async () => {
+  if (files) return;
+  files = await part(() => import("./file_menu.js"));
+  redraw();
+});
+document.addEventListener("complete", fetchFiles);
 
 export const Header = () => [
   h(
@@ -29,7 +37,7 @@ export const Header = () => [
     "nav",
     { "aria-label": "Pages", id: "nav", key: "nav" },
     tabs(),
-    menu("export", "Report", menus?.exportMenu()),
+    menu("export", "Report", exporting?.exportMenu(), fetchExporting),
   ),
   h(
     "div",
@@ -38,7 +46,7 @@ export const Header = () => [
     unitSwitch(),
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
-    menu("file", "File", menus?.fileMenu()),
+    menu("file", "File", files?.fileMenu(), fetchFiles),
   ),
 ];
 /** @type {[string, string][]} */
@@ -55,11 +63,12 @@ const step = (id, sign, title, f, can) =>
     { type: "button", id, "aria-label": title.split(" ")[0], title, disabled: !can, onClick: f },
     sign,
   );
-/** @param {string} id @param {string} title @param {Children} items */
-const menu = (id, title, items) =>
+/** @param {string} id @param {string} title @param {Children} items
+ * @param {(e: Event) => any} onToggle */
+const menu = (id, title, items, onToggle) =>
   h(
     "details",
-    { class: "menu", id, key: id, onToggle: fetchMenus },
+    { class: "menu", id, key: id, onToggle },
     h("summary", {}, title),
     h("div", { id: `${id}-menu` }, items),
   );

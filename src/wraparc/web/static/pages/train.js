@@ -1,7 +1,6 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
-import { words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import {
   judgedIf,
@@ -185,7 +184,7 @@ const result = (a) =>
       "div",
       { class: "tables one" },
       (a.tables || []).map((/** @type {Table} */ t) =>
-        table(t, /^(Drives|All)/.test(words(t.title))),
+        table(t, ["drives", "cases"].includes(t.name)),
       ),
     ),
   );
@@ -208,6 +207,6 @@ const matching = (m) =>
     h(
       "div",
       { class: "tables" },
-      (m.tables || []).map((/** @type {Table} */ t) => table(t, !/^Drives/.test(words(t.title)))),
+      (m.tables || []).map((/** @type {Table} */ t) => table(t, t.name !== "drives")),
     ),
   );

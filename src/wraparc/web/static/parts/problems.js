@@ -68,14 +68,13 @@ export function mark(problems) {
  * @param {Problem} p */
 export const toFillIn = (p) =>
   !p.path || lacking(p).length > 0 || get(app.doc, place(p.path)) == null;
-const FEW = /^no tensions are given$|two quantities to fix the tensions$/;
 /** The fields to fill in, where that is all that is wrong.
  * @param {Problem} p @returns {string[]} */
-function lacking({ path, message }) {
+function lacking({ path, code }) {
   const keys = place(path);
   const at = TENSIONS.includes(String(keys[keys.length - 1])) ? keys.slice(0, -1) : keys;
   const few = TENSIONS.map((t) => [...at, t]).filter((key) => get(app.doc, key) == null);
-  const needed = FEW.test(message) ? few : message === "missing" ? [keys] : [];
+  const needed = code === "few_tensions" ? few : code === "missing" ? [keys] : [];
   return needed.map((key) => key.join()).filter((key) => shownFields.has(key));
 }
 /** What is still needed in the words of the page; other problems in their own.

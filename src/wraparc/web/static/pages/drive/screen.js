@@ -744,8 +744,7 @@ function curveData(arc, q) {
   const limit = solved && q === "creep" ? arc.creep_limit : 0;
   const slips = arc && !solved;
   const pull = Math.abs(arc?.numbers.effective_tension ?? 0);
-  const slides = wholeArc()?.bars.find((b) => /gross slip/.test(b.title));
-  const margin = slides ? Number.parseFloat(words(slides.found)) : 0;
+  const margin = wholeArc()?.bars.find((b) => b.name === "gross_slip")?.value ?? 0;
   /** @type {[string, number, string][]} */
   const bars = [["Pull asked for", pull, show(pull, "force", 3)]];
   if (slips && margin > 0)

@@ -57,7 +57,7 @@ const tablesOf = (numbers) =>
       const { title, symbol } = app.form.glossary[name];
       return row(name, title, symbol, [told(name, numbers[name])]);
     });
-    return { key, title, heads: [""], note: "", rows };
+    return { key, name: "", title, heads: [""], note: "", rows };
   });
 /** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
  * @param {any} [note] @param {any} [level] @returns {TableRow} */
@@ -92,7 +92,8 @@ function inputsOf({ prepared: { given }, condition, lagging: of, belt }) {
       return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
     });
   const words = [row("", "Belt", "", [belt]), row("", "Lagging", "", [lagging])];
-  return { key: "inputs", title: "Inputs", heads: [""], note: "", rows: [...words, ...rows] };
+  const shown = [...words, ...rows];
+  return { key: "inputs", name: "", title: "Inputs", heads: [""], note: "", rows: shown };
 }
 
 /** All load cases side by side, and all pulleys. @param {Judged} judged
@@ -120,6 +121,7 @@ function summaryOf(judged) {
   ];
   return {
     key: "summary",
+    name: "cases",
     title: several ? "All load cases and pulleys" : "All load cases",
     heads,
     note: "",

@@ -56,10 +56,12 @@ export const barsOf = (judged, load_case, pulley) =>
   verdictAt(judged, load_case, pulley)
     .listed.filter((/** @type {any} */ c) => !Number.isNaN(c.share))
     .map((/** @type {any} */ c) => {
-      const { title, level, at_most, share, reason } = c;
+      const { name, value, title, level, at_most, share, reason } = c;
       const [found] = c.texts();
       const place = c.place.__str__();
       return {
+        name,
+        value,
         title,
         level,
         place,
@@ -75,4 +77,6 @@ export const barsOf = (judged, load_case, pulley) =>
 export const checkTable = ({ verdict }) => tableOf(tableOfChecks(verdict), "checks");
 /** A table of Python as the page shows one.
  * @param {any} of @param {string} key @returns {Table} */
-export const tableOf = ({ title, heads, note, rows }, key) => ({ key, title, heads, note, rows });
+export const tableOf = ({ name, title, heads, note, rows }, key) => ({
+  ...{ key, name, title, heads, note, rows },
+});
