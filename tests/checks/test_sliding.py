@@ -65,7 +65,7 @@ def test_solved_anew_at_that_pull_the_belt_is_where_it_slides(number: int, tests
     of = random_drives(10)[number]
     of = of if tests else untested(of)
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
-    rise = rises([arc], 0, of.criteria.take_up)
+    rise = rises([arc.arc], 0, of.criteria.take_up)
     found = sliding(arc, rise)
     there = at_pull(of, rise, found.place)
     creep, slip = abs(there.exit_creep), float(np.abs(there.profile.slip).max())
@@ -84,7 +84,7 @@ def test_constant_friction_slides_where_all_of_it_is_used(fixed: bool, place: fl
     """T1/T2 = exp(0.35 pi) = R: (R - 1) T2 over the pull, or by the sum of both sides."""
     of = quiet(lagging=rigid(0.35), entry=100e3, leaving=40e3)
     (arc,) = solve(of, method=QUICK)
-    found = sliding(arc, rises([arc], 0, TakeUp(kind="fixed" if fixed else "gravity")))
+    found = sliding(arc, rises([arc.arc], 0, TakeUp(kind="fixed" if fixed else "gravity")))
     r = math.exp(0.35 * math.pi)
     own = 40e3 * (r - 1.0) / 60e3 if not fixed else 140e3 * (r - 1.0) / (r + 1.0) / 60e3
     assert found.place == pytest.approx(own, rel=1e-6)
@@ -95,7 +95,7 @@ def test_the_largest_friction_of_a_law_that_falls_comes_first() -> None:
     """No pull beyond it is carried, and one just below it is."""
     of = untested(drive(lagging=replace(load_lagging("diamond-rubber"), law=SOFTENING)))
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
-    rise = rises([arc], 0, of.criteria.take_up)
+    rise = rises([arc.arc], 0, of.criteria.take_up)
     found = sliding(arc, rise)
     assert found.cause in (MOST, CREEP)
     if found.cause == MOST:
@@ -106,9 +106,9 @@ def test_the_largest_friction_of_a_law_that_falls_comes_first() -> None:
 def test_the_tension_for_a_safety_gives_that_safety(number: int) -> None:
     of = random_drives(10)[number]
     (arc,) = solve(of, method=QUICK, raise_on_failure=False)
-    rise = rises([arc], 0, of.criteria.take_up)
+    rise = rises([arc.arc], 0, of.criteria.take_up)
     raised = at_lift(of, lift(arc, 1.6, rise.tight))
-    assert sliding(raised, rises([raised], 0, of.criteria.take_up)).place == pytest.approx(1.6)
+    assert sliding(raised, rises([raised.arc], 0, of.criteria.take_up)).place == pytest.approx(1.6)
 
 
 def at_lift(of: Drive, more: float) -> ArcResult:
@@ -125,7 +125,7 @@ def test_rows_find_the_pulls_of_single_arcs() -> None:
         of = random_drives(10)[number]
         rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, of.load_cases[0].name)
         arc = solve(of, method=QUICK, raise_on_failure=False).arcs[0]
-        rise = rises([arc], 0, of.criteria.take_up)
+        rise = rises([arc.arc], 0, of.criteria.take_up)
         one = sliding(arc, rise)
         many = LoadedRows.of(rows.arcs, setting=Setting.PRECISE)
         place, cause = pulls_at_sliding(many, (np.array([rise.tight]), np.array([rise.slack])))

@@ -39,7 +39,7 @@ pytestmark = pytest.mark.usefixtures("solved_once")
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 #: Largest size of a page [bytes].
-MOST = 325_000
+MOST = 330_000
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 OWN = (
     'condition = { name = "dusty", friction_factor = 0.8 }\n'
@@ -528,7 +528,7 @@ def test_interval_of_a_fitted_law_is_left_to_the_program_and_told(
     ("change", "says"),
     [
         (('exit_tension = "60 kN"', 'exit_tension = "150 kN"'), "pulley head has no pull to carry"),
-        (('diameter = "800 mm"', 'diameter = "80 mm"'), "The diameter of pulley head, 80 mm"),
+        (('diameter = "800 mm"', 'diameter = "80 mm"'), ""),  # it is asked about, as by solve
         (("3 m/s", "3 m/s"), ""),
     ],
 )

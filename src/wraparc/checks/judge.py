@@ -158,9 +158,7 @@ def before(described: Drive | Train) -> Verdict:
 
 def _unsolved(drive: Drive, case: LoadCase, pulleys: Sequence[Pulley]) -> Iterator[Check]:
     for pulley in pulleys:
-        yield of_drive.belt_tension(drive, case, pulley)
-        yield of_drive.belt_safety(drive, case, pulley)
-        yield of_drive.face_pressure(drive, case, pulley)
+        yield from of_drive.of_belt(drive, case, pulley)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_data.condition(case, pulley)
         yield from of_data.fit(case, pulley)
@@ -208,9 +206,7 @@ def _case(drive: Drive, case: LoadCase, arcs: list[ArcResult]) -> Iterator[Check
             of_arc.creep_interval(drive, result),
         )
         yield from (check for check in found if check is not None)
-        yield of_drive.belt_tension(drive, case, pulley)
-        yield of_drive.belt_safety(drive, case, pulley)
-        yield of_drive.face_pressure(drive, case, pulley)
+        yield from of_drive.of_belt(drive, case, pulley)
         yield from of_arc.lagging_stress(pulley, result)
         yield from of_drive.tested_pressure(drive, case, pulley)
         yield from of_data.condition(case, pulley)

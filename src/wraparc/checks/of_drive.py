@@ -75,6 +75,13 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
     )
 
 
+def of_belt(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+    """Yield what the belt must bear at a pulley."""
+    yield belt_tension(drive, case, pulley)
+    yield belt_safety(drive, case, pulley)
+    yield face_pressure(drive, case, pulley)
+
+
 def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
     """Check the larger tension at a pulley against the rating, with the factor of the load case."""
     belt, tensions = drive.belt, case.tensions[pulley.name]

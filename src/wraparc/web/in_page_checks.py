@@ -36,7 +36,7 @@ class FoundArc(ArcResult):
     found: Found
 
     @property
-    def covered_creep(self) -> float:  # type: ignore[override]
+    def covered_creep(self) -> float:
         """Creep at the exit with the belt cover in series [m]."""
         return self.found.covered_creep
 
@@ -154,7 +154,7 @@ def running_at(arcs: Sequence[WrapArc], speeds: Sequence[float]) -> list[WrapArc
 def alone(drive: Drive, name: str) -> Drive:
     """Return a drive in one of its load cases, the first if there is none of that name."""
     cases = [case for case in drive.load_cases if case.name == name]
-    return replace(drive, load_cases=(cases or drive.load_cases)[:1])
+    return replace(drive, load_cases=tuple([*cases, *drive.load_cases][:1]))
 
 
 def weak_kinds(drive: Drive) -> list[str]:

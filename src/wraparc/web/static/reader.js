@@ -1260,7 +1260,7 @@ function in_page_checks__alone(drive, name) {
 let cases;
 
 (cases = [...(function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })()]);
-return $replaced(drive, new Map([["load_cases", $slice($or(cases, () => drive.load_cases), null, 1)]]));
+return $replaced(drive, new Map([["load_cases", $b.tuple($slice([...$iter(cases), ...$iter(drive.load_cases)], null, 1))]]));
 }
 function in_page_checks__remarks_of(drive, verdict) {
 let left;
@@ -1576,9 +1576,7 @@ for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
 (found = [of_arc__grip(drive, case_, arcs, index), of_arc__standard(drive, case_, result), of_arc__creep(drive, result), of_arc__cover_creep(result), in_page_checks__creep_interval(drive, result)]);
 yield* $iter((function* () { for (const check of $iter(found)) { if (!((check != null))) continue; yield check; } })());
-yield of_drive__belt_tension(drive, case_, pulley);
-yield of_drive__belt_safety(drive, case_, pulley);
-yield of_drive__face_pressure(drive, case_, pulley);
+yield* $iter(of_drive__of_belt(drive, case_, pulley));
 yield* $iter(of_arc__lagging_stress(pulley, result));
 yield* $iter(of_drive__tested_pressure(drive, case_, pulley));
 yield* $iter(of_data__condition(case_, pulley));
@@ -1830,6 +1828,12 @@ if (((fit == null) || !$truth(fit.knots))) {
 return null;
 }
 return new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+}
+function* of_drive__of_belt(drive, case_, pulley) {
+
+yield of_drive__belt_tension(drive, case_, pulley);
+yield of_drive__belt_safety(drive, case_, pulley);
+yield of_drive__face_pressure(drive, case_, pulley);
 }
 function of_drive__belt_tension(drive, case_, pulley) {
 let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
