@@ -315,9 +315,7 @@ class Module:
         lines, end = [f"class {name} extends {above} {{"], "}"
         if _generated(kind):
             named = _fields(kind)
-            usual = (
-                f"{f}: () => {self._default(d)}" for f, d in named.items() if d is not _ABSENT
-            )
+            usual = (f"{f}: () => {self._default(d)}" for f, d in named.items() if d is not _ABSENT)
             names = literal([*named], Where(name, 0))
             end = f"}}\n$sig({name}, {names}, false, {{{', '.join(usual)}}});"
         own = {of: text for (at, of), text in self._methods.items() if at == name}
