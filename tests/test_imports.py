@@ -54,7 +54,7 @@ EXTRAS = (
     "python_calamine", "rich", "scipy", "sqlalchemy", "starlette", "typst", "uvicorn", "xlsxwriter",
 )  # fmt: skip
 # Libraries that come with one of an extra and are used beside it.
-UNDER_THE_EXTRAS = {"llvmlite"}
+UNDER_THE_EXTRAS = {"typing_extensions"}
 # Rooms that are nothing without their extra and may import it at the top.
 OPTIONAL_ROOMS = {"web"}
 # Modules that exist for their extra alone and are imported only where it is used.

@@ -83,6 +83,14 @@ def test_what_is_not_finite() -> None:
     assert_alike([f"from {cell} on" for cell in cells])
 
 
+def test_what_only_looks_like_a_cell() -> None:
+    """Anybody may write such a title into a drive file."""
+    looks = ("\x02no|3||1|nan|\x03", "\x02length|0||1.2345|nan|\x03", "\x02force|3||1|", "\x02\x03")
+    assert shown(list(looks)) == [["no|3||1|nan|"] * 2, *([text] * 2 for text in looks[1:])]
+    for text in looks:
+        assert in_units(text) in (text, "no|3||1|nan|")
+
+
 @pytest.fixture(scope="module")
 def said() -> list[str]:
     """Return every text with numbers in the answers of the calculator."""

@@ -31,7 +31,7 @@ _FORMS = frozenset(get_args(Form))
 #: A text for each system of units, of which the one that is shown is taken.
 _EITHER = re.compile("\x04([^\x04-\x06]*)\x05([^\x04-\x06]*)\x06")
 _SLOT = re.compile(
-    "\x02([a-z_]+)[|]([0-9]{1,2})[|]([a-z -]*)[|]([^|\x03]+)[|]([^|\x03]+)[|]([a-z0-9_]*)\x03"
+    "\x02([a-z_]+)[|]([1-9][0-9]?)[|]([a-z -]*)[|]([^|\x03]+)[|]([^|\x03]+)[|]([a-z0-9_]*)\x03"
 )
 
 

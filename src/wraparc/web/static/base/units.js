@@ -52,8 +52,8 @@ export const percent = (v, n = 3) => (v == null ? "–" : `${digits(100 * v, n)}
  * @param {Text} text @returns {string} */
 export function words(text) {
   if (!text || typeof text === "string")
-    return (text || "").replace(SLOT, (_, of, n, form, value, other) =>
-      cellText(+value, of, +n, form, +other, app.units),
+    return (text || "").replace(SLOT, (slot, of, n, form, value, other) =>
+      app.form.units[of] ? cellText(+value, of, +n, form, +other, app.units) : slot.slice(1, -1),
     );
   if (app.units === "si" || text.us) return (app.units === "us" && text.us) || text.text;
   if (!text.cells) return inUnits(text);
@@ -65,7 +65,7 @@ export function words(text) {
   return parts.join("") + all.slice(text.cells.at(-1)?.at[1]).join("");
 }
 // biome-ignore lint/suspicious/noControlCharactersInRegex: what no other text holds
-const SLOT = /\x02(.*?)\|(.*?)\|(.*?)\|(.*?)\|(.*?)\|.*?\x03/g;
+const SLOT = /\x02([a-z_]+)\|([1-9]\d?)\|([a-z -]*)\|([^|]+)\|([^|]+)\|\w*\x03/g;
 /** @param {import("../types.d.ts").Cell} cell */
 const inUnits = ({ value, name = "", dimension, digits = 3, form = "", from, apart }) =>
   cellText(
