@@ -14,6 +14,7 @@ from web.browser import Visitor
 from web.calculators import wait_for
 from web.firefox import Firefox
 from worded import worded
+from wraparc.checks import judge
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 from wraparc.units import System
@@ -278,17 +279,17 @@ def assert_firefox_says(browser: Firefox, folder: Path, name: str) -> None:
             assert cells == values
 
 
-def test_motors_far_too_large_are_left_to_the_program(chrome: Browser, tmp_path: Path) -> None:
-    """1100 kW where 110 kW is meant: `wraparc solve` asks, so the page says no OK."""
+def test_motors_far_too_large_are_asked_about_as_by_solve(chrome: Browser, tmp_path: Path) -> None:
+    """1100 kW where 110 kW is meant: the words of `wraparc solve`."""
     text = MOTORS.replace('"110 kW"', '"1100 kW"')
     file, html = tmp_path / "train.toml", tmp_path / "train.html"
     file.write_text(text, "utf-8")
-    assert "Is 1.22 meant?" in str(answer_of(text)["verdict"]["headline"])
+    headline = judge(solve_train(train_from_text(text), raise_on_failure=False)).headline()
+    assert "Is 1.22 meant?" in headline
     assert wraparc("page", str(file), "-o", str(html))[0] == 0
     visitor = Visitor(chrome, html.as_uri(), offline=True)
     page = visitor.page
     page.goto(html.as_uri())
     page.click("#nav-train")
-    told = page.get_by_text("a size or a tension that conveyor drives do not have")
-    told.first.wait_for(state="attached")
+    page.get_by_text(headline).first.wait_for(state="attached")
     visitor.close()

@@ -101,6 +101,7 @@ class Module:
         self.natives = set[str]()
         self.left_out = dict[str, str]()
         self.reached, self.by_name = set[str](), set[str]()
+        self.called = dict[str, Where]()  # methods of objects
         self.classes: dict[str, Any] = {}
         self._functions: dict[str, tuple[Any, str]] = {}
         self._methods: dict[tuple[str, str], str] = {}
@@ -258,6 +259,11 @@ class Module:
             for name, value in [*self._constants.values()]:
                 self._emit(name, value, lines, done)
             self._lines = lines
+        for name, there in self.called.items():
+            if any(hasattr(kind, name) for kind in (str, list, dict, set)) and not any(
+                method == name for _, method in self._methods
+            ):
+                there.refuse(f"`python.js` has no method {name}")
         constants = [f"const {name} = {text};" for name, text in self._lines.items()]
         named = [f"export {{ {text} as {name} }};" for name, text in exports.items()]
         functions = [text for _, text in self._functions.values()]
@@ -906,6 +912,7 @@ class Function:
             return f'$method({base}, "{name}", [{", ".join(args)}], {self._by_name(node)})'
         if name in _METHODS:
             return f"$m.{name}({', '.join([base, *args])})"
+        self.module.called.setdefault(name, self.where(node))
         return f"{base}.{name}({', '.join(args)})"
 
 

@@ -98,15 +98,17 @@ class Paper(Answer):
 
 
 class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value over the limit.
+    """A check as a bar against its limit; `share` is the value [SI] over the limit.
 
     `says` is what it says where it is not kept, `source` where its limit came from.
     """
 
+    name: str
     title: str
     level: Level
     place: str
     at_most: bool
+    value: float
     share: float
     found: Text
     limit: Text
