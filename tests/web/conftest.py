@@ -56,6 +56,8 @@ def long_visit(calculator: Calculator) -> Iterator[Visitor]:
     found.open("drive")
     yield found
     found.close()
+    assert found.wrong == []
+    assert found.elsewhere == []
 
 
 @pytest.fixture

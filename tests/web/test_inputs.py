@@ -122,15 +122,13 @@ def test_slider_is_found_by_finger_and_not_moved_unseen(calculator: Calculator) 
     assert visitor.wrong == []
 
 
-def opened(visitor: Visitor, tmp_path: Path, text: str, title: str = "Opened") -> Page:
+def opened(visitor: Visitor, tmp_path: Path, text: str) -> Page:
     """Open a drive file on the page."""
-    page = visitor.open("drive")
     file = tmp_path / "drive.toml"
-    file.write_text(text.replace("Head drive, ROM conveyor", title), "utf-8")
-    visitor.load(file)
-    expect(page.locator("#title")).to_have_text(title)
+    file.write_text(text, "utf-8")
+    visitor.anew(lambda: visitor.load(file))
     visitor.solved()
-    return page
+    return visitor.page
 
 
 def test_switch_of_the_condition_is_answered_without_the_server(
@@ -159,12 +157,12 @@ def test_switch_of_the_condition_is_answered_without_the_server(
 
 
 def test_switch_says_and_changes_the_condition_of_the_shown_load_case(
-    visitor: Visitor, tmp_path: Path
+    long_visit: Visitor, tmp_path: Path
 ) -> None:
     # a load case goes before its pulley, that before the drive
     own = HEAD.replace('name = "start"', 'name = "start"\ncondition = "wet and dirty"')
     own = own.replace('lagging = "diamond-rubber"', 'lagging = "diamond-rubber"\ncondition = "wet"')
-    page = opened(visitor, tmp_path, 'condition = "dry"\n' + own)
+    page = opened(long_visit, tmp_path, 'condition = "dry"\n' + own)
     lagging = page.locator("#more > fieldset").filter(
         has=page.locator("legend", has_text="Lagging")
     )
@@ -188,9 +186,11 @@ def test_switch_says_and_changes_the_condition_of_the_shown_load_case(
     assert "condition" not in {**doc["pulley"][0], **doc["load_case"][1]}
 
 
-def test_switch_looks_at_one_of_conditions_side_by_side(visitor: Visitor, tmp_path: Path) -> None:
+def test_switch_looks_at_one_of_conditions_side_by_side(
+    long_visit: Visitor, tmp_path: Path
+) -> None:
     own = HEAD.replace('name = "start"', 'name = "start"\ncondition = "wet"')
-    page = opened(visitor, tmp_path, 'condition = ["dry", "wet"]\n' + own)
+    page = opened(long_visit, tmp_path, 'condition = ["dry", "wet"]\n' + own)
     before = kept(page)
     cases = page.get_by_role("group", name="Load case", exact=True).get_by_role("button")
     wait_for(lambda: cases.count() == 5)  # that with a condition of its own stands once
@@ -202,7 +202,7 @@ def test_switch_looks_at_one_of_conditions_side_by_side(visitor: Visitor, tmp_pa
     turn(page, "wet and dirty")
     assert kept(page)["condition"] == ["dry", "wet", "wet and dirty"]
     expect(page.locator("#condition")).to_have_value("2")
-    visitor.solved()
+    long_visit.solved()
     expect(page.locator("#why")).to_contain_text("load case design, wet and dirty")
     # and the shown one alone
     page.select_option("#condition", "0")
@@ -228,13 +228,13 @@ LAGGINGS = {
 
 
 def test_switch_offers_what_the_friction_of_a_lagging_is_known_in(
-    visitor: Visitor, tmp_path: Path
+    long_visit: Visitor, tmp_path: Path
 ) -> None:
     for name, more in LAGGINGS.items():
         table = SIZES + more
         laws = lagging_from_text(f'format = 1\nname = "mine"\n{table}')
         text = HEAD.replace('lagging = "diamond-rubber"', 'lagging = "mine"')
-        page = opened(visitor, tmp_path, f"{text}\n[lagging.mine]\n{table}", name)
+        page = opened(long_visit, tmp_path, f"{text}\n[lagging.mine]\n{table}")
         known = list(covered(laws))
         assert offered(page) == (known if len(known) > 1 else []), name
     page.select_option("#f-pulley-0-lagging", "full-ceramic")

@@ -73,6 +73,10 @@ def computed(marks: list[str]) -> bool:
     return "computing" not in marks
 
 
+def _count_fresh(count: int) -> Callable[[list[str]], bool]:
+    return lambda marks: marks.count("fresh") == count
+
+
 def judged(page: Page, name: str) -> list[str]:
     """Verdicts of answers that a page gives, by their words."""
     boxes = page.locator(f"#{name} [data-stands] .verdict:visible:not([role=status])")
@@ -224,7 +228,7 @@ def test_whatever_was_asked_nothing_of_it_is_good_once_it_is_of_before(
         page.locator("#f-belt-width").blur()
         for name in asked:
             anew = MARKS.get(name, 1) if name in ANSWERING and width != "wide" else 0
-            come_to(page, name, lambda marks, anew=anew: marks.count("fresh") == anew)
+            come_to(page, name, _count_fresh(anew))
             come_to(page, name, computed)
             assert stands(page, name).count("fresh") == anew
             assert praised(page, name) == [], (name, width)
