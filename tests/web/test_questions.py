@@ -14,6 +14,8 @@ from cli.running import wraparc
 from web.browser import Visitor
 from web.calculators import API, client, document
 from web.test_pages_looks import violations
+from worded import worded
+from wraparc.units import System
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 HEAD = str(EXAMPLES / "head-drive-fabric.toml")
@@ -36,15 +38,14 @@ def printed(*command: str) -> str:
         return words(wraparc(*command, "--full")[1])
 
 
-def told(sheet: Any, system: str = "si") -> list[str]:
+def told(sheet: Any, system: System = "si") -> list[str]:
     """Return every text of a sheet."""
     found = [sheet["verdict"]["headline"], *sheet["verdict"]["sentences"], *sheet["remarks"]]
-    texts = [text[system] for text in found]
     for table in sheet["tables"]:
-        texts += [table["title"], *table["heads"][system]]
+        found += [table["title"], *table["heads"]]
         for row in table["rows"]:
-            texts += [row["title"], *row["values"][system]]
-    return [words(text) for text in texts]
+            found += [row["title"], *row["values"]]
+    return [words(worded(text, system)) for text in found]
 
 
 @pytest.mark.parametrize(
@@ -69,7 +70,7 @@ def told(sheet: Any, system: str = "si") -> list[str]:
 )
 @pytest.mark.parametrize("system", ["si", "us"])
 def test_what_if_is_that_of_the_command(
-    api: TestClient, name: str, asked: dict[str, Any], options: list[str], system: str
+    api: TestClient, name: str, asked: dict[str, Any], options: list[str], system: System
 ) -> None:
     # expected: everything that `wraparc what-if` prints
     answer = api.post(f"{API}/what-if", json={"document": document(name), **asked})
