@@ -31,7 +31,8 @@ def solve_across(
     drive
         The drive, see `wraparc.load_drive`.
     pulley, load_case
-        Names; the first pulley that says what is uneven (else the first), and the first load case.
+        Names; the first pulley that says what is uneven (else the first), the load case of
+        the largest running pull.
     strips
         Strips across the belt, or None for those of the pulley.
     solver

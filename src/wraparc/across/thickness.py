@@ -70,7 +70,8 @@ def cushion(
     thicknesses
         Of the new lagging [m].
     pulley, load_case
-        Names; the first pulley that says what is uneven, and the first load case.
+        Names; the first pulley that says what is uneven, the load case of
+        the largest running pull.
     strips, solver
         As for `solve_across`.
 

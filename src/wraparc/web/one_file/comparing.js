@@ -1,12 +1,12 @@
 // The same drive with every lagging of the catalogue, or with belts of neighbouring rating.
 import { app, set } from "../static/base/design.js";
 import { dimensionOf, percent } from "../static/base/units.js";
+import { assemble } from "../static/pages/drive/assemble.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { leastOf } from "../static/pages/drive/least.js";
 import { inBoth } from "../static/pages/drive/whole.js";
 import { quantity, verdictOf, worstOf } from "../static/pages/drive/words.js";
-import { assemble } from "../static/pages/drive/assemble.js";
 
 /** @import { Design, Judging } from "../static/types.d.ts" */
 /** @typedef {{path: string, value: any}[]} Change */
@@ -30,7 +30,7 @@ export async function compared({ document: doc, load_case, what }, data) {
     else not_possible.push({ name, problems });
   }
   const cases = arcs[0]?.judging.cases.map((c) => c.load_case) ?? [];
-  const shown = Math.max(cases.indexOf(load_case ?? ""), 0);
+  const shown = Math.max(cases.indexOf(load_case ?? arcs[0]?.judging.meant ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
     const judged = numbers && judge(judging, changed, numbers);

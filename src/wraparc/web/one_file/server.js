@@ -11,8 +11,8 @@ import { firstAnswer, inBoth } from "../static/pages/drive/whole.js";
 import { verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
-import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { documentOf } from "./texts.js";
+import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
 import { wholeAnswer } from "./whole_tables.js";
@@ -56,7 +56,8 @@ const ANSWERS = {
     const { document, load_case, points, sequence } = asked;
     if (isTrain(document)) return quickTrain(asked, data);
     const judging = prepared(document);
-    const arc = judging.cases.find((c) => c.load_case === load_case) ?? judging.cases[0];
+    const arc =
+      judging.cases.find((c) => c.load_case === (load_case ?? judging.meant)) ?? judging.cases[0];
     const [one] = arcsOf({ ...judging, cases: [arc] });
     const found = quick(one.law, one.given, one.tested, points);
     const numbers = found && numbersOfAll([one]);

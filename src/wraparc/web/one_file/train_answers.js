@@ -210,7 +210,8 @@ export async function trainArcs(doc, data) {
 /** One arc of a train. @param {any} asked @param {any} data */
 export async function quickTrain({ document: doc, pulley, load_case, sequence }, data) {
   const { judging, cases, judged } = await judgedTrain(doc, data);
-  const one = cases.find((/** @type {any} */ x) => x.c.name === load_case) ?? cases[0];
+  const one =
+    cases.find((/** @type {any} */ x) => x.c.name === (load_case ?? judging.meant)) ?? cases[0];
   const names = one.arcs.map((/** @type {any} */ a) => a.pulley);
   const i = Math.max(names.indexOf(pulley), 0);
   const told = inBoth(() => verdictOf(judged, one.c.name, names[i]));

@@ -1,4 +1,5 @@
 // Several drives on one belt: read, solved and judged by the functions of wraparc solve.
+import { meant } from "../static/documents.js";
 import { in_page__quick as quick } from "../static/kernel.js";
 import {
   beyond,
@@ -188,6 +189,7 @@ export function trainOf(design, book, words) {
       cases.flatMap((x) => x.arcs),
       book,
     ),
+    meant: meant(found.cases),
     anew: cases.some((x) => !x.c.division.parts),
     adrift: cases.some((x) => x.adrift),
     checks: [...of("pulley_diameter"), { ...of("usual_sizes")[0], pulley: "" }, ...of("data")],

@@ -44,6 +44,23 @@ export function read(document) {
     return { found: null, problems: /** @type {any} */ (error).problems.map(told) };
   }
 }
+/** Relative difference of pulls that is none. */
+const ALIKE = 1e-9;
+/** The load case that is meant where none is named, as `Drive.load_case` and `Train.case` say.
+ * @param {any[]} cases as read @returns {string} */
+export function meant(cases) {
+  const running = cases.filter((c) => c.kind === "running");
+  /** @param {any} c */
+  const pull = ({ tensions, entry_tension, exit_tension }) =>
+    Math.abs(
+      tensions
+        ? [...tensions.values()].reduce((sum, t) => sum + t.entry - t.exit, 0)
+        : entry_tension - exit_tension,
+    );
+  return (running.length ? running : cases).reduce((most, c) =>
+    pull(c) * (1 - ALIKE) > pull(most) ? c : most,
+  ).name;
+}
 /** A problem as the server tells one. @param {any} problem */
 const told = (problem) => {
   const { key, message, value, remedy, line } = problem;

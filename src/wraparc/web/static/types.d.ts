@@ -218,6 +218,8 @@ export interface Judging {
     among?: Record<string, number>;
     names?: Record<string, string>;
   }[];
+  /** Of a drive that the page has put together: the load case that is meant where none is named. */
+  meant?: string;
   /** Of a drive that the page has put together: what is said where load cases contradict the
    * take-up, what that holds, and names for the words. */
   odd?: Words | null;

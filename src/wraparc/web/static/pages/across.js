@@ -9,6 +9,7 @@ import { h } from "../vendor/preact.js";
 import { acrossInputs } from "./across/inputs.js";
 import { QUANTITIES, widthPicture } from "./across/pictures.js";
 import { questions } from "./across/questions.js";
+import { askedCase } from "./drive/cases.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
@@ -39,7 +40,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
   const asked = {
     document: doc,
     pulley: doc.pulley[app.pulley]?.name || null,
-    load_case: app.case || null,
+    load_case: askedCase(),
   };
   try {
     const answer = await ask("across", asked, { signal: stop.signal });

@@ -1,6 +1,6 @@
 // A drive put together in the page: what the server prepares of it, `judging` in web/answers, from
 // the parts of the book that the server hands out, and by its functions.
-import { known, read } from "../../documents.js";
+import { known, meant, read } from "../../documents.js";
 import { in_page__described as described, in_page__unjudged as unjudged } from "../../kernel.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { ofBelt, weakSources } from "../../reader.js";
@@ -177,7 +177,7 @@ export function assembled(drive, doc, book) {
     const at = cases[steep].name === book.design ? "pulley" : "load_case";
     return refused({ ...left(NOT_HERE[why], at), beyond: why > 1 });
   }
-  const judging = judgingOf(said, usual, made, book);
+  const judging = { ...judgingOf(said, usual, made, book), meant: meant(drive.load_cases) };
   // what a take-up holds follows from the conveyor in every load case
   if (drive.conveyor) Object.assign(judging, { take_up: false, held_at: drive.conveyor.take_up });
   return { judging, problems: [] };

@@ -16,6 +16,7 @@ import {
   words,
   written,
 } from "../../base/units.js";
+import { views } from "../../frame/tabs.js";
 import { levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
@@ -23,13 +24,12 @@ import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise, raiseAlone } from "./advice.js";
-import { addCase } from "./cases.js";
+import { addCase, lacking } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
-import { fullTension, limits, scaleOf } from "./ranges.js";
 import { questions } from "./questions.js";
-import { views } from "../../frame/tabs.js";
+import { fullTension, limits, scaleOf } from "./ranges.js";
 import { answer, known, onAnswer, solver, whole, wholeArc } from "./solving.js";
 
 /** @import { Bar, Children, Design, FullArc, Level, QuickAnswer, Text } from "../../types.d.ts" */
@@ -50,7 +50,6 @@ const KEEPS = [
   ["pull", "the pull"],
   ["t1", "T1"],
 ];
-const DESIGN = "design";
 /** What is fetched when it is opened. */
 const late = {
   details: /** @type {typeof import("./details.js") | null} */ (null),
@@ -307,8 +306,9 @@ function verdict(arc, refused) {
   const full = known();
   if (!level) return said("", creepOf(arc), "");
   const [one, rest] = first(v.headline, arc);
-  const lost = unsolved(arc);
-  const worse = lost ?? elsewhere(full?.arcs, arc) ?? rest;
+  const worse = lacking()
+    ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
+    : (elsewhere(full?.arcs, arc) ?? rest);
   return said(level, one, worse, full && action(arc), words(v.headline));
 }
 /** @param {QuickAnswer} arc */
@@ -334,14 +334,6 @@ function notComputed(before) {
     );
   return told("These numbers are still needed:", answer.problems.flatMap(asked));
 }
-/** The load that the pulleys share, where it is begun and no load case: it is left out of all.
- * @param {QuickAnswer} arc */
-function unsolved({ load_case: shown }) {
-  const begun = app.doc.pulley.some((p) => TENSIONS.some((key) => p[key] != null));
-  if (app.case || !begun || caseNames(app.doc)[0]?.split(",")[0] !== DESIGN) return null;
-  if (shown.split(",")[0] === DESIGN) return null;
-  return `Load case ${DESIGN} lacks a tension and is left out. Shown is ${shown}.`;
-}
 const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
 const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {FullArc} */ a) =>
@@ -360,7 +352,7 @@ function elsewhere(arcs, arc) {
   const place =
     worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
   const creeps = `creeps ${percent(use(worse))} of its limit`;
-  const to = () => look({ case: caseKey(worse.load_case), pulley: Math.max(0, pulley) });
+  const to = () => look({ case: worse.load_case, pulley: Math.max(0, pulley) });
   return [
     "Worse elsewhere: ",
     h(
@@ -370,8 +362,6 @@ function elsewhere(arcs, arc) {
     ),
   ];
 }
-/** @param {string} name */
-const caseKey = (name) => (name === caseNames(app.doc)[0] ? "" : name);
 /** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
 function action(arc) {
   if (rank(arc) < 1) return null;
@@ -422,7 +412,7 @@ function picks() {
   const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
-  const to = (/** @type {number} */ i) => look({ case: caseKey(cases[i]) });
+  const to = (/** @type {number} */ i) => look({ case: cases[i] });
   const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
     const arc = worstIn(arcs, name);
     const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";

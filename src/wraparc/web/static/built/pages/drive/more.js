@@ -1,1 +1,1 @@
-import{a,b}from"../../chunk-XYLNT7V2.js";export{b as moreInputs,a as pulleyName};
+import{a,b}from"../../chunk-BLAKVUQK.js";export{b as moreInputs,a as pulleyName};
