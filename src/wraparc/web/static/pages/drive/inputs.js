@@ -62,6 +62,8 @@ const ofPulley = (i, key, label = "") =>
     label: label || undefined,
     scale: scaleOf(key),
   });
+/** What the word beside the choice says. */
+const MADE_UP = " (illustrative)";
 /** @param {any} l @returns {string} */
 export const laggingName = (l) => (l && typeof l === "object" ? l.preset || l.name || "" : l || "");
 /** @param {number} i @returns {Choices[]} */
@@ -82,7 +84,7 @@ export function laggingChoices(i) {
     {
       group: "catalogue",
       choices: app.catalogue.laggings.map(
-        (l) => /** @type {Choice} */ ([l.name, l.title || l.name]),
+        (l) => /** @type {Choice} */ ([l.name, (l.title || l.name).replace(MADE_UP, "")]),
       ),
     },
   ];

@@ -527,9 +527,13 @@ const NOT_MADE = /** @type {Bar} */ ({
   says: "",
   source: "",
 });
-/** @param {Bar} b */
-const atLimit = (b) =>
-  `${b.at_most ? "≤" : "≥"} ${words(b.limit).replace(/^at (most|least) /, "")}`;
+/** The limit of a check, without the unit that its value has. @param {Bar} b */
+function atLimit(b) {
+  const [limit, unit] = words(b.limit).split(/(?<=\d) /);
+  const number = limit.replace(/^at (most|least) /, "");
+  const alone = !unit || words(b.found).endsWith(` ${unit}`);
+  return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
+}
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
 function why(b, full) {
   const told = answer.full?.arcs
