@@ -295,3 +295,17 @@ def test_the_server_means_the_same_case_of_a_train() -> None:
     train["load_case"].append(light)
     with client() as api:
         assert post(api, "/solve/fast", document=train)["load_case"] == "heavy"
+
+
+@pytest.mark.parametrize("case", [None, "design", "start"])
+def test_across_says_one_creep(case: str | None) -> None:
+    # the sentence and the table are of one load case, also where another one is worse
+    worn = parse((EXAMPLES / "worn-head-drive-fabric.toml").read_text("utf-8"))
+    start = {"effective_tension": "110 kN", "exit_tension": "60 kN"}
+    worn["load_case"] = [{"name": "start", "kind": "starting", "pulley": {"head": start}}]
+    with client() as api:
+        found = post(api, "/across", document=worn, load_case=case)
+    (row,) = (r for r in found["tables"][0]["rows"] if r["name"] == "largest_creep")
+    for system in ("si", "us"):
+        assert f"creeps {row['values'][system][0]}, " in found["verdict"]["headline"][system]
+    assert found["load_case"] == (case or "start")

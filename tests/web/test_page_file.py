@@ -159,7 +159,9 @@ def figure(page: Page, name: str) -> str:
 def assert_shows_what_solve_says(page: Page, file: Path) -> str:
     """Compare what a page shows with `wraparc solve`; return the level."""
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
-    verdict, arc = told["verdict"], told["arcs"][0]
+    verdict = told["verdict"]
+    case = load_drive(file).load_case().name  # which the page looks at
+    arc = next(a for a in told["arcs"] if a["load_case"] == case)
     result = solve(load_drive(file), raise_on_failure=False)
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
@@ -173,7 +175,8 @@ def assert_shows_what_solve_says(page: Page, file: Path) -> str:
         rows = page.locator("#drive .t-checks tbody tr").all_inner_texts()
         shown = [row.split("\t")[:4] for row in rows]
         assert shown == [[r.title, *r.values] for r in shown_in(check_table(found), system).rows]
-        carried = shown_in(capacity_table(next(iter(result))), system)
+        meant = result.arc(arc["pulley"], case)
+        carried = shown_in(capacity_table(meant), system)
         assert carried is not None
         cells: list[list[str]] = page.locator("#drive .t-capacity tbody tr").evaluate_all(
             "rows => rows.map((r) => [...r.cells].map((c) => c.textContent.trim()))"

@@ -131,7 +131,7 @@ def _study(page: Page) -> None:
 
 def _match(page: Page) -> None:
     page.get_by_role("button", name="Work out how exactly").click()
-    expect(page.locator("#train [data-stands]")).to_have_count(2)
+    expect(page.locator("#train [data-stands]")).to_have_count(3)
 
 
 def _follow(page: Page) -> None:

@@ -207,39 +207,11 @@ export class Screen extends Component {
       h(
         "ul",
         { class: "list" },
-        all.map((b) => this.check(b, chosen === b)),
+        all.map((b) => checkOf(b, chosen === b, () => this.setState({ check: b.title }))),
       ),
-      chosen && why(chosen, full),
-      h("div", { class: "changes" }, changes()),
+      chosen && reasonOf(chosen, full),
+      app.doc.pulley.length < 2 && h("div", { class: "changes" }, changes()),
       arc && sources(arc),
-    );
-  }
-  /** @param {Bar} b @param {boolean} chosen */
-  check(b, chosen) {
-    const used = b.at_most ? b.share : 1 / b.share;
-    const cls = levelClass(b.level);
-    const width = Math.max(1, Math.min(100, 50 * (used > 0 ? used : 2)));
-    return h(
-      "li",
-      { key: b.title, class: cls },
-      h(
-        "button",
-        {
-          type: "button",
-          "aria-expanded": chosen,
-          "aria-controls": "why",
-          onClick: () => this.setState({ check: b.title }),
-        },
-        glyph(b.level),
-        h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
-        h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
-        h(
-          "span",
-          { class: "use" },
-          h("u", { class: cls, style: { width: `${width}%` } }),
-          h("s", {}),
-        ),
-      ),
     );
   }
   /** What is under the fold. @param {QuickAnswer | null} arc */
@@ -266,8 +238,9 @@ const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 /** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
 const END = /^(.*?[a-z0-9)%°]\.) (?=[A-Z])/s;
 /** The first sentence of a verdict, without the place that the page shows; and the rest.
- * @param {Text} text @param {QuickAnswer} arc @returns {[string, string]} */
-function first(text, { pulley, load_case }) {
+ * @param {Text} text @param {{pulley: string, load_case: string}} arc
+ * @returns {[string, string]} */
+export function opening(text, { pulley, load_case }) {
   const whole = words(text);
   const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
   const place = places.find((p) => whole.startsWith(p)) ?? "";
@@ -281,7 +254,7 @@ function first(text, { pulley, load_case }) {
 }
 /** @param {Level | ""} level @param {string} text @param {Children} more
  * @param {Children} [action] @param {string} [all] @param {Children} [alert] */
-const said = (level, text, more, action, all = "", alert = null) =>
+export const said = (level, text, more, action, all = "", alert = null) =>
   h(
     "div",
     { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id: "verdict" },
@@ -305,7 +278,7 @@ function verdict(arc, refused) {
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
-  const [one, rest] = first(v.headline, arc);
+  const [one, rest] = opening(v.headline, arc);
   const worse = lacking()
     ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
     : (elsewhere(full?.arcs, arc) ?? rest);
@@ -407,7 +380,7 @@ function worstIn(arcs, name) {
   return here.sort((a, b) => worse(b) - worse(a))[0];
 }
 /** Choice of pulley and load case: each case with what it comes to. */
-function picks() {
+export function picks() {
   const names = app.doc.pulley.map((p) => p.name || "");
   const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
@@ -502,18 +475,44 @@ function glyph(level, n = 13) {
   const size = { width: n, height: n, viewBox: "0 0 14 14", "aria-hidden": "true" };
   return h("svg", { class: `g ${levelClass(level)}`, ...size }, path);
 }
+/** How much of a limit is used. @param {Bar} b */
+const used = (b) => (b.at_most ? b.share : 1 / b.share);
+/** @param {Bar[]} bars */
+export const worstFirst = (bars) =>
+  [...bars].sort((a, b) => rank(b) - rank(a) || used(b) - used(a));
 /** The checks of an arc, worst first; while a hand moves something, in the order of before.
  * @param {FullArc | undefined} full @returns {Bar[]} */
 function sorted(full) {
   const bars = full?.bars ?? [];
-  const used = (/** @type {Bar} */ b) => (b.at_most ? b.share : 1 / b.share);
   const of = `${full?.pulley} ${full?.load_case}`;
   if (!gripped() || order.of !== of) {
-    const all = [...bars].sort((a, b) => rank(b) - rank(a) || used(b) - used(a));
+    const all = worstFirst(bars);
     Object.assign(order, { of, titles: all.map((b) => b.title) });
     return all;
   }
   return order.titles.map((title) => bars.find((b) => b.title === title) ?? { ...NOT_MADE, title });
+}
+/** A check against its limit. @param {Bar} b @param {boolean} chosen @param {() => void} choose */
+export function checkOf(b, chosen, choose) {
+  const cls = levelClass(b.level);
+  const width = Math.max(1, Math.min(100, 50 * (used(b) > 0 ? used(b) : 2)));
+  return h(
+    "li",
+    { key: b.title, class: cls },
+    h(
+      "button",
+      { type: "button", "aria-expanded": chosen, "aria-controls": "why", onClick: choose },
+      glyph(b.level),
+      h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
+      h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
+      h(
+        "span",
+        { class: "use" },
+        h("u", { class: cls, style: { width: `${width}%` } }),
+        h("s", {}),
+      ),
+    ),
+  );
 }
 /** A check that is not made at the place where the hand is. */
 const NOT_MADE = /** @type {Bar} */ ({
@@ -535,7 +534,7 @@ function atLimit(b) {
   return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
 }
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
-function why(b, full) {
+export function reasonOf(b, full) {
   const told = answer.full?.arcs
     .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
     ?.bars.find((x) => x.title === b.title);
