@@ -611,7 +611,9 @@ def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
     (now,) = (m["at"] for m in marks if m["what"] == "operating")
     box, track = keeps.bounding_box(), page.locator("#train .strip-track").last.bounding_box()
     place = page.locator("#train .strip .now").bounding_box()
-    assert box and track and place
+    assert box
+    assert track
+    assert place
     size = box["width"] / (high - low)  # px for a trim of one
     assert place["x"] + place["width"] / 2 == pytest.approx(box["x"] + size * (now - low), abs=1.0)
     assert track["x"] < box["x"] < box["x"] + box["width"] < track["x"] + track["width"]

@@ -106,8 +106,9 @@ export const Page = () => {
         ? saying(now(), state.answer.verdict, slower(m, c.drives[0]), toMatch())
         : silent(lacks()),
       drawing: c && loadCase(c),
-      curve: c?.drives.every((/** @type {any} */ d) => d.share != null) && [
-        shareBar(c),
+      curve: c && [
+        c.reason && h("p", { class: "error", key: "reason" }, c.reason),
+        c.drives.every((/** @type {any} */ d) => d.share != null) && shareBar(c),
         trimStrip(c, i, matchedNow() === "fresh" ? state.matched : null),
       ],
       side: c && [
@@ -228,7 +229,7 @@ const loadCase = (c) =>
   h(
     "figure",
     { class: "stage-svg", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
-    c.reason ? h("p", { class: "error" }, c.reason) : chain(c, limitsIn(c)),
+    chain(c, limitsIn(c)),
   );
 /** Limits of the creep and how each is kept, by pulley. @param {any} c */
 const limitsIn = (c) =>

@@ -9,11 +9,12 @@ import { h } from "../vendor/preact.js";
 /** @import { Standing } from "./answers.js" */
 
 /**
+ * The three regions, and what is below. A tall frame has more room under the drawing.
  * @typedef {{form: Children, say: Children, drawing: Children, curve: Children, side: Children,
- *   how: Standing}} Frame
+ *   how: Standing, tall?: boolean}} Frame
  * @param {Frame} of @param {...Children} below
  */
-export const framed = ({ form, say, drawing, curve, side, how }, ...below) =>
+export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below) =>
   h(
     "div",
     { class: "screen", "data-stands": how === "fresh" && !known() ? "computing" : how },
@@ -23,7 +24,7 @@ export const framed = ({ form, say, drawing, curve, side, how }, ...below) =>
       form,
       h(
         "section",
-        { class: "hero card", "aria-label": "Answer" },
+        { class: `hero card ${tall ? "tall" : ""}`, "aria-label": "Answer" },
         say,
         h("div", { class: "stage-box", key: "drawing" }, drawing),
         h("div", { class: "curve", key: "curve" }, curve),
