@@ -287,3 +287,29 @@ def test_steps_back_outlive_a_reload(visitor: Visitor) -> None:
     expect(page.locator("#f-pulley-0-diameter")).to_have_value("800")
     page.click("#undo")
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
+
+
+def test_questions_open_one_at_a_time_in_view_and_close_by_the_same_press(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size(SCREEN)
+    visitor.alone()
+    site = page.get_by_role("button", name="On site: what to measure, when to alarm")
+    seek = page.get_by_role("button", name="Which input gives …?")
+    site.click()
+    expect(site).to_have_attribute("aria-expanded", "true")
+    page.locator("#question .site table").first.wait_for()
+    box = page.locator("#question h2").first.bounding_box()
+    assert box is not None
+    assert 0 <= box["y"] < SCREEN["height"] - 40
+    seek.click()
+    expect(page.locator("#question > *")).to_have_count(1)
+    expect(page.locator("#question .seek, #question.seek, .seek")).to_be_visible()
+    expect(site).to_have_attribute("aria-expanded", "false")
+    expect(seek).to_have_attribute("aria-expanded", "true")
+    seek.click()
+    expect(seek).to_have_attribute("aria-expanded", "false")
+    expect(page.locator("#question")).to_have_count(0)
+    # as it does by its own button
+    site.click()
+    page.locator("#question").get_by_role("button", name="Close").click()
+    expect(site).to_have_attribute("aria-expanded", "false")
