@@ -17,7 +17,7 @@ import { h } from "../vendor/preact.js";
 export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below) =>
   h(
     "div",
-    { class: "screen", "data-stands": how === "fresh" && !known() ? "computing" : how },
+    { class: "screen other", "data-stands": how === "fresh" && !known() ? "computing" : how },
     h(
       "div",
       { class: "frame" },
