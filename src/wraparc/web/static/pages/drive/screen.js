@@ -2,7 +2,7 @@
 // change the creep. Everything else of the answer is below it, fetched when it is opened.
 
 import { app, caseNames, change, gripped, look, painted, set, undo } from "../../base/design.js";
-import { GONE, note, part, sentence } from "../../base/server.js";
+import { act, GONE, note, part, sentence } from "../../base/server.js";
 import {
   digits,
   dimensionOf,
@@ -24,7 +24,7 @@ import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise, raiseAlone } from "./advice.js";
-import { addCase, lacking } from "./cases.js";
+import { lacking } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
@@ -425,15 +425,16 @@ export function picks() {
             class: "chip",
             key: "add",
             "aria-label": "Add a load case",
-            onClick: addCase,
+            onClick: more,
           },
           "+",
         ),
     ],
   );
 }
+const more = act(async () => (await part(() => import("./add_case.js"))).addCase());
 /** A share that a chip has room for. @param {number} v */
-const short = (v) => (v < 10 ? percent(v) : "> 999 %");
+const short = (v) => (v < 10 ? percent(v) : ">999 %");
 const MANY = 6; // load cases: more are a list
 const CASES = {
   id: "cases",
