@@ -617,3 +617,10 @@ def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
     size = box["width"] / (high - low)  # px for a trim of one
     assert place["x"] + place["width"] / 2 == pytest.approx(box["x"] + size * (now - low), abs=1.0)
     assert track["x"] < box["x"] < box["x"] + box["width"] < track["x"] + track["width"]
+    # a line of the charts has a look and a name of its own
+    for figure in page.locator("#train .plots figure").all():
+        names = [text for text in figure.locator("figcaption span").all_inner_texts() if text]
+        looks = figure.locator("figcaption .line").evaluate_all(
+            "(all) => all.map((e) => e.getAttribute('class'))"
+        )
+        assert len(names) == len(set(names)) == len(set(looks)) >= 2, (names, looks)
