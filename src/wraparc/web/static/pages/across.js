@@ -11,6 +11,7 @@ import { acrossInputs, drawingOf } from "./across/inputs.js";
 import { QUANTITIES, widthPicture } from "./across/pictures.js";
 import { questions } from "./across/questions.js";
 import { askedCase } from "./drive/cases.js";
+import { picks as casePicks } from "./drive/screen.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
@@ -60,7 +61,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
 const now = () =>
   standing(state.now[0] === app.doc && state.now[1] === state.where, state.problems);
 
-export { picks } from "./drive/screen.js";
+export const picks = () => casePicks("-across");
 export const Page = () => {
   const a = state.answer;
   return framed(
@@ -75,7 +76,7 @@ export const Page = () => {
         : silent(state.problems.length ? "Not computed." : "Solving …"),
       drawing: drawingOf(app.pulley),
       curve: a?.map && picture(a),
-      side: a && checked((x) => x.pulley === a.pulley && x.load_case === a.load_case),
+      side: a && checked("across", (x) => x.pulley === a.pulley && x.load_case === a.load_case),
     },
     h(
       "div",

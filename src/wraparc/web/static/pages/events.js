@@ -102,7 +102,7 @@ export const Page = () => {
         : silent("Does it slip when it starts? Run an event."),
       drawing: run ? h(Player, { run: run.played, key: run.id }) : intro(),
       curve: asking(),
-      side: checked((a) => a.load_case === app.case),
+      side: checked("events", (a) => a.load_case === app.case),
     },
     h(
       "div",

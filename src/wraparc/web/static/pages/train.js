@@ -7,6 +7,7 @@ import { judgedIf, list, refused, standing, stands, table, verdict } from "../pa
 import { checked, facts, framed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
+import { picks as casePicks } from "./drive/screen.js";
 import { answer, known } from "./drive/solving.js";
 import { chain } from "./train/chain.js";
 import { trainInputs } from "./train/inputs.js";
@@ -90,7 +91,7 @@ const matchedNow = () => (state.by === trimmed() ? now() : standing(false, [], s
 const shownIn = (a) =>
   a.load_cases.find((/** @type {any} */ c) => c.load_case === app.case) ?? a.load_cases[0];
 
-export { picks } from "./drive/screen.js";
+export const picks = () => casePicks("-train");
 export const Page = () => {
   const c = several() && state.answer ? shownIn(state.answer) : null;
   const i = Math.max(
@@ -112,7 +113,7 @@ export const Page = () => {
         trimStrip(c, i, matchedNow() === "fresh" ? state.matched : null),
       ],
       side: c && [
-        checked((a) => a.load_case === c.load_case),
+        checked("train", (a) => a.load_case === c.load_case),
         m?.drum_ratio && facts(`Why ${m.pulley} turns ${turns(m)}`, reasons(m)),
         m && facts("If something changes", changes(m)),
       ],

@@ -39,15 +39,15 @@ export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below)
 export function saying(how, v, more, action) {
   const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
   const [one, rest] = opening(v.headline, place);
-  return said(how === "fresh" ? v.level : "", one, more ?? rest, action);
+  return said(how === "fresh" ? v.level : "", one, more ?? rest, action, "", null, null);
 }
 /** Nothing is answered yet. @param {string} text @param {Children} [action] */
-export const silent = (text, action) => said("", text, "", action);
+export const silent = (text, action) => said("", text, "", action, "", null, null);
 
 const chosen = { check: "" };
 /** Checks of all pulleys that are shown, each at the one that uses most of its limit.
- * @param {(a: FullArc) => boolean} which */
-export function checked(which) {
+ * @param {string} page @param {(a: FullArc) => boolean} which */
+export function checked(page, which) {
   const arcs = ((known() ?? answer.full)?.arcs ?? []).filter(which);
   const several = arcs.length > 1;
   const all = /** @type {(Bar & {of: FullArc})[]} */ (
@@ -74,9 +74,9 @@ export function checked(which) {
     h(
       "ul",
       { class: "list", key: "list" },
-      bars.map((b) => checkOf(b, b === one, put(b))),
+      bars.map((b) => checkOf(b, b === one, put(b), `why-${page}`)),
     ),
-    one && reasonOf(one, one.of),
+    one && reasonOf(one, one.of, `why-${page}`),
   ];
 }
 /** Names and values, in a part of its own. @param {string} title @param {[string, string][]} rows */

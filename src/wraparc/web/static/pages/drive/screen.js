@@ -253,11 +253,12 @@ export function opening(text, { pulley, load_case }) {
     : [said, ""];
 }
 /** @param {Level | ""} level @param {string} text @param {Children} more
- * @param {Children} [action] @param {string} [all] @param {Children} [alert] */
-export const said = (level, text, more, action, all = "", alert = null) =>
+ * @param {Children} [action] @param {string} [all] @param {Children} [alert]
+ * @param {string | null} [id] */
+export const said = (level, text, more, action, all = "", alert = null, id = "verdict") =>
   h(
     "div",
-    { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id: "verdict" },
+    { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id },
     glyph(level || null, 28),
     h(
       "div",
@@ -379,8 +380,9 @@ function worstIn(arcs, name) {
   const here = arcs?.filter((a) => a.load_case === name) ?? [];
   return here.sort((a, b) => worse(b) - worse(a))[0];
 }
-/** Choice of pulley and load case: each case with what it comes to. */
-export function picks() {
+/** Choice of pulley and load case: each case with what it comes to.
+ * @param {string} [of] another view, whose names of parts are its own */
+export function picks(of = "") {
   const names = app.doc.pulley.map((p) => p.name || "");
   const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
@@ -411,11 +413,11 @@ export function picks() {
   return h(
     "span",
     { class: "chips" },
-    pick("pick-pulley", "Pulley", names, app.pulley, (i) => look({ pulley: i })),
-    many && pick("pick-case", "Load case", cases, at, to),
+    pick(`pick-pulley${of}`, "Pulley", names, app.pulley, (i) => look({ pulley: i })),
+    many && pick(`pick-case${of}`, "Load case", cases, at, to),
     !many && [
       h("span", { class: "cw", key: "of" }, "Load case"),
-      h("span", CASES, cases.map(chip)),
+      h("span", { ...CASES, id: `cases${of}` }, cases.map(chip)),
       !app.doc.conveyor &&
         !app.doc.train &&
         h(
@@ -437,7 +439,6 @@ const more = act(async () => (await part(() => import("./add_case.js"))).addCase
 const short = (v) => (v < 10 ? percent(v) : ">999 %");
 const MANY = 6; // load cases: more are a list
 const CASES = {
-  id: "cases",
   class: "cases",
   role: "group",
   "aria-label": "Load case",
@@ -493,8 +494,9 @@ function sorted(full) {
   }
   return order.titles.map((title) => bars.find((b) => b.title === title) ?? { ...NOT_MADE, title });
 }
-/** A check against its limit. @param {Bar} b @param {boolean} chosen @param {() => void} choose */
-export function checkOf(b, chosen, choose) {
+/** A check against its limit. @param {Bar} b @param {boolean} chosen @param {() => void} choose
+ * @param {string} [of] where its reason stands */
+export function checkOf(b, chosen, choose, of = "why") {
   const cls = levelClass(b.level);
   const width = Math.max(1, Math.min(100, 50 * (used(b) > 0 ? used(b) : 2)));
   return h(
@@ -502,7 +504,7 @@ export function checkOf(b, chosen, choose) {
     { key: b.title, class: cls },
     h(
       "button",
-      { type: "button", "aria-expanded": chosen, "aria-controls": "why", onClick: choose },
+      { type: "button", "aria-expanded": chosen, "aria-controls": of, onClick: choose },
       glyph(b.level),
       h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
       h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
@@ -535,13 +537,13 @@ function atLimit(b) {
   return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
 }
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
-export function reasonOf(b, full) {
+export function reasonOf(b, full, id = "why") {
   const told = answer.full?.arcs
     .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
     ?.bars.find((x) => x.title === b.title);
   return h(
     "div",
-    { class: "why", id: "why", role: "region", "aria-label": "Reason and source", tabIndex: 0 },
+    { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
     h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),
