@@ -1,6 +1,7 @@
 // The frame of the first screen for the other views of a drive: inputs, what is said and drawn,
 // checks; the rest of the answer below.
 import { app, redraw } from "../base/design.js";
+import { words } from "../base/units.js";
 import { checkOf, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer, known } from "../pages/drive/solving.js";
 import { h } from "../vendor/preact.js";
@@ -38,7 +39,7 @@ export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below)
  * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action] */
 export function saying(how, v, more, action) {
   const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
-  const [one, rest] = opening(v.headline, place);
+  const [one, rest] = opening(words(v.headline).replace(/^Event [^:]+: /, ""), place);
   return said(how === "fresh" ? v.level : "", one, more ?? rest, action, "", null, null);
 }
 /** Nothing is answered yet. @param {string} text @param {Children} [action] */

@@ -236,7 +236,7 @@ const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 // The verdict.
 
 /** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
-const END = /^(.*?[a-z0-9)%°]\.) (?=[A-Z])/s;
+const END = /^(.*?(?:[a-z0-9)%°]|kN)\.) (?=[A-Z])/s;
 /** The first sentence of a verdict, without the place that the page shows; and the rest.
  * @param {Text} text @param {{pulley: string, load_case: string}} arc
  * @returns {[string, string]} */
