@@ -5,6 +5,7 @@ import { words } from "../base/units.js";
 import { checkOf, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer, known } from "../pages/drive/solving.js";
 import { h } from "../vendor/preact.js";
+import { standing } from "./answers.js";
 
 /** @import { Bar, Children, FullArc, Verdict } from "../types.d.ts" */
 /** @import { Standing } from "./answers.js" */
@@ -18,7 +19,10 @@ import { h } from "../vendor/preact.js";
 export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below) =>
   h(
     "div",
-    { class: "screen other", "data-stands": how === "fresh" && !known() ? "computing" : how },
+    {
+      class: "screen other",
+      "data-stands": how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
+    },
     h(
       "div",
       { class: "frame" },
