@@ -1,6 +1,8 @@
 """The section Load of the drive page: it shows and changes the load case that is shown."""
 
+import base64
 import json
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -8,9 +10,13 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
-from web.browser import Visitor
+from web.browser import Calculator, Visitor
+from web.calculators import client, wait_for
 from web.test_advice import downloaded
+from web.test_api import post
 from web.test_inputs import kept
+from web.test_pages import in_the_address
+from wraparc.schema.source import parse
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -172,6 +178,8 @@ SHARED = HEAD.replace('entry_tension = "150 kN"', "# no entry tension")
 def test_tensions_that_load_cases_share_are_called_so(visitor: Visitor, tmp_path: Path) -> None:
     # the pulley gives T2 alone: no load case "design", as the file format has it
     page = opened(visitor, tmp_path, SHARED)
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("empty")
+    page.get_by_role("button", name="Show the load that all share").click()
     shared = page.get_by_role("group", name="Load: shared by all load cases", exact=True)
     expect(shared).to_be_visible()
     expect(
@@ -245,3 +253,65 @@ def test_value_of_a_load_case_is_sought(visitor: Visitor, tmp_path: Path) -> Non
     assert creep(page) == "9.00 mm"
     said = arcs(downloaded(page, tmp_path))["start"]["exit_tension"]
     assert said == pytest.approx(value, rel=1e-5)
+
+
+#: The example with the empty conveyor first: each case gives its own tensions.
+EMPTY_FIRST = HEAD.replace('entry_tension = "150 kN"       # T1\n', "").replace(
+    '[[load_case]]\nname = "start"',
+    '[[load_case]]\nname = "full"\npulley.head.entry_tension = "150 kN"\n\n'
+    '[[load_case]]\nname = "start"',
+)
+
+
+def test_the_case_that_is_meant_is_looked_at(
+    visitor: Visitor, calculator: Calculator, tmp_path: Path
+) -> None:
+    # where none is named that is the running one of the largest pull: `Drive.load_case`, by hand
+    page = opened(visitor, tmp_path, EMPTY_FIRST)
+    pressed = page.locator("#cases [aria-pressed=true]")
+    expect(pressed).to_contain_text("full")
+    t1 = page.locator("#f-load_case-1-pulley-head-entry_tension")
+    expect(t1).to_have_value("150")
+    # it stays the one that is looked at, also where another pulls more then
+    t1.fill("70")
+    visitor.solved()
+    expect(pressed).to_contain_text("full")
+    wait_for(lambda: page.url.count("/") > 4 and in_the_address(page.url)["c"] == "full")
+    link = json.dumps({**in_the_address(page.url), "c": "", "d": parse(EMPTY_FIRST)})
+    packer = zlib.compressobj(wbits=-15)
+    told = base64.urlsafe_b64encode(packer.compress(link.encode()) + packer.flush()).decode()
+    other = Visitor(calculator[0], f"{page.url.partition('#')[0]}#/drive/{told.rstrip('=')}")
+    other.open("drive")
+    expect(other.page.locator("#cases [aria-pressed=true]")).to_contain_text("full")
+    other.close()
+
+
+@pytest.mark.parametrize(
+    ("path", "more"), [("solve/fast", {}), ("compare", {"what": "laggings"}), ("across", {})]
+)
+def test_the_server_means_the_same_case(path: str, more: dict[str, Any]) -> None:
+    with client() as api:
+        found = post(api, f"/{path}", document=parse(EMPTY_FIRST), **more)
+    assert found["load_case"] == "full"
+
+
+def test_the_server_means_the_same_case_of_a_train() -> None:
+    train = parse((EXAMPLES / "tandem-fabric.toml").read_text("utf-8"))
+    light = {"name": "heavy", "train": {"effective_tension": "110 kN"}}
+    train["load_case"].append(light)
+    with client() as api:
+        assert post(api, "/solve/fast", document=train)["load_case"] == "heavy"
+
+
+@pytest.mark.parametrize("case", [None, "design", "start"])
+def test_across_says_one_creep(case: str | None) -> None:
+    # the sentence and the table are of one load case, also where another one is worse
+    worn = parse((EXAMPLES / "worn-head-drive-fabric.toml").read_text("utf-8"))
+    start = {"effective_tension": "110 kN", "exit_tension": "60 kN"}
+    worn["load_case"] = [{"name": "start", "kind": "starting", "pulley": {"head": start}}]
+    with client() as api:
+        found = post(api, "/across", document=worn, load_case=case)
+    (row,) = (r for r in found["tables"][0]["rows"] if r["name"] == "largest_creep")
+    for system in ("si", "us"):
+        assert f"creeps {row['values'][system][0]}, " in found["verdict"]["headline"][system]
+    assert found["load_case"] == (case or "start")

@@ -119,7 +119,7 @@ def test_pictures_stand_for_themselves_in_the_colours_of_paper(
     assert all(f'd="{course}"' in text for course in seen)
     assert "rgb(0, 114, 178)" in text
     assert "rgb(165, 15, 21)" in text
-    assert "Head drive, ROM conveyor; wraparc " in text
+    assert "Head drive, ROM conveyor; design; wraparc " in text
     assert "limit 6.35 mm" in text
     assert not any(word in text for word in ("var(", "class=", "style=", "href", "<script"))
     # the page itself is as dark as before

@@ -109,6 +109,48 @@ def test_the_first_screen_is_no_wall_of_text(opened: Visitor) -> None:
     assert len(words) <= 120, " ".join(words)
 
 
+#: Parts of the list of checks that are cut, or lie on each other; and the empty height [px] above
+#: and below the sentence of the verdict.
+CUT = """() => {
+  const lines = (e) => {
+    const range = document.createRange();
+    range.selectNodeContents(e);
+    return [...range.getClientRects()].filter((r) => r.width > 2);
+  };
+  const found = [];
+  for (const e of document.querySelectorAll(".list li")) {
+    const name = e.querySelector(".n");
+    const box = e.getBoundingClientRect();
+    const values = lines(e.querySelector(".v"));
+    for (const r of lines(name.firstChild)) {
+      if (r.right > box.right + 0.5 || r.bottom > box.bottom) found.push(name.textContent);
+      if (values.some((v) => r.right > v.left && r.left < v.right && r.bottom > v.top + 1
+          && r.top < v.bottom - 1)) found.push(`${name.textContent}, lies on its value`);
+    }
+  }
+  const p = document.querySelector("#verdict p");
+  const text = lines(p).reduce((sum, r) => Math.max(sum, r.bottom), 0)
+    - lines(p).reduce((sum, r) => Math.min(sum, r.top), 1e9);
+  return [found, p.getBoundingClientRect().height - text];
+}"""
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (1024, 900), (720, 450), (390, 844)])
+@pytest.mark.parametrize("units", ["SI", "US"])
+def test_no_name_of_a_check_is_cut(opened: Visitor, units: str, width: int, height: int) -> None:
+    page = opened.page
+    page.set_viewport_size({"width": width, "height": height})
+    page.get_by_label(units, exact=True).check(force=True)
+    opened.painted()
+    expect(page.locator(".list li").nth(6)).to_be_attached()
+    names, empty = page.evaluate(CUT)
+    page.get_by_label("SI", exact=True).check(force=True)
+    page.set_viewport_size(SCREEN)
+    assert names == []
+    if width == 720:  # 200 % zoom: no height is kept empty
+        assert empty < 8
+
+
 SLIDERS = ["Entry tension", "Exit tension", "Wrap angle", "Diameter", "Belt width"]
 HANDLES = {"Tight side T1": (-150, 0), "Slack side T2": (-110, 0), "Wrap angle": (-90, -50)}
 
@@ -245,3 +287,29 @@ def test_steps_back_outlive_a_reload(visitor: Visitor) -> None:
     expect(page.locator("#f-pulley-0-diameter")).to_have_value("800")
     page.click("#undo")
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("60")
+
+
+def test_questions_open_one_at_a_time_in_view_and_close_by_the_same_press(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size(SCREEN)
+    visitor.alone()
+    site = page.get_by_role("button", name="On site: what to measure, when to alarm")
+    seek = page.get_by_role("button", name="Which input gives …?")
+    site.click()
+    expect(site).to_have_attribute("aria-expanded", "true")
+    page.locator("#question .site table").first.wait_for()
+    box = page.locator("#question h2").first.bounding_box()
+    assert box is not None
+    assert 0 <= box["y"] < SCREEN["height"] - 40
+    seek.click()
+    expect(page.locator("#question > *")).to_have_count(1)
+    expect(page.locator("#question .seek, #question.seek, .seek")).to_be_visible()
+    expect(site).to_have_attribute("aria-expanded", "false")
+    expect(seek).to_have_attribute("aria-expanded", "true")
+    seek.click()
+    expect(seek).to_have_attribute("aria-expanded", "false")
+    expect(page.locator("#question")).to_have_count(0)
+    # as it does by its own button
+    site.click()
+    page.locator("#question").get_by_role("button", name="Close").click()
+    expect(site).to_have_attribute("aria-expanded", "false")

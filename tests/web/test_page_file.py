@@ -19,6 +19,7 @@ from cli.running import wraparc
 from web.browser import Visitor, turn
 from web.calculators import wait_for
 from web.firefox import Firefox, firefox
+from web.test_case_loads import EMPTY_FIRST
 from web.test_page_file_trains import assert_firefox_says
 from web.test_pages_looks import violations
 from worded import worded
@@ -154,10 +155,12 @@ def figure(page: Page, name: str) -> str:
 def assert_shows_what_solve_says(page: Page, file: Path) -> str:
     """Compare what a page shows with `wraparc solve`; return the level."""
     told = json.loads(wraparc("solve", str(file), "--json", "-")[1])
-    verdict, arc = told["verdict"], told["arcs"][0]
+    verdict = told["verdict"]
+    case = load_drive(file).load_case().name  # which the page looks at
+    arc = next(a for a in told["arcs"] if a["load_case"] == case)
     result = solve(load_drive(file), raise_on_failure=False)
     found, least = judge(result), least_sentence(result)
-    carried_by = capacity_table(next(iter(result)))
+    carried_by = capacity_table(result.arc(arc["pulley"], case))
     systems: tuple[System, System] = ("si", "us")
     for system in systems:
         page.get_by_label(system.upper(), exact=True).check(force=True)
@@ -622,3 +625,16 @@ def assert_compares(page: Page, expected: CompareAnswer, what: str, system: Syst
         assert answer.endswith(f"{row.level} {row.short}")
         titled = f"{row.name}, {row.title}" if what == "belts" else row.title
         assert str(shown.locator("th").text_content()).startswith(titled)
+
+
+def test_the_case_that_is_meant_is_looked_at(page_of: Any) -> None:
+    # where none is named: the running one of the largest pull, as the program means it, not the
+    # first of the file; of a drive and of a train
+    page = page_of(EMPTY_FIRST)
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("full")
+    train = (
+        (EXAMPLES / "tandem-fabric.toml").read_text("utf-8").partition("# The drives in time")[0]
+    )
+    heavy = '[[load_case]]\nname = "heavy"\ntrain.effective_tension = "110 kN"\n'
+    page = page_of(train + heavy, "train")
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("heavy")

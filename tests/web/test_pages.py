@@ -351,9 +351,26 @@ def test_train_shares_and_trims(visitor: Visitor) -> None:
     spans = drawn.locator("path[d*='L'][stroke-width]").all()
     widths = [float(span.get_attribute("stroke-width") or "") for span in spans]
     assert widths == pytest.approx([8.0, 1.5 + 6.5 * 97.5 / 150, 1.5 + 6.5 * 45 / 150], abs=0.051)
-    page.fill("#t-train-share-0", "70 %")
-    page.fill("#t-train-share-1", "30 %")
+    # one divider: what one drive gives the other takes, by keys and by hand, and one step undoes it
+    divider = page.get_by_role("slider", name="Load of first and second")
+    divider.focus()
+    for _ in range(2):
+        page.keyboard.press("PageUp")
+    expect(divider).to_have_attribute("aria-valuetext", "first 70 %, second 30 %")
+    expect(page.locator("#t-train-share-1")).to_have_value("30 %")
     page.wait_for_selector("#train .verdict:has-text('first carries 70 %')")
+    box = divider.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + 10, box["y"] + 10)
+    page.mouse.down()
+    for _ in range(8):
+        page.mouse.move(box["x"] + 10 - 20 * _, box["y"] + 10)
+    page.mouse.up()
+    parts = [float(page.input_value(f"#t-train-share-{i}").split()[0]) for i in (0, 1)]
+    assert sum(parts) == pytest.approx(100.0, abs=1e-9)
+    assert parts[0] < 60
+    page.click("#undo")
+    expect(page.locator("#t-train-share-0")).to_have_value("70 %")
     page.get_by_role("button", name="Add a drive behind").click()
     expect(page.locator("#train fieldset legend").filter(has_text="Drive 3")).to_be_visible()
     page.get_by_role("button", name="Remove this drive").last.click()
@@ -574,3 +591,36 @@ def test_what_is_being_typed_outlives_a_drawing(visitor: Visitor) -> None:
     title.blur()
     visitor.painted()
     expect(title).to_have_value("Typed")
+
+
+def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
+    # expected: `wraparc trim --json`: where each drive meets its creep limit, and the part of the
+    # trim in which the share is kept within 5 %
+    page = visitor.open("drive")
+    visitor.example("Tandem head drive, fabric belt")
+    turn(page, "train")
+    expect(page.locator("#train .strip output")).to_have_text(
+        "99.655 % (± 0.076 % keeps the share within 5 %)"
+    )
+    page.get_by_role("button", name="Find the trim limits").click()
+    keeps = page.locator("#train .strip .keeps")
+    keeps.wait_for(timeout=STUDY)
+    told = json.loads(wraparc("trim", "examples/tandem-fabric.toml", "--json", "-")[1])
+    marks = told["curves"][0]["marks"]
+    low, high = sorted(m["at"] for m in marks if m["what"] == "creep_limit")
+    (now,) = (m["at"] for m in marks if m["what"] == "operating")
+    box, track = keeps.bounding_box(), page.locator("#train .strip-track").last.bounding_box()
+    place = page.locator("#train .strip .now").bounding_box()
+    assert box
+    assert track
+    assert place
+    size = box["width"] / (high - low)  # px for a trim of one
+    assert place["x"] + place["width"] / 2 == pytest.approx(box["x"] + size * (now - low), abs=1.0)
+    assert track["x"] < box["x"] < box["x"] + box["width"] < track["x"] + track["width"]
+    # a line of the charts has a look and a name of its own
+    for figure in page.locator("#train .plots figure").all():
+        names = [text for text in figure.locator("figcaption span").all_inner_texts() if text]
+        looks = figure.locator("figcaption .line").evaluate_all(
+            "(all) => all.map((e) => e.getAttribute('class'))"
+        )
+        assert len(names) == len(set(names)) == len(set(looks)) >= 2, (names, looks)

@@ -254,3 +254,14 @@ def test_the_verdict_of_a_phone_leads_to_what_is_worse(visitor: Visitor) -> None
     said.get_by_role("button", name="start creeps").click()
     expect(said).to_contain_text("ATTENTION")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start")
+
+
+def test_the_views_of_a_phone_stand_above_the_load_cases(visitor: Visitor) -> None:
+    # as on a wide screen: what is looked at first, then in which case
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size({"width": 390, "height": 844})
+    views, chips = (page.locator(f"#drive .{name}").bounding_box() for name in ("views", "chips"))
+    assert views is not None
+    assert chips is not None
+    assert views["y"] + views["height"] <= chips["y"]
+    assert page.evaluate("document.documentElement.scrollWidth") == 390

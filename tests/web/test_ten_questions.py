@@ -92,8 +92,8 @@ def wrap_take_up_or_ceramic(hand: Hand) -> None:
     hand.click(card.get_by_role("button", name="Show"))
     expect(card.locator("thead")).to_contain_text("full-ceramic")
     assert_told(cells(card.locator("table").first), printed(
-        "what-if", HEAD, "--lagging", "full-ceramic", "--wet", "DIN 22101", "--worn", "6 mm",
-        "--bare", "CEMA",
+        "what-if", HEAD, "--load-case", "design", "--lagging", "full-ceramic",
+        "--wet", "DIN 22101", "--worn", "6 mm", "--bare", "CEMA",
     ))  # fmt: skip
     hand.press("Which input gives")
     seek = hand.page.locator(".seek")

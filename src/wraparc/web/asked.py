@@ -40,6 +40,7 @@ Line = Annotated[str, Field(max_length=200), AfterValidator(_printable)]
 Name = Annotated[str, Field(min_length=1, max_length=200), AfterValidator(_printable)]
 Lines = Annotated[str, Field(max_length=5000), AfterValidator(_printable)]
 Head = Annotated[str, Field(max_length=120)]
+_CASE = "The running one of the largest pull if left out."
 Short = Annotated[str, Field(max_length=60)]
 
 
@@ -54,7 +55,7 @@ class FastRequest(Request):
 
     document: Document
     pulley: Line | None = Field(None, description="The first if left out.")
-    load_case: Line | None = Field(None, description="The first if left out.")
+    load_case: Line | None = Field(None, description=_CASE)
     points: int = Field(120, ge=8, le=1000, description="Parts of the wrap in the profile.")
     tables: bool = Field(False, description="Whether to send tables as well.")
     prepared: bool = Field(
@@ -227,7 +228,7 @@ class AcrossRequest(Request):
 
     document: Document
     pulley: Line | None = Field(None, description="The first if left out.")
-    load_case: Line | None = Field(None, description="The first if left out.")
+    load_case: Line | None = Field(None, description=_CASE)
 
 
 class AcrossWearRequest(AcrossRequest):

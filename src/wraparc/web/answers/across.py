@@ -35,7 +35,7 @@ from wraparc.present.across_tables import (
     worst_first,
 )
 from wraparc.present.checks_table import check_table
-from wraparc.present.words import verdict
+from wraparc.present.words import in_words, verdict
 from wraparc.train import Train, solve_train
 from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read
@@ -152,13 +152,15 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
             if (r.wide.arc.pulley, r.wide.arc.load_case) == (pulley.name, case.name)
         )
     solved = found.status is AcrossStatus.SOLVED
+    own = judge(result).at(pulley.name, case.name)
+    told = verdict(result) if asked.load_case is None else in_words(own, own.others)
     return AcrossAnswer(
         pulley=pulley.name,
         load_case=case.name,
         even=pulley.across is None,
         solved=solved,
         status_text=worded(slack_words(found) or str(found.status)),
-        verdict=Verdict.of(verdict(result)),
+        verdict=Verdict.of(told),
         remarks=texts(judge(result).data),
         checks=_checks(result, pulley, case),
         tables=_tables(drive, found, solved),

@@ -106,8 +106,8 @@ def case_only(train: Train, name: str | None) -> Train:
 
 
 def asked_for(drive: Drive, pulley: str | None, case: str | None) -> tuple[Pulley, LoadCase]:
-    """Return a pulley and a load case by name, the first for None."""
+    """Return a pulley and a load case by name; for None what `Drive` means by none."""
     with placed("pulley"):
         found = drive.pulley(pulley)
     with placed("load_case"):
-        return found, drive.load_cases[0] if case is None else drive.load_case(case)
+        return found, drive.load_case(case)

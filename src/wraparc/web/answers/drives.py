@@ -193,7 +193,7 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
     """One arc without capacities, for sliders."""
     thing, whole = read(asked.document), None
     if isinstance(thing, Train):
-        case = thing.cases[0].name if asked.load_case is None else asked.load_case
+        case = thing.case().name if asked.load_case is None else asked.load_case
         method = Distributed(points=asked.points, capacities=False)
         whole = solve_train(case_only(thing, case), method=method, raise_on_failure=False)
         drive = whole.drive_result().drive

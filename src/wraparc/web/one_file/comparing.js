@@ -30,7 +30,7 @@ export async function compared({ document: doc, load_case, what }, data) {
     else not_possible.push({ name, problems });
   }
   const cases = arcs[0]?.judging.cases.map((c) => c.load_case) ?? [];
-  const shown = Math.max(cases.indexOf(load_case ?? ""), 0);
+  const shown = Math.max(cases.indexOf(load_case ?? arcs[0]?.judging.meant ?? ""), 0);
   for (const { name, changed, change, judging } of arcs) {
     const numbers = await beside(arcsOf(judging));
     if (numbers) rows.push(rowOf(name, what, judge(judging, changed, numbers), shown, change, doc));

@@ -55,7 +55,7 @@ const ANSWERS = {
   "solve/fast"(asked) {
     const { document, load_case, points, sequence } = asked;
     if (isTrain(document)) return quickTrain(asked, data);
-    const judging = inCase(prepared(document), load_case ?? "");
+    const judging = inCase(prepared(document), load_case);
     const [one] = arcsOf(judging);
     const found = quick(one.law, one.given, one.tested, points);
     const numbers = found && numbersOfAll([one]);

@@ -175,8 +175,9 @@ export async function trainArcs(doc, data) {
 }
 /** One arc of a train. @param {any} asked @param {any} data */
 export async function quickTrain({ document: doc, pulley, load_case, sequence }, data) {
-  const { cases, judged } = await judgedTrain(doc, data);
-  const one = cases.find((/** @type {any} */ x) => x.c.name === load_case) ?? cases[0];
+  const { judging, cases, judged } = await judgedTrain(doc, data);
+  const name = load_case ?? judging.meant;
+  const one = cases.find((/** @type {any} */ x) => x.c.name === name) ?? cases[0];
   const names = one.own.arcs.map((/** @type {any} */ a) => a.pulley);
   const i = Math.max(names.indexOf(pulley), 0);
   const { level, levels, ...verdict } = verdictOf(judged, one.c.name, names[i]);

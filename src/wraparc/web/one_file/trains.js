@@ -133,6 +133,8 @@ export function trainOf(design, book) {
   }
   const [{ own }] = cases;
   const all = (/** @type {"arcs" | "cases"} */ key) => cases.flatMap((one) => one.own[key]);
-  const judging = { drive: own.drive, kinds: own.kinds, arcs: all("arcs"), cases: all("cases") };
+  const { drive, kinds } = own;
+  const meant = train.case().name;
+  const judging = { drive, kinds, arcs: all("arcs"), cases: all("cases"), meant };
   return { problems: [], train, cases, judging };
 }

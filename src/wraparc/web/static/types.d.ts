@@ -185,6 +185,8 @@ export interface Assembled {
     criteria: Record<string, number>;
   }[];
   kinds: string[];
+  /** The load case that is meant where none is named. */
+  meant: string;
 }
 /** A number of the document that the page may move. */
 export interface Input {

@@ -35,12 +35,12 @@ class Place extends Component {
   }
   render() {
     const { name } = this.props;
-    const { title, view } = PAGES[name];
+    const { title, view, tab } = PAGES[name];
     this.seen = app.page === name;
     return h(
       "section",
-      { id: name, hidden: !this.seen, "aria-label": title },
-      name !== "drive" && this.seen && h("div", { class: "sub" }, views()),
+      { id: name, hidden: !this.seen, "aria-label": title, class: tab === "drive" && "framed" },
+      name !== "drive" && this.seen && h("div", { class: "sub" }, views(), view?.picks?.()),
       h("h1", { tabIndex: -1, id: `${name}-title` }, title),
       view ? view.Page() : h("p", { class: "help" }, "Loading …"),
     );

@@ -4,7 +4,7 @@ import { DrivePage } from "../pages/drive.js";
 /** @import { Children } from "../types.d.ts" */
 /**
  * A page, and the tab that it is under; all but the first are fetched when they are looked at.
- * @typedef {{Page: () => Children, update?: () => void}} View
+ * @typedef {{Page: () => Children, update?: () => void, picks?: () => Children}} View
  * @typedef {{title: string, tab: string, as: string, view?: View,
  *   load?: () => Promise<View>}} Page as: how it is called beside the others of its tab
  */

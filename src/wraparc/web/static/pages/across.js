@@ -4,11 +4,14 @@ import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
+import { checked, framed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
-import { acrossInputs } from "./across/inputs.js";
+import { acrossInputs, drawingOf } from "./across/inputs.js";
 import { QUANTITIES, widthPicture } from "./across/pictures.js";
 import { questions } from "./across/questions.js";
+import { askedCase } from "./drive/cases.js";
+import { picks as casePicks } from "./drive/screen.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
@@ -39,7 +42,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
   const asked = {
     document: doc,
     pulley: doc.pulley[app.pulley]?.name || null,
-    load_case: app.case || null,
+    load_case: askedCase(),
   };
   try {
     const answer = await ask("across", asked, { signal: stop.signal });
@@ -57,24 +60,34 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
 
 const now = () =>
   standing(state.now[0] === app.doc && state.now[1] === state.where, state.problems);
-export const Page = () =>
-  h(
-    "div",
-    { class: "two" },
-    acrossInputs(),
+
+export const picks = () => casePicks("-across");
+export const Page = () => {
+  const a = state.answer;
+  return framed(
+    {
+      how: now(),
+      tall: true,
+      form: acrossInputs(),
+      say: a
+        ? a.even
+          ? silent("Draw the wear, or load readings.")
+          : saying(now(), a.verdict)
+        : silent(state.problems.length ? "Not computed." : "Solving …"),
+      drawing: drawingOf(app.pulley),
+      curve: a?.map && picture(a),
+      side: a && checked("across", (x) => x.pulley === a.pulley && x.load_case === a.load_case),
+    },
     h(
       "div",
-      { class: "results" },
-      h(
-        "div",
-        { role: "alert", key: "problems" },
-        state.problems.length > 0 && refused("", state.problems),
-      ),
-      state.answer
-        ? stands(now(), result(state.answer), questions(), tables(state.answer))
-        : now() === "computing" && h("p", { class: "help", key: "wait" }, "Solving …"),
+      { role: "alert", key: "problems" },
+      state.problems.length > 0 && refused("", state.problems),
     ),
+    a
+      ? stands(now(), result(a), questions(), tables(a))
+      : now() === "computing" && h("p", { class: "help", key: "wait" }, "Solving …"),
   );
+};
 /** @param {any} a */
 function result(a) {
   return h(
@@ -82,25 +95,17 @@ function result(a) {
     { key: "result", id: "across-result", "data-settled": String(!state.waiting) },
     verdict(judgedIf(now(), a.verdict)),
     !a.solved && h("p", { class: "verdict bad", key: "failed" }, words(a.status_text)),
-    a.even &&
-      h(
-        "p",
-        { class: "verdict", key: "even" },
-        "Nothing is uneven yet: draw or load a profile, or give a crown or a misalignment.",
-      ),
     list(a.remarks, "help"),
-    a.map && picture(a),
   );
 }
 /** @param {any} a */
 const picture = (a) =>
   h(
     "section",
-    { class: "card", "aria-label": "Belt unrolled over wrap angle and width", key: "picture" },
+    { "aria-label": "Belt unrolled over wrap angle and width", key: "picture" },
     h(
       "div",
       { class: "bar" },
-      h("h2", {}, `Pulley ${a.pulley}, load case ${a.load_case}`),
       h(
         "label",
         {},

@@ -10,6 +10,7 @@ import { place } from "../parts/problems.js";
 import { numberOf } from "../parts/question.js";
 import { h } from "../vendor/preact.js";
 import { Dots } from "./compare/dots.js";
+import { askedCase } from "./drive/cases.js";
 
 /** @import { Level, Problem, Text } from "../types.d.ts" */
 /**
@@ -56,7 +57,7 @@ const load = later(
       const found = await ask("compare", {
         document: doc,
         pulley: doc.pulley[app.pulley]?.name ?? null,
-        load_case: app.case || null,
+        load_case: askedCase(),
         what,
         ...costs,
         currency: currency || undefined,

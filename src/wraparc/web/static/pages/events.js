@@ -5,6 +5,7 @@ import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
+import { checked, framed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
@@ -80,44 +81,45 @@ async function follow() {
 /** @param {Job} j */
 const busy = (j) => j.state === "queued" || j.state === "running";
 
-export const Page = () =>
-  h(
-    "div",
-    { class: "two" },
-    h(
-      "form",
-      {
-        class: "inputs",
-        "aria-label": "In time",
-        onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
-      },
-      motionInputs(),
-    ),
+/** The event that was followed, if it is there. */
+const done = () => (state.jobs.run?.state === "done" ? state.jobs.run : null);
+export const Page = () => {
+  const run = done();
+  return framed(
+    {
+      how: run ? now(run) : "fresh",
+      form: h(
+        "form",
+        {
+          class: "inputs rail card",
+          "aria-label": "In time",
+          onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
+        },
+        motionInputs(),
+      ),
+      say: run
+        ? saying(now(run), run.run.verdict)
+        : silent("Does it slip when it starts? Run an event."),
+      drawing: run ? h(Player, { run: run.played, key: run.id }) : intro(),
+      curve: asking(),
+      side: checked("events", (a) => a.load_case === app.case),
+    },
     h(
       "div",
-      { class: "results" },
-      asking(),
-      h(
-        "div",
-        { role: "alert", key: "problems" },
-        state.problems.length > 0 && refused("The event cannot be followed.", state.problems),
-      ),
-      atWork("run", "Following the event"),
-      state.jobs.run?.state === "done" ? result(state.jobs.run) : !state.jobs.run && intro(),
-      pictures(),
+      { role: "alert", key: "problems" },
+      state.problems.length > 0 && refused("The event cannot be followed.", state.problems),
     ),
+    atWork("run", "Following the event"),
+    run && result(run),
+    pictures(),
   );
+};
 const intro = () =>
   h(
-    "div",
-    { class: "card", key: "intro" },
-    h("h2", {}, "Does it slip when it starts? Why does the second drive pulsate?"),
-    h(
-      "p",
-      {},
-      "Choose an event and follow it: the belt and the shear of the lagging are played on the ",
-      "pulleys, and the answers stand above them. It takes some seconds.",
-    ),
+    "p",
+    { class: "help intro", key: "intro" },
+    "Belt and lagging are played here, on the pulleys, once an event has run. ",
+    "It takes some seconds.",
   );
 function asking() {
   const put = (/** @type {"event" | "points" | "step"} */ key) => (/** @type {string} */ v) => {
@@ -132,7 +134,7 @@ function asking() {
   ];
   return h(
     "section",
-    { class: "card", "aria-label": "Event", key: "asking" },
+    { "aria-label": "Event", key: "asking" },
     h(
       "div",
       { class: "bar" },
@@ -160,7 +162,7 @@ function asking() {
           disabled: Boolean(state.jobs.run && busy(state.jobs.run)),
           onClick: act(() => begin("run")),
         },
-        "Follow the event",
+        "Run it",
       ),
     ),
     assumed() &&
@@ -222,7 +224,6 @@ const told = (job) => [
   h("h2", { key: "pulsates" }, "Will it pulsate?"),
   h("div", { key: "stability" }, verdict(judgedIf(now(job), job.stability.verdict))),
   job.note && h("p", { class: "help", key: "note" }, job.note),
-  h(Player, { run: job.played, key: job.id }),
   h(
     "div",
     { class: "tables one", key: "tables" },

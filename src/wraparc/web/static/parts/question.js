@@ -51,9 +51,6 @@ export class Question {
   open = () => {
     this.shown = true;
     redraw();
-    requestAnimationFrame(() =>
-      document.querySelector(`.${this.name}`)?.scrollIntoView({ block: "nearest" }),
-    );
     return this.find();
   };
   find = () =>

@@ -1,5 +1,5 @@
 // What is uneven across the width: crown, profiles drawn or measured, skew, spans, stiffness.
-import { app, look, redraw } from "../../base/design.js";
+import { app, redraw } from "../../base/design.js";
 import { act, ask, note } from "../../base/server.js";
 import { si, words } from "../../base/units.js";
 import { choose, valueIn } from "../../parts/choose.js";
@@ -28,12 +28,13 @@ const one = (i, s, more) =>
 /** The form of the page. */
 export function acrossInputs() {
   const i = app.pulley;
-  const several = app.doc.pulley.length > 1;
   return h(
     "form",
-    { class: "inputs", "aria-label": "Across the width", onSubmit: (e) => e.preventDefault() },
-    several && which(),
-    group("Profile", profile(i)),
+    {
+      class: "inputs rail card",
+      "aria-label": "Across the width",
+      onSubmit: (e) => e.preventDefault(),
+    },
     group("Pulley", defects(i)),
     group("Belt before and after", spans(i)),
     group("Belt", [
@@ -47,23 +48,13 @@ export function acrossInputs() {
     ]),
   );
 }
-function which() {
-  const names = app.doc.pulley.map(
-    (p, k) => /** @type {[number, string]} */ ([k, p.name || `${k + 1}`]),
+/** The profile, drawn by hand. @param {number} i */
+export const drawingOf = (i) =>
+  h(
+    "form",
+    { class: "profile", "aria-label": "Profile", onSubmit: (e) => e.preventDefault() },
+    profile(i),
   );
-  return h(
-    "div",
-    { class: "field", key: "which" },
-    h("label", { for: "across-pulley" }, "Pulley"),
-    h("span", {}),
-    h(
-      "span",
-      { class: "box" },
-      choose(app.pulley, names, (k) => look({ pulley: +k }), "across-pulley"),
-    ),
-  );
-}
-
 /** @param {number} i @returns {Children[]} */
 function profile(i) {
   const kind = KINDS.find((k) => k.key === drawn.key) || KINDS[0];

@@ -6,6 +6,7 @@ import { judgedIf, refused, standing, stands, table, verdict } from "../../parts
 import { valueIn } from "../../parts/choose.js";
 import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
+import { askedCase } from "../drive/cases.js";
 
 /** @import { Children, Problem } from "../../types.d.ts" */
 /**
@@ -77,7 +78,7 @@ function count(text, label, such) {
 const question = (name) => ({
   document: app.doc,
   pulley: app.doc.pulley[app.pulley].name || null,
-  load_case: app.case || null,
+  load_case: askedCase(),
   ...QUESTIONS[name].body(asked[name].given),
 });
 /** Whether an answer is of what is asked now. @param {string} name */

@@ -143,12 +143,12 @@ export function assembled(drive, arcs) {
       criteria: numbersIn(criteriaOf(drive, beside, beside.indexOf(arc))),
     };
   });
-  return { drive, arcs, cases, kinds: weakKinds(drive) };
+  return { drive, arcs, cases, kinds: weakKinds(drive), meant: drive.load_case().name };
 }
-/** A drive in one of its load cases, the first if there is none of that name.
- * @param {Assembled} of @param {string} [name] @returns {Assembled} */
-export function inCase({ drive }, name = "") {
-  const one = alone(drive, name);
+/** A drive in one of its load cases, the one that is meant if none is named.
+ * @param {Assembled} of @param {string | null} [name] @returns {Assembled} */
+export function inCase({ drive, meant }, name) {
+  const one = alone(drive, name || meant);
   return assembled(one, arcsOf(one));
 }
 /** Plain numbers of an object. @param {any} of */

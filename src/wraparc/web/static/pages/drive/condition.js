@@ -44,7 +44,7 @@ function known(of) {
 }
 /** Take a document in and look at a load case of it. @param {Design} doc @param {string} name */
 export function go(doc, name) {
-  app.case = caseNames(doc).indexOf(name) > 0 ? name : "";
+  app.case = caseNames(doc).includes(name) ? name : "";
   change(doc);
 }
 /** @param {number} i @param {string} name */
@@ -73,7 +73,7 @@ export function switched(i) {
 }
 /** Which load case of the file a pulley is shown in; -1 for that of the pulleys themselves.
  * @param {number} i */
-export function shownCase(i) {
+export const shownCase = (i) => {
   const { base } = held(i);
-  return app.case ? (app.doc.load_case ?? []).findIndex((c) => c.name === base) : -1;
-}
+  return (app.doc.load_case ?? []).findIndex((c) => c.name === base);
+};

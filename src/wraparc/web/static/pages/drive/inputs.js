@@ -6,6 +6,7 @@ import { viewed, words } from "../../base/units.js";
 import { field, idOf, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
+import { byCase } from "./cases.js";
 import { shownCase, switched } from "./condition.js";
 import { caseAt, keysOf, takenOver } from "./load.js";
 import { scaleOf } from "./ranges.js";
@@ -19,8 +20,6 @@ export const PAIRS = ["01", "02", "12", "03", "13", "04", "14"].map((pair) =>
 );
 /** @typedef {() => Record<string, number> | null} Now numbers of the last answer for this pulley */
 
-/** Whether load cases give tensions beside those of the pulleys. */
-export const byCase = () => app.doc.load_case && !app.doc.conveyor && !app.doc.train;
 /**
  * By which quantities the load of a pulley is given that is shown, and where; none where the train
  * or the conveyor gives it.
@@ -32,21 +31,6 @@ export function givenLoad(i) {
   const given = TENSIONS.filter((t) => app.doc.pulley[i][t] !== undefined);
   if (app.doc.conveyor || (app.doc.train && !given.length)) return null;
   return { k, at: /** @type {Path} */ (["pulley", i]), keys: shownKeys(given, k) };
-}
-/** Whether the tensions of the pulleys make a load case, as they do where they are whole. */
-export function isCase() {
-  const { pulley, belt } = app.doc;
-  const given = pulley.map((p) => [
-    p.entry_tension != null,
-    p.exit_tension != null,
-    (p.effective_tension ?? p.torque ?? (belt.speed != null ? p.power : null)) != null,
-  ]);
-  for (const _ of [...given, ...given])
-    given.forEach((g, i) => {
-      g[0] ||= (g[1] && g[2]) || given[i - 1]?.[1];
-      g[1] ||= (g[0] && g[2]) || given[i + 1]?.[0];
-    });
-  return given.every((g) => g[0] && g[1]);
 }
 /** What was shown last: a box that is typed in stays while it is empty. */
 let last = { of: "", keys: /** @type {string[]} */ ([]) };
@@ -78,6 +62,8 @@ const ofPulley = (i, key, label = "") =>
     label: label || undefined,
     scale: scaleOf(key),
   });
+/** What the word beside the choice says. */
+const MADE_UP = " (illustrative)";
 /** @param {any} l @returns {string} */
 export const laggingName = (l) => (l && typeof l === "object" ? l.preset || l.name || "" : l || "");
 /** @param {number} i @returns {Choices[]} */
@@ -98,7 +84,7 @@ export function laggingChoices(i) {
     {
       group: "catalogue",
       choices: app.catalogue.laggings.map(
-        (l) => /** @type {Choice} */ ([l.name, l.title || l.name]),
+        (l) => /** @type {Choice} */ ([l.name, (l.title || l.name).replace(MADE_UP, "")]),
       ),
     },
   ];

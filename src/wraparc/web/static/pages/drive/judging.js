@@ -54,7 +54,7 @@ export function ownAnswer(base, points, judged) {
   const found = same ? own.ownAnswer(base, doc, points, judged) : null;
   if (found) return found;
   const judging = assembled(doc);
-  const arc = judging?.cases.find((c) => !name || c.load_case === name);
+  const arc = judging?.cases.find((c) => c.load_case === (name || judging.meant));
   if (!judging || !arc) return null;
   const before = {
     ...base,

@@ -7,11 +7,12 @@ import { choose } from "../../parts/choose.js";
 import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
-import { addCase, firstOf } from "./cases.js";
+import { addCase, firstOf } from "./add_case.js";
+import { byCase, isCase } from "./cases.js";
 import { called, go, held } from "./condition.js";
 import { conveyor } from "./conveyor.js";
 import { criteria } from "./criteria.js";
-import { byCase, catalogued, givenLoad, isCase, ofBelt, PAIRS, pairAt } from "./inputs.js";
+import { catalogued, givenLoad, ofBelt, PAIRS, pairAt } from "./inputs.js";
 import { follows, takenOver } from "./load.js";
 import { givenBy, givenInCase } from "./load_given.js";
 
@@ -151,8 +152,8 @@ const HELP =
 
 /** Back to what the load cases share, where that makes no load case. */
 const shared = () =>
-  app.case && app.doc.load_case && !app.doc.train && !isCase()
-    ? showing("Show the load that all share", "")
+  app.doc.load_case && !app.doc.train && !isCase()
+    ? showing("Show the load that all share", "design")
     : null;
 /** @param {string} text @param {string} name */
 const showing = (text, name) =>

@@ -1,5 +1,5 @@
 // What can be asked beside the answer: each question fetched when it is asked first.
-import { redraw } from "../../base/design.js";
+import { painted, redraw } from "../../base/design.js";
 import { act, part } from "../../base/server.js";
 import { seeking } from "../../parts/field.js";
 import { h } from "../../vendor/preact.js";
@@ -15,26 +15,36 @@ const QUESTIONS = {
   "On site: what to measure, when to alarm": () => import("./site.js"),
   "A measured drive": () => import("./measured.js"),
 };
-/** @type {Question[]} */
-const asked = [];
+/** The one that is open. */
+const one = { name: "", question: /** @type {Question | null} */ (null) };
 /** @param {string} name @param {any} [at] */
 async function ask(name, at) {
-  const found = /** @type {Question} */ (await part(QUESTIONS[name]));
-  if (!asked.includes(found)) asked.push(found);
-  await found.open(at);
+  const question = /** @type {Question} */ (await part(QUESTIONS[name]));
+  Object.assign(one, { name, question });
+  const found = question.open(at);
+  redraw();
+  await painted();
+  document.getElementById("question")?.scrollIntoView({ block: "nearest" });
+  await found;
   redraw();
 }
 const [SEEK] = Object.keys(QUESTIONS);
 seeking.open = (path) => ask(SEEK, path);
 
-/** The buttons, and what was asked. */
-export const questions = () => [
-  h(
-    "p",
-    { class: "inline", key: "questions" },
-    Object.keys(QUESTIONS).map((name) =>
-      h("button", { type: "button", key: name, onClick: act(() => ask(name)) }, name),
-    ),
-  ),
-  ...asked.map((question) => question.panel()),
-];
+/** The buttons, and what is asked: one at a time, shut by the press that opened it. */
+export function questions() {
+  const panel = one.question?.panel();
+  const shut = () => {
+    one.question = null;
+    redraw();
+  };
+  const press = (/** @type {string} */ name) => {
+    const open = Boolean(panel) && one.name === name;
+    const onClick = open ? shut : act(() => ask(name));
+    return h("button", { type: "button", key: name, "aria-expanded": open, onClick }, name);
+  };
+  return [
+    h("p", { class: "inline", key: "questions" }, Object.keys(QUESTIONS).map(press)),
+    panel && h("div", { id: "question", key: "question" }, panel),
+  ];
+}

@@ -2,7 +2,7 @@
 // change the creep. Everything else of the answer is below it, fetched when it is opened.
 
 import { app, caseNames, change, gripped, look, painted, set, undo } from "../../base/design.js";
-import { GONE, note, part, sentence } from "../../base/server.js";
+import { act, GONE, note, part, sentence } from "../../base/server.js";
 import {
   digits,
   dimensionOf,
@@ -23,7 +23,7 @@ import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
 import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
-import { addCase } from "./cases.js";
+import { lacking } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { fromExample } from "./from_example.js";
 import { keysOf, movedTo } from "./load.js";
@@ -49,7 +49,6 @@ const KEEPS = [
   ["pull", "the pull"],
   ["t1", "T1"],
 ];
-const DESIGN = "design";
 /** What is fetched when it is opened. */
 const late = {
   details: /** @type {typeof import("./details.js") | null} */ (null),
@@ -207,39 +206,11 @@ export class Screen extends Component {
       h(
         "ul",
         { class: "list" },
-        all.map((b) => this.check(b, chosen === b)),
+        all.map((b) => checkOf(b, chosen === b, () => this.setState({ check: b.title }))),
       ),
-      chosen && why(chosen, full),
-      h("div", { class: "changes" }, changes()),
+      chosen && reasonOf(chosen, full),
+      app.doc.pulley.length < 2 && h("div", { class: "changes" }, changes()),
       arc && sources(arc),
-    );
-  }
-  /** @param {Bar} b @param {boolean} chosen */
-  check(b, chosen) {
-    const used = b.at_most ? b.share : 1 / b.share;
-    const cls = levelClass(b.level);
-    const width = Math.max(1, Math.min(100, 50 * (used > 0 ? used : 2)));
-    return h(
-      "li",
-      { key: b.title, class: cls },
-      h(
-        "button",
-        {
-          type: "button",
-          "aria-expanded": chosen,
-          "aria-controls": "why",
-          onClick: () => this.setState({ check: b.title }),
-        },
-        glyph(b.level),
-        h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
-        h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
-        h(
-          "span",
-          { class: "use" },
-          h("u", { class: cls, style: { width: `${width}%` } }),
-          h("s", {}),
-        ),
-      ),
     );
   }
   /** What is under the fold. @param {QuickAnswer | null} arc */
@@ -264,10 +235,11 @@ const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 // The verdict.
 
 /** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
-const END = /^(.*?[a-z0-9)%°]\.) (?=[A-Z])/s;
+const END = /^(.*?(?:[a-z0-9)%°]|kN)\.) (?=[A-Z])/s;
 /** The first sentence of a verdict, without the place that the page shows; and the rest.
- * @param {Text} text @param {QuickAnswer} arc @returns {[string, string]} */
-function first(text, { pulley, load_case }) {
+ * @param {Text} text @param {{pulley: string, load_case: string}} arc
+ * @returns {[string, string]} */
+export function opening(text, { pulley, load_case }) {
   const whole = words(text);
   const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
   const place = places.find((p) => whole.startsWith(p)) ?? "";
@@ -280,11 +252,12 @@ function first(text, { pulley, load_case }) {
     : [said, ""];
 }
 /** @param {Level | ""} level @param {string} text @param {Children} more
- * @param {Children} [action] @param {string} [all] @param {Children} [alert] */
-const said = (level, text, more, action, all = "", alert = null) =>
+ * @param {Children} [action] @param {string} [all] @param {Children} [alert]
+ * @param {string | null} [id] */
+export const said = (level, text, more, action, all = "", alert = null, id = "verdict") =>
   h(
     "div",
-    { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id: "verdict" },
+    { class: `say ${levelClass(level || null)} ${alert ? "refused-say" : ""}`, id },
     glyph(level || null, 28),
     h(
       "div",
@@ -305,9 +278,10 @@ function verdict(arc, refused) {
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
-  const [one, rest] = first(v.headline, arc);
-  const lost = unsolved(arc);
-  const worse = lost ?? elsewhere(full?.arcs, arc) ?? rest;
+  const [one, rest] = opening(v.headline, arc);
+  const worse = lacking()
+    ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
+    : (elsewhere(full?.arcs, arc) ?? rest);
   return said(level, one, worse, full && action(arc), words(v.headline));
 }
 /** @param {QuickAnswer} arc */
@@ -333,14 +307,6 @@ function notComputed(before) {
     );
   return told("These numbers are still needed:", answer.problems.flatMap(asked));
 }
-/** The load that the pulleys share, where it is begun and no load case: it is left out of all.
- * @param {QuickAnswer} arc */
-function unsolved({ load_case: shown }) {
-  const begun = app.doc.pulley.some((p) => TENSIONS.some((key) => p[key] != null));
-  if (app.case || !begun || caseNames(app.doc)[0]?.split(",")[0] !== DESIGN) return null;
-  if (shown.split(",")[0] === DESIGN) return null;
-  return `Load case ${DESIGN} lacks a tension and is left out. Shown is ${shown}.`;
-}
 const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
 const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {FullArc} */ a) =>
@@ -359,7 +325,7 @@ function elsewhere(arcs, arc) {
   const place =
     worse.pulley === arc.pulley ? worse.load_case : `${worse.load_case}, ${worse.pulley}`;
   const creeps = `creeps ${percent(use(worse))} of its limit`;
-  const to = () => look({ case: caseKey(worse.load_case), pulley: Math.max(0, pulley) });
+  const to = () => look({ case: worse.load_case, pulley: Math.max(0, pulley) });
   return [
     "Worse elsewhere: ",
     h(
@@ -369,8 +335,6 @@ function elsewhere(arcs, arc) {
     ),
   ];
 }
-/** @param {string} name */
-const caseKey = (name) => (name === caseNames(app.doc)[0] ? "" : name);
 /** What helps, solved before it is offered. @param {QuickAnswer} arc @returns {Children} */
 function action(arc) {
   if (rank(arc) < 1) return null;
@@ -414,13 +378,14 @@ function worstIn(arcs, name) {
   const here = arcs?.filter((a) => a.load_case === name) ?? [];
   return here.sort((a, b) => worse(b) - worse(a))[0];
 }
-/** Choice of pulley and load case: each case with what it comes to. */
-function picks() {
+/** Choice of pulley and load case: each case with what it comes to.
+ * @param {string} [of] another view, whose names of parts are its own */
+export function picks(of = "") {
   const names = app.doc.pulley.map((p) => p.name || "");
   const arcs = answer.problems.length || stood() !== "fresh" ? undefined : known()?.arcs;
   const cases = arcs ? [...new Set(arcs.map((a) => a.load_case))] : caseNames(app.doc);
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
-  const to = (/** @type {number} */ i) => look({ case: caseKey(cases[i]) });
+  const to = (/** @type {number} */ i) => look({ case: cases[i] });
   const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
     const arc = worstIn(arcs, name);
     const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";
@@ -446,11 +411,11 @@ function picks() {
   return h(
     "span",
     { class: "chips" },
-    pick("pick-pulley", "Pulley", names, app.pulley, (i) => look({ pulley: i })),
-    many && pick("pick-case", "Load case", cases, at, to),
+    pick(`pick-pulley${of}`, "Pulley", names, app.pulley, (i) => look({ pulley: i })),
+    many && pick(`pick-case${of}`, "Load case", cases, at, to),
     !many && [
       h("span", { class: "cw", key: "of" }, "Load case"),
-      h("span", CASES, cases.map(chip)),
+      h("span", { ...CASES, id: `cases${of}` }, cases.map(chip)),
       !app.doc.conveyor &&
         !app.doc.train &&
         h(
@@ -460,18 +425,18 @@ function picks() {
             class: "chip",
             key: "add",
             "aria-label": "Add a load case",
-            onClick: addCase,
+            onClick: more,
           },
           "+",
         ),
     ],
   );
 }
+const more = act(async () => (await part(() => import("./add_case.js"))).addCase());
 /** A share that a chip has room for. @param {number} v */
-const short = (v) => (v < 10 ? percent(v) : "> 999 %");
+const short = (v) => (v < 10 ? percent(v) : ">999 %");
 const MANY = 6; // load cases: more are a list
 const CASES = {
-  id: "cases",
   class: "cases",
   role: "group",
   "aria-label": "Load case",
@@ -510,18 +475,45 @@ function glyph(level, n = 13) {
   const size = { width: n, height: n, viewBox: "0 0 14 14", "aria-hidden": "true" };
   return h("svg", { class: `g ${levelClass(level)}`, ...size }, path);
 }
+/** How much of a limit is used. @param {Bar} b */
+const used = (b) => (b.at_most ? b.share : 1 / b.share);
+/** @param {Bar[]} bars */
+export const worstFirst = (bars) =>
+  [...bars].sort((a, b) => rank(b) - rank(a) || used(b) - used(a));
 /** The checks of an arc, worst first; while a hand moves something, in the order of before.
  * @param {FullArc | undefined} full @returns {Bar[]} */
 function sorted(full) {
   const bars = full?.bars ?? [];
-  const used = (/** @type {Bar} */ b) => (b.at_most ? b.share : 1 / b.share);
   const of = `${full?.pulley} ${full?.load_case}`;
   if (!gripped() || order.of !== of) {
-    const all = [...bars].sort((a, b) => rank(b) - rank(a) || used(b) - used(a));
+    const all = worstFirst(bars);
     Object.assign(order, { of, titles: all.map((b) => b.title) });
     return all;
   }
   return order.titles.map((title) => bars.find((b) => b.title === title) ?? { ...NOT_MADE, title });
+}
+/** A check against its limit. @param {Bar} b @param {boolean} chosen @param {() => void} choose
+ * @param {string} [of] where its reason stands */
+export function checkOf(b, chosen, choose, of = "why") {
+  const cls = levelClass(b.level);
+  const width = Math.max(1, Math.min(100, 50 * (used(b) > 0 ? used(b) : 2)));
+  return h(
+    "li",
+    { key: b.title, class: cls },
+    h(
+      "button",
+      { type: "button", "aria-expanded": chosen, "aria-controls": of, onClick: choose },
+      glyph(b.level),
+      h("span", { class: `n ${cls}` }, b.title, h("span", { class: "away" }, `, ${b.level}`)),
+      h("span", { class: "v" }, h("b", { class: cls }, words(b.found)), " ", atLimit(b)),
+      h(
+        "span",
+        { class: "use" },
+        h("u", { class: cls, style: { width: `${width}%` } }),
+        h("s", {}),
+      ),
+    ),
+  );
 }
 /** A check that is not made at the place where the hand is. */
 const NOT_MADE = /** @type {Bar} */ ({
@@ -535,17 +527,21 @@ const NOT_MADE = /** @type {Bar} */ ({
   says: "",
   source: "",
 });
-/** @param {Bar} b */
-const atLimit = (b) =>
-  `${b.at_most ? "≤" : "≥"} ${words(b.limit).replace(/^at (most|least) /, "")}`;
+/** The limit of a check, without the unit that its value has. @param {Bar} b */
+function atLimit(b) {
+  const [limit, unit] = words(b.limit).split(/(?<=\d) /);
+  const number = limit.replace(/^at (most|least) /, "");
+  const alone = !unit || words(b.found).endsWith(` ${unit}`);
+  return `${b.at_most ? "≤" : "≥"} ${alone ? number : `${number} ${unit}`}`;
+}
 /** Reason, place and source of a check. @param {Bar} b @param {FullArc | undefined} full */
-function why(b, full) {
+export function reasonOf(b, full, id = "why") {
   const told = answer.full?.arcs
     .find((a) => a.pulley === full?.pulley && a.load_case === full?.load_case)
     ?.bars.find((x) => x.title === b.title);
   return h(
     "div",
-    { class: "why", id: "why", role: "region", "aria-label": "Reason and source", tabIndex: 0 },
+    { class: "why", id, role: "region", "aria-label": "Reason and source", tabIndex: 0 },
     h("h3", {}, `${b.title}: ${percent(b.share)} of the limit`),
     h("p", {}, words(b.says) || `${words(b.found)}, ${words(b.limit)}.`),
     h("p", { class: "src" }, [b.place, b.source || told?.source].filter(Boolean).join(". ")),

@@ -8,6 +8,7 @@ import { spec } from "../../parts/field.js";
 import { Plot } from "../../parts/plot.js";
 import { again, attempt } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
+import { askedCase } from "./cases.js";
 import { shownCase } from "./condition.js";
 import { caseAt, keysOf, takenOver } from "./load.js";
 import { answer } from "./solving.js";
@@ -106,7 +107,7 @@ const question = () => ({
   result: state.result,
   value: wanted(),
   pulley: app.doc.pulley[app.pulley].name ?? "",
-  load_case: app.case,
+  load_case: askedCase() ?? "",
   now: get(app.doc, input().path) == null ? otherwise(input()) : "",
 });
 const find = () =>

@@ -2,6 +2,7 @@
 import { app, caseNames, gripped, painted, redraw } from "../../base/design.js";
 import { aborted, ask, later, onReturn, part, refusal } from "../../base/server.js";
 import { mark } from "../../parts/problems.js";
+import { askedCase } from "./cases.js";
 
 /** @import { Design, FullAnswer, FullArc, Problem, QuickAnswer } from "../../types.d.ts" */
 
@@ -157,7 +158,7 @@ async function quick() {
 /** @param {Design} doc */
 async function quickOnce(doc) {
   const of = { doc, pulley: app.pulley, case: app.case };
-  const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: of.case || null };
+  const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: askedCase() };
   const how = { points: POINTS, sequence: ++sequence, tables: false, prepared: true };
   try {
     const given = !of.pulley && !of.case && came.get(doc)?.quick;
@@ -165,6 +166,11 @@ async function quickOnce(doc) {
     base = { ...of, answer: found };
     const looked = of.pulley === app.pulley && of.case === app.case;
     take(found, doc === app.doc && looked && !wanted ? doc : null);
+    if (!app.case && looked && doc === app.doc) {
+      // the one that is meant where none is named stays the one looked at
+      asked[2] = base.case = app.case = found.load_case;
+      if (found.load_case !== caseNames(doc)[0]) redraw();
+    }
     if (doc === app.doc) told([]);
     settle();
   } catch (x) {

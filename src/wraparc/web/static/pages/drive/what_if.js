@@ -4,6 +4,7 @@ import { viewed, words } from "../../base/units.js";
 import { choose, valueIn } from "../../parts/choose.js";
 import { Question } from "../../parts/question.js";
 import { h } from "../../vendor/preact.js";
+import { askedCase } from "./cases.js";
 import { laggingName } from "./inputs.js";
 
 /** What is typed; empty where a change is not asked for, null where it is to be proposed. */
@@ -28,7 +29,7 @@ function half() {
 const some = (/** @type {string} */ text) => (text.trim() ? [text.trim()] : []);
 const question = new Question("what-if", "What if …?", "what-if", () => ({
   pulley: pulley().name ?? null,
-  load_case: app.case || null,
+  load_case: askedCase(),
   wet: said.wet.trim(),
   worn: some(said.worn ?? half()),
   bare: said.bare,

@@ -30,7 +30,7 @@ export const motionInputs = () => [
         choices: [
           {
             choices: [
-              ["", "the first"],
+              ["", "the largest running pull"],
               ...(app.doc.load_case || []).map((c) => [c.name || "", c.name || ""]),
             ],
           },

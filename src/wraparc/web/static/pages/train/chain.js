@@ -1,6 +1,7 @@
 // The belt as it runs over the drums of a train: true wrap angles, the tension of every span
 // written at it and shown by the width of the line, the drum that slips.
 import { percent, show, shown } from "../../base/units.js";
+import { levelClass } from "../../parts/answers.js";
 import { fresh } from "../../plots/svg.js";
 import { h } from "../../vendor/preact.js";
 
@@ -11,7 +12,6 @@ import { h } from "../../vendor/preact.js";
 const R = 50;
 const FAR = 2.2 * R;
 const PIECES = 16; // of a wrap, each as wide as its tension
-const COLOURS = ["blue", "orange", "green", "purple", "sky", "black"];
 const { PI, cos, sin } = Math;
 const LINE = { stroke: "var(--ink)", fill: "none" };
 
@@ -43,8 +43,9 @@ function layOut(drives) {
     return drum;
   });
 }
-/** @param {any} c a load case */
-export function chain(c) {
+/** @param {any} c a load case
+ * @param {Map<string, {limit: number, level: any}>} limits of the creep, by pulley */
+export function chain(c, limits) {
   const drums = layOut(c.drives);
   const [first, last] = [drums[0], drums[drums.length - 1]];
   const all = c.drives.flatMap((/** @type {any} */ m) => [m.entry_tension, m.exit_tension]);
@@ -76,7 +77,7 @@ export function chain(c) {
     span(last.end, gone, wide(last.m.exit_tension), false),
     text([left, -13], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
     label(gone, last, [...(runs ? [] : ["return strand"]), force(last.m.exit_tension)]),
-    drums.map((d, i) => named(d, i, both)),
+    drums.map((d) => named(d, both, limits.get(d.m.pulley))),
   );
 }
 /** @param {number} t */
@@ -122,26 +123,21 @@ const hatch = (id) =>
       h("path", { d: "M0 0V6", class: "hatch-red" }),
     ),
   );
-/** A drum, its share as a ring inside, hatched where it slips. @param {Drum} d
+/** A drum, the lagging under the belt, hatched where it slips. @param {Drum} d
  * @param {string} id */
-function shell({ m, centre: [x, y] }, id) {
-  const share = Math.max(-1, Math.min(1, m.share ?? 0));
-  const r = R - 8;
-  const turn = 2 * PI * Math.min(Math.abs(share), 0.9999);
-  const end = [x + r * sin(turn), y - r * cos(turn)].join(" ");
-  const ring = `M${x} ${y - r}A${r} ${r} 0 ${turn > PI ? 1 : 0} 1 ${end}`;
+function shell({ m, centre, from, sense }, id) {
+  const [x, y] = centre;
+  const r = R - 6;
+  const wrap = m.wrap_angle ?? PI;
+  const ends = [from, from + sense * wrap].map((a) => at(along(centre, a, r)));
+  const ring = `M${ends[0]}A${r} ${r} 0 ${wrap > PI ? 1 : 0} ${sense > 0 ? 1 : 0} ${ends[1]}`;
   return h(
     "g",
     { key: `shell ${m.pulley}` },
-    h("circle", { cx: x, cy: y, r: R, class: "shell" }),
-    h("circle", { cx: x, cy: y, r: R - 14, class: "hub" }),
+    h("circle", { cx: x, cy: y, r: R, class: "steel" }),
     slips(m)
       ? h("circle", { cx: x, cy: y, r: R, fill: `url(#${id})` })
-      : h("path", {
-          ...{ d: ring, fill: "none", "stroke-width": 8 },
-          stroke: share < 0 ? "var(--orange)" : "var(--blue)",
-          ...(share < 0 && { "stroke-dasharray": "4 3" }),
-        }),
+      : h("path", { d: ring, class: `wrapped ${m.share < 0 ? "brakes" : ""}` }),
   );
 }
 /** Belt on a drum, as wide as its tension, from entry to exit. @param {Drum} d
@@ -211,22 +207,24 @@ function label([x, y], { leaving }, lines) {
   const cls = right ? "tr" : "ty";
   return lines.map((told, k) => text([x + (right ? 8 : -8), y + 4 + 13 * k], cls, told));
 }
-/** Name, share and wrap angle in a drum, and the side of the belt where they differ.
- * @param {Drum} d @param {number} i @param {boolean} both */
-function named({ m, centre: [x, y] }, i, both) {
+/** Name, share, creep and wrap angle in a drum, and the side of the belt where they differ.
+ * @param {Drum} d @param {boolean} both @param {{limit: number, level: any} | undefined} kept */
+function named({ m, centre: [x, y] }, both, kept) {
   const name = m.pulley.length > 10 ? `${m.pulley.slice(0, 9)}…` : m.pulley;
   const said = slips(m) ? "slips" : percent(m.share, 3);
   const wrap = m.wrap_angle == null ? "" : `${Math.round((180 * m.wrap_angle) / PI)}°`;
   const does = m.share < 0 && !slips(m) ? "brakes" : "wrap";
+  const creep = slips(m) ? "" : `creep ${shown("exit_creep", Math.abs(m.exit_creep), 3)}`;
   return h(
     "g",
     { key: `named ${m.pulley}` },
     h("title", {}, `${m.pulley}: ${words(m)}${both ? sideOf(m) : ""}`),
-    both && text([x, y - 24], "tn", `${m.side} side`),
-    text([x, y - 13], "tx", name),
-    text([x, y + 2], "t1", said),
-    text([x, y + 20], "tn", `${wrap} ${does}`),
-    h("path", { d: `M${x - 14} ${y + 27}H${x + 14}`, class: `line ${COLOURS[i % 6]}` }),
+    both && text([x, y - 29], "tn", `${m.side} side`),
+    text([x, y - 18], "tx", name),
+    text([x, y - 3], "t1", said),
+    text([x, y + 12], `creep ${levelClass(kept?.level || null)}`, creep),
+    kept && text([x, y + 22], "tn", `limit ${show(kept.limit, "length")}`),
+    text([x, y + 32], "tn", `${wrap} ${does}`),
   );
 }
 /** @param {Point} p @param {string} cls @param {string} words */

@@ -82,7 +82,7 @@ const make = (s, path, more) => field({ spec: s, path, page: "t", slider: false,
 export const trainInputs = (answer) =>
   h(
     "form",
-    { class: "inputs", "aria-label": "Train", onSubmit: (e) => e.preventDefault() },
+    { class: "inputs rail card", "aria-label": "Train", onSubmit: (e) => e.preventDefault() },
     app.doc.train && trainFields(app.doc.train, answer),
     app.doc.pulley.map((_, i) => drive(i)),
     h(

@@ -15,6 +15,13 @@ const AXES = {
   diameter_ratio: "Diameter over nominal diameter [%]",
   load_ratio: "Load over that of the load case [%]",
 };
+/** What is marked on a curve: its line and its words. @type {Record<string, [string, string]>} */
+const MARKS = {
+  operating: ["black", "now"],
+  equal: ["green", "equal share"],
+  creep_limit: ["purple", "a creep limit"],
+  unloaded: ["sky", "a drive carries nothing"],
+};
 /** @param {number} x @param {number} y @param {string} cls @param {string} words */
 const text = (x, y, cls, words) => h("text", { x, y, class: cls }, words);
 
@@ -50,13 +57,14 @@ function curveData(c) {
       cls: COLOURS[j % COLOURS.length],
       label: name,
     }));
-  const marks = (c.marks || []).map((/** @type {any} */ m) => ({
-    x: [100 * m.at, 100 * m.at],
-    y: [-1e9, 1e9],
-    free: true,
-    cls: "black thin",
-    label: `${m.pulley} ${m.what.replace(/_/g, " ")}`,
-  }));
+  const seen = new Set();
+  const marks = (c.marks || []).map((/** @type {any} */ m) => {
+    const [cls, name] = MARKS[m.what] ?? ["black", m.what.replace(/_/g, " ")];
+    const label = seen.has(name) ? "" : name; // one entry of the legend for alike lines
+    seen.add(name);
+    const at = [100 * m.at, 100 * m.at];
+    return { x: at, y: [-1e9, 1e9], free: true, cls: `${cls} thin`, label };
+  });
   return [
     { x, lines: [...lines(c.shares, 100), ...marks], ylabel: "share [%]", zero: true },
     { x, lines: lines(c.exit_creep, 1 / f), ylabel: `u [${u}]`, zero: true },
