@@ -29,17 +29,24 @@ def server(folder: Path) -> Iterator[Process]:
 
 
 @pytest.fixture(scope="session")
-def only_browser() -> Iterator[Browser]:
-    """One browser for all files of pages; each visit has a context of its own."""
+def only_browser() -> Iterator[tuple[Browser, asyncio.AbstractEventLoop]]:
+    """One browser for all files of pages, and the loop of Playwright."""
     with browser() as found:
-        yield found
+        loop = asyncio.get_running_loop()
+        yield found, loop
+        asyncio._set_running_loop(loop)
 
 
 @pytest.fixture(scope="module")
-def chrome(only_browser: Browser) -> Iterator[Browser]:
-    """The browser, for a file: between files its loop is not the one that runs."""
-    yield only_browser
-    # Playwright leaves its loop marked as running, and the next file may run one of its own
+def chrome(only_browser: tuple[Browser, asyncio.AbstractEventLoop]) -> Iterator[Browser]:
+    """The browser, for a file.
+
+    Playwright's loop is marked as running as long as the browser is open, and needs to be where it
+    is asked; other files run loops of their own.
+    """
+    found, loop = only_browser
+    asyncio._set_running_loop(loop)
+    yield found
     asyncio._set_running_loop(None)
 
 
