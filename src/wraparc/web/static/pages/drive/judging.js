@@ -10,7 +10,6 @@ import { answer } from "./solving.js";
 import { firstAnswer, wholeOf } from "./whole.js";
 import { barsOf, checkTable, verdictOf } from "./words.js";
 
-export { raise, raiseAlone } from "./advice.js";
 export { confirmed } from "./own.js";
 export { find, ways } from "./ways.js";
 
