@@ -11,19 +11,20 @@ import { tabs } from "./tabs.js";
 const icon = /** @type {HTMLLinkElement} */ (document.querySelector("link[rel=icon]"));
 /** What is behind Export, fetched when that is opened first. */
 let exporting = /** @type {typeof import("./exporting.js") | null} */ (null);
-/** What is behind File, fetched behind the first answer. */
-let files = /** @type {typeof import("./file_menu.js") | null} */ (null);
+/** What comes behind the first answer. */
+let late = /** @type {typeof import("./behind.js") | null} */ (null);
+export const behind = () => late;
 
 const fetchExporting = act(async () => {
   exporting ??= await part(() => import("./exporting.js"));
   redraw();
 });
-const fetchFiles = act(async () => {
-  if (files) return;
-  files = await part(() => import("./file_menu.js"));
+const fetchLate = act(async () => {
+  if (late) return;
+  late = await part(() => import("./behind.js"));
   redraw();
 });
-document.addEventListener("complete", fetchFiles);
+document.addEventListener("complete", fetchLate);
 
 export const Header = () => [
   h(
@@ -46,7 +47,7 @@ export const Header = () => [
     unitSwitch(),
     step("undo", "↶", "Undo (Ctrl+Z)", undo, history.back()),
     step("redo", "↷", "Redo (Ctrl+Y)", redo, history.forth()),
-    menu("file", "File", files?.fileMenu(), fetchFiles),
+    menu("file", "File", late?.fileMenu(), fetchLate),
   ),
 ];
 /** @type {[string, string][]} */

@@ -9,7 +9,6 @@ import { answer } from "./solving.js";
 import { wholeOf } from "./whole.js";
 import { remarksOf, verdictOf } from "./words.js";
 
-export { raise, raiseAlone } from "./advice.js";
 export { confirmed } from "./own.js";
 export { find, ways } from "./ways.js";
 

@@ -16,6 +16,7 @@ import {
   words,
   written,
 } from "../../base/units.js";
+import { behind } from "../../frame/header.js";
 import { views } from "../../frame/tabs.js";
 import { levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
@@ -341,10 +342,11 @@ function action(arc) {
   const { train } = app.doc;
   if (train && !Array.isArray(train.share)) return null; // the load divides anew: see the details
   const all = known()?.least_tension?.raise_to;
-  const own = solver();
-  const found = all != null ? own?.raise(all) : own?.raiseAlone(wholeArc());
+  const found = all != null ? behind()?.raise(all) : behind()?.raiseAlone(wholeArc());
   if (found) return found;
-  const way = own?.ways().find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
+  const way = solver()
+    ?.ways()
+    .find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
   if (!way) return null;
   const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
   return h(
