@@ -4,6 +4,7 @@ Pages as they are used without a fault: test_pages_looks.py.
 """
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -67,20 +68,25 @@ def pinned_and_without_a_server(visitor: Visitor) -> Page:
     return page
 
 
-def asked(visitor: Visitor) -> Page:
+#: Questions, by the button that asks each of them, and where its answer stands.
+QUESTIONS = {
+    "What if": ("", ".what-if table"),
+    "Which design costs least": ("Show", ".choosing table"),
+    "On site": ("", ".site table"),
+    "Which input gives": ("Find", ".seek svg.chart"),
+}
+
+
+def asked(visitor: Visitor, name: str) -> Page:
     page = visitor.open("drive")
     visitor.solved()
     page.locator("#cases").get_by_role("button", name="empty").click()
     page.get_by_role("group", name="Load: empty", exact=True).wait_for(state="attached")
-    for name, show in (
-        ("What if", ""), ("Which design costs least", "Show"), ("On site", ""),
-        ("Which input gives", "Find"),
-    ):  # fmt: skip
-        page.get_by_role("button", name=name).click()
-        if show:
-            page.locator(".choosing, .seek").get_by_role("button", name=show, exact=True).click()
-    for card in (".what-if table", ".choosing table", ".site table", ".seek svg.chart"):
-        page.locator(card).first.wait_for(timeout=STUDY)
+    show, answer = QUESTIONS[name]
+    page.get_by_role("button", name=name).click()
+    if show:
+        page.locator("#question").get_by_role("button", name=show, exact=True).click()
+    page.locator(answer).first.wait_for(timeout=STUDY)
     return page
 
 
@@ -97,7 +103,7 @@ STATES: dict[str, Callable[[Visitor], Page]] = {
     "new drive, menu open": empty,
     "overtyped example that idles, a wrong value, menu open": overtyped_and_refused,
     "raised beside what is pinned, help open, server gone": pinned_and_without_a_server,
-    "questions answered beside a load case that takes over": asked,
+    **{f"{name}, a load case that takes over": partial(asked, name=name) for name in QUESTIONS},
     "versions": versions,
 }
 
