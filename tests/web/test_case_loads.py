@@ -16,7 +16,9 @@ from web.test_advice import downloaded
 from web.test_api import post
 from web.test_inputs import kept
 from web.test_pages import in_the_address
+from worded import worded
 from wraparc.schema.source import parse
+from wraparc.units import System
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -312,6 +314,8 @@ def test_across_says_one_creep(case: str | None) -> None:
     with client() as api:
         found = post(api, "/across", document=worn, load_case=case)
     (row,) = (r for r in found["tables"][0]["rows"] if r["name"] == "largest_creep")
-    for system in ("si", "us"):
-        assert f"creeps {row['values'][system][0]}, " in found["verdict"]["headline"][system]
+    systems: tuple[System, System] = ("si", "us")
+    for system in systems:
+        creep = worded(row["values"][0], system)
+        assert f"creeps {creep}, " in worded(found["verdict"]["headline"], system)
     assert found["load_case"] == (case or "start")

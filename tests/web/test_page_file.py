@@ -40,7 +40,7 @@ pytestmark = pytest.mark.usefixtures("solved_once")
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples"
 #: Largest size of a page [bytes].
-MOST = 330_000
+MOST = 320_000
 HEAD = (EXAMPLES / "head-drive-fabric.toml").read_text("utf-8")
 OWN = (
     'condition = { name = "dusty", friction_factor = 0.8 }\n'
@@ -150,6 +150,11 @@ def figure(page: Page, name: str) -> str:
     """Return a key figure as shown."""
     found = page.locator("#drive .figures > div").filter(has=page.locator(f"dt:text-is('{name}')"))
     return str(found.locator("b").inner_text())
+
+
+def unpacked(digits: str) -> str:
+    """Return the text of an element: base 85 of Python, a comma in the place of ``<``."""
+    return zlib.decompress(base64.b85decode(digits.replace(",", "<"))).decode("utf-8")
 
 
 def assert_shows_what_solve_says(page: Page, file: Path) -> str:
@@ -464,7 +469,7 @@ def test_file_is_small_runs_its_own_scripts_alone_and_reaches_nothing() -> None:
     rules = {rule.split()[0]: rule.split()[1:] for rule in policy.split("; ")}
     (start,) = re.findall(r'<script type="module">(.*?)</script>', html, re.S)
     packed = re.findall(r'id="(?:style|solver|program)-packed">(.*?)</script>', html, re.S)
-    style, *scripts = (zlib.decompress(base64.b64decode(text)).decode("utf-8") for text in packed)
+    style, *scripts = map(unpacked, packed)
     assert len(scripts) == 2
     assert rules["script-src"] == [digest(script) for script in (start, *scripts)]
     assert rules["style-src"] == [digest(style)]
@@ -564,7 +569,7 @@ def test_a_report_carries_the_page_of_its_drive(tmp_path: Path) -> None:
     assert code == 0
     assert said.splitlines()[-1] == f"Wrote {html}"
     packed = re.findall(r'id="data">(.*?)</script>', html.read_text("utf-8"), re.S)[0]
-    data = json.loads(zlib.decompress(base64.b64decode(packed)))
+    data = json.loads(unpacked(packed))
     document = data["start"]["document"]
     assert document["pulley"][0]["exit_tension"] == "70 kN"
     assert (document["creep_limit"], document["condition"]) == ("9 mm", ["wet"])

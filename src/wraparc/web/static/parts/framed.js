@@ -84,7 +84,8 @@ export function checked(page, which) {
     one && reasonOf(one, one.of, `why-${page}`),
   ];
 }
-/** Names and values, in a part of its own. @param {string} title @param {[string, string][]} rows */
+/** Names and values, in a part of its own.
+ * @param {string} title @param {[string, string][]} rows */
 export const facts = (title, rows) =>
   h(
     "div",
