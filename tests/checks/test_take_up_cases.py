@@ -16,13 +16,26 @@ import pytest
 from checks.test_least_tension import FROM_ABOVE
 from checks.test_take_up import TANDEM, train_of
 from present.drives import BELT
-from wraparc import Drive, InputError, LoadCase, Tensions, load_drive, load_lagging, solve
+from wraparc import (
+    Drive,
+    InputError,
+    LoadCase,
+    Tensions,
+    load_drive,
+    load_lagging,
+    load_train,
+    solve,
+    solve_train,
+)
 from wraparc.checks import judge, least_tension
+from wraparc.checks.of_drive import take_up
+from wraparc.choose.file import load_search
 from wraparc.choose.selection import choose
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Criteria, Pulley, Sag, TakeUp
 from wraparc.files.conveyor_build import load_case
-from wraparc.present.least_tension import least_sentence, least_table
+from wraparc.present.choose_sheet import choose_sheet
+from wraparc.present.least_tension import least_table
 from wraparc.present.sheet import shown
 from wraparc.units import parse_quantity
 
@@ -179,3 +192,134 @@ def test_the_far_end_of_a_conveyor_does_not_hang_slack() -> None:
     assert found is not None
     taut = next(f for f in found.figures if f.name == "taut")
     assert taut.tension == pytest.approx(8826.0 - 309.0, rel=1e-3)
+
+
+DOWNHILL = """\
+format = 1
+[belt]
+preset = "Plylon Plus 1000/4"
+width = "1200 mm"
+speed = "3 m/s"
+[[pulley]]
+name = "head"
+diameter = "1000 mm"
+lagging = "diamond-rubber"
+wrap_angle = "200 deg"
+[conveyor]
+length = "600 m"
+lift = "-60 m"
+capacity = "1000 t/h"
+belt_mass = "22 kg/m"
+carry_idler_mass = "16 kg/m"
+return_idler_mass = "6 kg/m"
+take_up_tension = "40 kN"
+"""
+SEARCH = """\
+format = 1
+drive = "drive.toml"
+[candidates]
+laggings = ["diamond-rubber", "full-ceramic"]
+slack_tensions = "least"
+[cost]
+currency = "AUD"
+tariff = 0.1
+hours.full = 6000
+"""
+
+
+def test_a_choice_for_a_conveyor_is_what_its_drive_needs(tmp_path: Path) -> None:
+    """The conveyor of the drive file, with the lagging and the tension that were chosen."""
+    (tmp_path / "drive.toml").write_text(DOWNHILL, "utf-8")
+    (tmp_path / "search.toml").write_text(SEARCH, "utf-8")
+    found = choose(load_search(tmp_path / "search.toml"))
+    best = int(found.ranking[0])
+    held = float(found.slack_tension[best])
+    lagging = found.search.laggings[found.grid.places[0, best]]
+    base = load_drive(tmp_path / "drive.toml")
+    of = replace(base, pulleys=(replace(base.pulleys[0], lagging=lagging),))
+    result = least_tension(solve(of, raise_on_failure=False))
+    assert result is not None
+    assert held == pytest.approx(max(result.tension, result.standard.tension))  # type: ignore[union-attr]
+    enough, less = at(of, held * (1.0 + 1e-6)), at(of, 0.99 * held)
+    assert enough is not None
+    assert less is not None
+    assert missed(enough) == set()
+    assert missed(less)
+    words = shown(choose_sheet(found), "si").verdict
+    assert f"tension at the take-up of {math.ceil(held / 100.0) / 10.0:.1f} kN" in str(words)
+
+
+TRAIN = """
+[[load_case]]
+name = "stop"
+kind = "braking"
+train.effective_tension = "-80 kN"
+[take_up]
+kind = "gravity"
+"""
+
+
+@pytest.mark.parametrize("after", ["", "first"])
+def test_a_train_that_drives_and_brakes_needs_what_is_told(tmp_path: Path, after: str) -> None:
+    """The train file with another exit tension, which its load cases take over."""
+    text = TANDEM.read_text("utf-8") + TRAIN + (f'after = "{after}"\n' if after else "")
+    of = load_train(train_of(tmp_path, text))
+    found = least_tension(solve_train(of))
+    assert found is not None
+    assert math.isfinite(found.tension)
+    drive = solve_train(of).drive_result().drive
+    assert drive.take_up_place == f"at the take-up behind pulley {after or drive.pulleys[-1].name}"
+    for tension, kept in ((found.tension * (1.0 + 1e-6), True), (0.99 * found.tension, False)):
+        cases = tuple(
+            replace(c, entry_tension=c.entry_tension + rise, exit_tension=c.exit_tension + rise)
+            for c in of.cases
+            for rise in (tension - drive.take_up_tension(drive.load_case(c.name)),)
+        )
+        told = judge(solve_train(replace(of, cases=cases), raise_on_failure=False))
+        assert bool({c.name for c in told.missed if c.binding} - FROM_ABOVE) is not kept
+
+
+@pytest.mark.parametrize(
+    ("pairs", "after", "says"),
+    [
+        # exit kept: behind the last pulley, no contradiction
+        (((85e3, 50e3), (25e3, 50e3)), "", ""),
+        # entry kept: ahead of the first
+        (((85e3, 50e3), (85e3, 120e3)), "", ""),
+        # neither
+        (((150e3, 60e3), (60e3, 100e3)), "", "tension behind pulley head, and it is 60 kN"),
+        (((85e3, 50e3), (25e3, 50e3)), "head", ""),
+    ],
+)
+def test_tensions_contradict_a_take_up_only_where_it_stands_nowhere(
+    pairs: tuple[tuple[float, float], ...], after: str, says: str
+) -> None:
+    of = Drive(
+        belt=BELT, pulleys=(Pulley(name="head", diameter=0.8, wrap_angle=3.2,
+                                   lagging=load_lagging("full-ceramic")),),
+        load_cases=tuple(
+            LoadCase(name=name, tensions={"head": Tensions(entry=a, exit=b)})
+            for name, (a, b) in zip(("design", "stop"), pairs, strict=True)
+        ),
+        criteria=Criteria(take_up=TakeUp(kind="gravity", after=after)),
+    )  # fmt: skip
+    found = [shown(c.said, "si") for c in take_up(of)]
+    assert bool(found) == bool(says)
+    assert says in "".join(found)
+
+
+def test_a_contradiction_names_the_pulley_behind_which_it_could_stand() -> None:
+    """100 kN behind the first pulley in both load cases, 60 and 80 kN behind the second."""
+    of = Drive(
+        belt=BELT, pulleys=tuple(Pulley(name=name, diameter=0.8, wrap_angle=3.2,
+                                        lagging=load_lagging("full-ceramic")) for name in "ab"),
+        load_cases=tuple(
+            LoadCase(name=name, tensions={"a": Tensions(entry=ahead, exit=100e3),
+                                          "b": Tensions(entry=100e3, exit=behind)})
+            for name, ahead, behind in (("design", 180e3, 60e3), ("empty", 140e3, 80e3))
+        ),
+        criteria=Criteria(take_up=TakeUp(kind="gravity")),
+    )  # fmt: skip
+    (check,) = take_up(of)
+    said = shown(check.said, "si")
+    assert 'or say where it stands: take_up.after = "a".' in f"{said} {check.remedy}"

@@ -66,8 +66,8 @@ def test_a_given_take_up_below_it_is_rejected_with_the_reason() -> None:
     design = int(np.flatnonzero(short)[0])
     told = shown(reason(found, design, "belt_sag"), "si")
     assert told.startswith(
-        "tension at the take-up behind pulley head 45 kN, at least 55.5 kN (19 % under) for the sag "
-        "of the belt [brake"
+        "tension at the take-up behind pulley head 45 kN, at least 55.5 kN (19 % under) for the "
+        "sag of the belt [brake"
     )
 
 

@@ -93,7 +93,8 @@ def test_ranking_costs_and_creeps_equal_brute_force(selection: Selection) -> Non
 def test_less_wrap_and_tension_is_recommended_and_never_below_the_standard() -> None:
     """Expected: CEMA's printed Cw of 0.50 and 0.38 on rubber, times 20 kN: 10 and 7.6 kN."""
     of = search(
-        drive=replace(drive(), load_cases=drive(95e3, 75e3).load_cases[:1]), belts=(FABRIC,), laggings=(RUBBER,), diameters=(0.8,),
+        drive=replace(drive(), load_cases=drive(95e3, 75e3).load_cases[:1]),
+        belts=(FABRIC,), laggings=(RUBBER,), diameters=(0.8,),
         slack_tensions=(8e3, 9e3, 75e3), wrap_angles=(math.pi, math.radians(210.0)),
         limits=Limits(tested_pressure=False),
     )  # fmt: skip
@@ -240,7 +241,7 @@ def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:
             belts=(FABRIC,),
             slack_tensions=(),
             drive=replace(drive(), load_cases=drive().load_cases[:1]),
-        )  # fmt: skip
+        )
     )
     soft = Belt(name="soft", width=1.2, modulus=6e6, rating=120e3, speed=3.0)
     weak = Belt(name="weak", width=1.2, modulus=6e6, rating=50e3, speed=3.0)

@@ -80,7 +80,8 @@ class Search:
         Over the lagging [m] and [rad].
     slack_tensions
         Tensions at the take-up (`Drive.take_up_tension`): of the slack side behind the drives, or
-        where it stands; the same in every load case [N]. None for the tensions of the load cases, empty for the least that each design can do with.
+        where it stands; the same in every load case [N]. None for the tensions of the load cases,
+        empty for the least that each design can do with.
     conditions
         States in which every limit must hold.
     limits, costing

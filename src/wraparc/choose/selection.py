@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.checks.least_tension import taut
+from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.life_cycle import Costs, costs_of
 from wraparc.choose.limits import OF_THE_ARC, Held, feasible, held_to

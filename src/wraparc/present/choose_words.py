@@ -206,7 +206,8 @@ def next_dearer_words(selection: Selection) -> Iterator[str]:
     changes = [
         f"the creep goes from {named('exit_creep', float(selection.creep[best]))} to "
         f"{named('exit_creep', float(selection.creep[other]))}",
-        f"the {slack_words(search)} from {named('tension', float(selection.slack_tension[best]))} to "
+        f"the {slack_words(selection.search)} from "
+        f"{named('tension', float(selection.slack_tension[best]))} to "
         f"{named('tension', float(selection.slack_tension[other]))}",
     ]
     years = selection.search.costing.years
