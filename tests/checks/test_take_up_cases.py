@@ -249,11 +249,25 @@ def test_a_choice_for_a_conveyor_is_what_its_drive_needs(tmp_path: Path) -> None
     assert f"tension at the take-up of {math.ceil(held / 100.0) / 10.0:.1f} kN" in str(words)
 
 
+def test_a_candidate_that_would_push_the_belt_is_refused(tmp_path: Path) -> None:
+    """The full belt pulls back 32.74 kN: the entry has so much less than the take-up."""
+    (tmp_path / "drive.toml").write_text(DOWNHILL, "utf-8")
+    text = SEARCH.replace('"least"', '["20 kN", "60 kN"]')
+    (tmp_path / "search.toml").write_text(text, "utf-8")
+    with pytest.raises(InputError) as caught:
+        load_search(tmp_path / "search.toml")
+    (problem,) = caught.value.problems
+    assert problem.key == "candidates.slack_tensions"
+    assert problem.message == (
+        "leaves a belt tension of -12.74 kN in load case full, and a belt cannot push"
+    )
+
+
 TRAIN = """
 [[load_case]]
 name = "stop"
 kind = "braking"
-train.effective_tension = "-80 kN"
+train.effective_tension = "-40 kN"
 [take_up]
 kind = "gravity"
 """

@@ -70,7 +70,8 @@ TURNED = """
 [[load_case]]
 name = "stop"
 kind = "braking"
-pulley.head.effective_tension = "-25 kN"
+pulley.head.entry_tension = "{entry}"
+pulley.head.exit_tension = "{exit}"
 [take_up]
 kind = "gravity"
 """
@@ -320,16 +321,21 @@ ROWS = (
           '"60 kN"\npulley.head.exit_tension = "30 kN"\n[take_up]\nkind = "gravity"\n'
           "[design_standard]"),),
         ("gravity take-up holds",), ("OK",), level="ATTENTION"),
-    Row("a take-up that keeps its tension in drive and stop", (("", TURNED),),
+    Row("a take-up that keeps its tension in drive and stop",
+        (("", TURNED.format(entry="50 kN", exit="75 kN")),),
         ("OK dry only",), ("take-up holds",), ("solve", "page")),
     Row("a stop that the least tension of driving leaves slack",
-        (("", TURNED), ("120 kN", "76 kN"), ("75 kN", "41.3 kN")),
-        ("ATTENTION", "load case stop", "33.9 kPa"), ("OK",), ("solve", "page")),
-    Row("the least take-up tension of a stop", (("", TURNED), ("120 kN", "76 kN"),
-                                                ("75 kN", "41.4 kN")),
+        (("120 kN", "76 kN"), ("75 kN", "41.2 kN"),
+         ("", TURNED.format(entry="16.2 kN", exit="41.2 kN"))),
+        ("ATTENTION", "load case stop", "33.75 kPa"), ("OK",), ("solve", "page")),
+    Row("the least take-up tension of a stop",
+        (("120 kN", "76 kN"), ("75 kN", "41.4 kN"),
+         ("", TURNED.format(entry="16.4 kN", exit="41.4 kN"))),
         ("OK dry only",), (), ("solve", "page")),
-    Row("a choice that a stop leaves slack at less", (("", TURNED),),
-        ("with a tension at the take-up behind pulley head of 75 kN",), (), ("choose",)),
+    Row("a choice that a stop leaves slack at less",
+        (("", TURNED.format(entry="57 kN", exit="75 kN")),),
+        ("wrap 180 deg with a tension at the take-up behind pulley head of 40 kN",), (),
+        ("choose",)),
     Row("a tandem whose take-up keeps its tension in drive and stop",
         (("", '[[load_case]]\nname = "stop"\nkind = "braking"\ntrain.effective_tension = "-40 kN"\n'
           '[take_up]\nkind = "gravity"\n'),),

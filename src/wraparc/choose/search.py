@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs, arcs_of_table
+from wraparc.checks.least_tension import taut
 from wraparc.choose.cost import Costing, price_problems
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag, Tensions
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
+from wraparc.units import display
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -117,6 +119,7 @@ class Search:
             problems.append(
                 Problem(key="belt.speed", message=message, remedy="Add it to the drive file.")
             )
+        problems += self._pushed()
         if len(self) > MOST_DESIGNS:
             problems.append(
                 Problem(
@@ -128,6 +131,27 @@ class Search:
             )
         if problems:
             raise InputError(problems)
+
+    def _pushed(self) -> Iterator[Problem]:
+        """Yield what tensions at the take-up leave a belt that would have to push."""
+        drive, beyond = self.drive, {}
+        for case in drive.load_cases:
+            own = min(min(t.entry, t.exit) for t in case.tensions.values())
+            beyond[case.name] = own - drive.take_up_tension(case)
+        if drive.conveyor is not None:
+            ends = taut(drive.conveyor)
+            beyond[ends.place.load_case] = -ends.tension
+        slackest = min(beyond, key=lambda name: beyond[name])
+        for tension in self.slack_tensions or ():
+            left = tension + beyond[slackest]
+            if left <= 0.0:
+                yield Problem(
+                    key="candidates.slack_tensions",
+                    value=display(tension, "force"),
+                    message=f"leaves a belt tension of {display(left, 'force')} in load case "
+                    f"{slackest}, and a belt cannot push",
+                    remedy="Give a larger tension.",
+                )
 
     @property
     def shape(self) -> tuple[int, ...]:
