@@ -49,14 +49,17 @@ def missed(of: Drive) -> set[str]:
     return {c.name for c in told.missed if c.binding} - FROM_ABOVE
 
 
-def at(of: Drive, tension: float) -> Drive | None:
-    """Return a drive with its take-up at a tension, pulls held; None where a belt would push."""
+def at(of: Drive, tension: float, given: float = math.nan) -> Drive | None:
+    """Return a drive with its take-up at a tension, pulls held; None where a belt would push.
+
+    Where all tensions are lifted alike, as by a fixed take-up, `given` is the tension before.
+    """
     try:
         if of.conveyor is not None:
             return by(replace(of.conveyor, take_up_tension=tension, counterweight=None), of)
         cases = []
         for case in of.load_cases:
-            rise = tension - of.take_up_tension(case)
+            rise = tension - (given if of.criteria.take_up.fixed else held_in(of, case))
             raised = {
                 name: Tensions(entry=t.entry + rise, exit=t.exit + rise)
                 for name, t in case.tensions.items()
@@ -65,6 +68,15 @@ def at(of: Drive, tension: float) -> Drive | None:
         return replace(of, load_cases=tuple(cases))
     except InputError:
         return None
+
+
+def held_in(of: Drive, case: LoadCase) -> float:
+    """Tension that `givens` holds in every load case: behind a pulley, or ahead of all [N]."""
+    if of.criteria.take_up.after:
+        return case.tensions[of.criteria.take_up.after].exit
+    if of.title == "ahead":
+        return case.tensions[of.pulleys[0].name].entry
+    return case.tensions[of.pulleys[-1].name].exit
 
 
 def by(conveyor: Conveyor, of: Drive) -> Drive:
@@ -81,7 +93,7 @@ def as_told(of: Drive) -> str:
     if not math.isfinite(found.governing.tension):
         return ""
     least = found.governing.tension
-    high, low = at(of, least * (1.0 + 1e-6)), at(of, 0.99 * least)
+    high, low = (at(of, f * least, found.given) for f in (1.0 + 1e-6, 0.99))
     assert high is not None
     assert missed(high) == set()
     assert low is None or missed(low)
@@ -107,7 +119,7 @@ def pulley(rng: np.random.Generator, name: str) -> Pulley:
 
 
 def criteria(rng: np.random.Generator, **take_up: Any) -> Criteria:
-    sag = Sag(spacing=3.0, line_mass=float(rng.uniform(20.0, 120.0)))
+    sag = Sag(spacing=3.0, line_mass=float(rng.uniform(20.0, 240.0)))
     return Criteria(sag=sag if rng.uniform() < 0.5 else None, take_up=TakeUp(**take_up))
 
 
@@ -144,7 +156,7 @@ def givens(count: int) -> list[Drive]:
         signs = [ways, ways[::2], [(-1, RUNNING), (-1, BRAKING)]][number // 4 % 3]
         ahead = bool(rng.uniform() < 0.3)  # of all pulleys
         for sign, what in signs:
-            pulls = [sign * float(rng.uniform(5e3, 25e3)) for _ in names]
+            pulls = [sign * float(rng.uniform(5e3, 70e3 / len(names))) for _ in names]
             entry = held + (0.5 * sum(pulls) if kind == "fixed" else 0.0 if ahead else sum(pulls))
             if after:
                 entry = held + pulls[0]
@@ -153,7 +165,8 @@ def givens(count: int) -> list[Drive]:
                 pairs[name], entry = Tensions(entry=entry, exit=entry - pull), entry - pull
             cases.append(LoadCase(name=f"{what} {sign}", kind=what, tensions=pairs))  # type: ignore[arg-type]
         found.append(Drive(
-            belt=replace(BELT, rating=400e3), pulleys=tuple(pulley(rng, n) for n in names),
+            title="ahead" if ahead else "", belt=replace(BELT, rating=400e3),
+            pulleys=tuple(pulley(rng, n) for n in names),
             criteria=criteria(rng, kind=kind, after=after), load_cases=tuple(cases),
         ))  # fmt: skip
     return found
@@ -287,7 +300,8 @@ def test_a_train_that_drives_and_brakes_needs_what_is_told(tmp_path: Path, after
         cases = tuple(
             replace(c, entry_tension=c.entry_tension + rise, exit_tension=c.exit_tension + rise)
             for c in of.cases
-            for rise in (tension - drive.take_up_tension(drive.load_case(c.name)),)
+            for held in (drive.load_case(c.name).tensions[after or "second"].exit,)
+            for rise in (tension - held,)
         )
         told = judge(solve_train(replace(of, cases=cases), raise_on_failure=False))
         assert bool({c.name for c in told.missed if c.binding} - FROM_ABOVE) is not kept
@@ -298,6 +312,8 @@ def test_a_train_that_drives_and_brakes_needs_what_is_told(tmp_path: Path, after
     [
         # exit kept: behind the last pulley, no contradiction
         (((85e3, 50e3), (25e3, 50e3)), "", ""),
+        # so too where it brakes always
+        (((20e3, 50e3), (25e3, 50e3)), "", ""),
         # entry kept: ahead of the first
         (((85e3, 50e3), (85e3, 120e3)), "", ""),
         # neither

@@ -22,7 +22,7 @@ from wraparc.views import Viewable
 CREEP_LIMIT = 6.35e-3
 MOST_PULLEYS = 10
 SAME_MASS = 0.005  # by which the mass of the belt may differ in two places [-]
-SAME_TENSION = 1e-9  # by which two tensions differ by rounding alone [-]
+SAME_TENSION = 1e-6  # by which two tensions differ by rounding alone [-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -150,10 +150,10 @@ class Drive(Viewable):
     def take_up_tension(self, case: LoadCase) -> float:
         """Tension of the belt at the take-up in a load case: at the one place where it stands [N].
 
-        A conveyor says where; else it stands behind `TakeUp.after`, or on the slack side. Where
-        that is the entry in one load case and the exit in another, it is the side that keeps its
-        tension better. A fixed take-up lifts all tensions alike: it is told by the slack side of
-        one load case.
+        A conveyor says where; else it stands behind `TakeUp.after`, or on the slack side, or, where
+        that has another tension in every load case, on the tight side if that keeps its own. Where
+        the slack side changes, it stands on the side that keeps its tension better. A fixed
+        take-up lifts all tensions alike: it is told by the slack side of one load case.
         """
         take_up = self.criteria.take_up
         if self.conveyor is not None:
@@ -186,14 +186,17 @@ class Drive(Viewable):
 
     @property
     def _steady_end(self) -> str:
-        """``entry`` or ``exit`` where the slack side changes between them; else empty."""
+        """``entry`` or ``exit`` where the take-up is not on the slack side always; else empty."""
         pulls = [_pull(case) for case in self.load_cases]
-        if min(pulls) >= 0.0 or max(pulls) <= 0.0:
-            return ""
         entries = [self._ends(case)[0] for case in self.load_cases]
         exits = [self._ends(case)[1] for case in self.load_cases]
         steadier = min(exits) * max(entries) >= min(entries) * max(exits)
-        return "exit" if steadier else "entry"
+        end, alike = ("exit", exits) if steadier else ("entry", entries)
+        if min(pulls) >= 0.0 or max(pulls) <= 0.0:
+            slack = "exit" if min(pulls) >= 0.0 else "entry"
+            if end == slack or max(alike) - min(alike) > SAME_TENSION * max(alike):
+                return ""
+        return end
 
     def _ends(self, case: LoadCase) -> tuple[float, float]:
         first, last = self.pulleys[0].name, self.pulleys[-1].name

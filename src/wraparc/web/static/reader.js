@@ -4529,11 +4529,11 @@ const self = this; let after, alike, away, ends, held, steady, take_up;
 (ends = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield self.slack_end(case_); } })()]);
 if ((self.conveyor != null)) {
 (held = self.conveyor.take_up);
-(away = $b.any((function* () { for (const end of $iter(ends)) { yield ($b.abs($sub(end, held)) > $mul(1e-09, held)); } })()));
+(away = $b.any((function* () { for (const end of $iter(ends)) { yield ($b.abs($sub(end, held)) > $mul(1e-06, held)); } })()));
 return ($truth(away) ? "at the take-up" : "");
 }
 if ($truth(take_up.fixed)) {
-(alike = ($sub($b.max(ends), $b.min(ends)) <= $mul(1e-09, $b.max(ends))));
+(alike = ($sub($b.max(ends), $b.min(ends)) <= $mul(1e-06, $b.max(ends))));
 return ($truth(alike) ? "" : ("" + "of the slack side in load case " + $str(self.load_case().name)));
 }
 (steady = self._steady_end);
@@ -4544,16 +4544,20 @@ return ("" + "at the take-up ahead of pulley " + $str($at(self.pulleys, 0).name)
 return ($truth(after) ? ("" + "at the take-up behind pulley " + $str(after)) : "");
 }
 get _steady_end() {
-const self = this; let entries, exits, pulls, steadier;
+const self = this; let alike, end, entries, exits, pulls, slack, steadier;
 
 (pulls = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield drive___pull(case_); } })()]);
-if ((($b.min(pulls) >= 0.0) || ($b.max(pulls) <= 0.0))) {
-return "";
-}
 (entries = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield $at(self._ends(case_), 0); } })()]);
 (exits = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield $at(self._ends(case_), 1); } })()]);
 (steadier = ($mul($b.min(exits), $b.max(entries)) >= $mul($b.min(entries), $b.max(exits))));
-return ($truth(steadier) ? "exit" : "entry");
+([end, alike] = ($truth(steadier) ? ["exit", exits] : ["entry", entries]));
+if ((($b.min(pulls) >= 0.0) || ($b.max(pulls) <= 0.0))) {
+(slack = (($b.min(pulls) >= 0.0) ? "exit" : "entry"));
+if ((($eq(end, slack)) || ($sub($b.max(alike), $b.min(alike)) > $mul(1e-06, $b.max(alike))))) {
+return "";
+}
+}
+return end;
 }
 _ends(case_) {
 const self = this; let first, last;
