@@ -73,7 +73,7 @@ def test_how_much_more_pull_is_by_where_it_stands(after: str, one: float, two: f
 def test_how_tensions_grow_with_the_pull(
     after: str, kind: str, one: tuple[float, float], two: tuple[float, float]
 ) -> None:
-    arcs = [of.arc for of in solve_train(tandem("")).drive_result()]
+    arcs = [found.arc for found in solve_train(tandem("")).drive_result()]
     take_up = TakeUp(kind=kind, after=after)
     found = [rises(arcs, i, take_up) for i in range(2)]
     assert [(r.tight, r.slack) for r in found] == [pytest.approx(one), pytest.approx(two)]

@@ -24,7 +24,7 @@ def drive(entry: float = 130e3, leaving: float = 55e3) -> Drive:
         pulleys=(pulley,),
         load_cases=(
             LoadCase(name="full", tensions={"head": Tensions(entry=entry, exit=leaving)}),
-            LoadCase(name="brake", tensions={"head": Tensions(entry=leaving, exit=leaving + 15e3)}),
+            LoadCase(name="brake", tensions={"head": Tensions(entry=leaving - 15e3, exit=leaving)}),
         ),
     )
 

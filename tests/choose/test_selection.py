@@ -37,7 +37,7 @@ def by_hand(lagging: Lagging, belt: Belt, diameter: float, slack: float) -> tupl
         pulley = replace(base.pulleys[0], diameter=diameter, lagging=surface)
         cases = (
             LoadCase(name="full", tensions={"head": Tensions(entry=slack + 75e3, exit=slack)}),
-            LoadCase(name="brake", tensions={"head": Tensions(entry=slack, exit=slack + 15e3)}),
+            LoadCase(name="brake", tensions={"head": Tensions(entry=slack - 15e3, exit=slack)}),
         )
         result = solve(
             replace(base, belt=belt, pulleys=(pulley,), load_cases=cases), raise_on_failure=False
@@ -93,7 +93,8 @@ def test_ranking_costs_and_creeps_equal_brute_force(selection: Selection) -> Non
 def test_less_wrap_and_tension_is_recommended_and_never_below_the_standard() -> None:
     """Expected: CEMA's printed Cw of 0.50 and 0.38 on rubber, times 20 kN: 10 and 7.6 kN."""
     of = search(
-        drive=drive(95e3, 75e3), belts=(FABRIC,), laggings=(RUBBER,), diameters=(0.8,),
+        drive=replace(drive(), load_cases=drive(95e3, 75e3).load_cases[:1]),
+        belts=(FABRIC,), laggings=(RUBBER,), diameters=(0.8,),
         slack_tensions=(8e3, 9e3, 75e3), wrap_angles=(math.pi, math.radians(210.0)),
         limits=Limits(tested_pressure=False),
     )  # fmt: skip
@@ -229,12 +230,18 @@ def test_the_least_slack_tension_keeps_the_tested_pressure() -> None:
         slack_tensions=(), diameters=(0.8,), belts=(FABRIC,), limits=Limits(creep=0.05),
         laggings=(CERAMIC,), drive=drive(40e3, 25e3),
     )  # fmt: skip
-    assert choose(one).slack_tension[0] == pytest.approx(34e3 * 1.2 * 0.8 / 2)
+    assert choose(one).slack_tension[0] == pytest.approx(34e3 * 1.2 * 0.8 / 2 + 15e3)
 
 
 def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:
     found = choose(
-        search(laggings=(CERAMIC,), diameters=(0.9,), belts=(FABRIC,), slack_tensions=())
+        search(
+            laggings=(CERAMIC,),
+            diameters=(0.9,),
+            belts=(FABRIC,),
+            slack_tensions=(),
+            drive=replace(drive(), load_cases=drive().load_cases[:1]),
+        )
     )
     soft = Belt(name="soft", width=1.2, modulus=6e6, rating=120e3, speed=3.0)
     weak = Belt(name="weak", width=1.2, modulus=6e6, rating=50e3, speed=3.0)

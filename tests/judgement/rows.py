@@ -66,6 +66,16 @@ return_idler_mass = "6 kg/m"
 take_up_tension = "40 kN"
 """,
 )
+TURNED = """
+[[load_case]]
+name = "stop"
+kind = "braking"
+pulley.head.entry_tension = "{entry}"
+pulley.head.exit_tension = "{exit}"
+[take_up]
+kind = "gravity"
+"""
+STOPPED = (("800 mm", "1000 mm"), ("180 deg", "200 deg"), ("600 m", "300 m"), ('"20 m"', '"5 m"'))
 BARE = """
 [lagging.bare]
 thickness = "0 mm"
@@ -311,6 +321,43 @@ ROWS = (
           '"60 kN"\npulley.head.exit_tension = "30 kN"\n[take_up]\nkind = "gravity"\n'
           "[design_standard]"),),
         ("gravity take-up holds",), ("OK",), level="ATTENTION"),
+    Row("a take-up that keeps its tension in drive and stop",
+        (("", TURNED.format(entry="50 kN", exit="75 kN")),),
+        ("OK dry only",), ("take-up holds",), ("solve", "page")),
+    Row("a stop that the least tension of driving leaves slack",
+        (("120 kN", "76 kN"), ("75 kN", "41.2 kN"),
+         ("", TURNED.format(entry="16.2 kN", exit="41.2 kN"))),
+        ("ATTENTION", "load case stop", "33.75 kPa"), ("OK",), ("solve", "page")),
+    Row("the least take-up tension of a stop",
+        (("120 kN", "76 kN"), ("75 kN", "41.4 kN"),
+         ("", TURNED.format(entry="16.4 kN", exit="41.4 kN"))),
+        ("OK dry only",), (), ("solve", "page")),
+    Row("a choice that a stop leaves slack at less",
+        (("", TURNED.format(entry="57 kN", exit="75 kN")),),
+        ("wrap 180 deg with a tension at the take-up behind pulley head of 40 kN",), (),
+        ("choose",)),
+    Row("a tandem whose take-up keeps its tension in drive and stop",
+        (("", '[[load_case]]\nname = "stop"\nkind = "braking"\ntrain.effective_tension = "-40 kN"\n'
+          '[take_up]\nkind = "gravity"\n'),),
+        ("OK dry only",), ("take-up holds",), base=TANDEM),
+    Row("a conveyor with the counterweight that its stop needs",
+        (*STOPPED, ('take_up_tension = "40 kN"',
+                    'counterweight = "6570 kg"\nstart_time = "15 s"\nstop_time = "5 s"')),
+        ("OK dry only",), (), ("solve", "page"), base=CONVEYOR),
+    Row("a conveyor with less than that",
+        (*STOPPED, ('take_up_tension = "40 kN"',
+                    'counterweight = "6500 kg"\nstart_time = "15 s"\nstop_time = "5 s"')),
+        ("ATTENTION", "load case stop", "wrap pressure"), ("OK",), ("solve", "page"),
+        base=CONVEYOR),
+    Row("a tail drive with its take-up beside it, as told",
+        (*STOPPED[:2], ('"20 m"', '"-60 m"'),
+         ('"40 kN"', '"29.5 kN"\ndrive_at = "tail"\ntake_up_distance = "600 m"')),
+        ("OK dry only",), (), ("solve", "page"), base=CONVEYOR),
+    Row("a tail drive with less",
+        (*STOPPED[:2], ('"20 m"', '"-60 m"'),
+         ('"40 kN"', '"29.3 kN"\ndrive_at = "tail"\ntake_up_distance = "600 m"')),
+        ("ATTENTION", "load case empty", "wrap pressure"), ("OK",), ("solve", "page"),
+        base=CONVEYOR),
     Row("sags", (("[design_standard]", '[sag]\nidler_spacing = "3 m"\nline_mass = "450 kg/m"\n'
                   "[design_standard]"),),
         ("sags more",), ("OK", "Lower the"), level="ATTENTION"),

@@ -17,10 +17,14 @@ from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_slip
 from wraparc.checks.of_arc import design_slack
 from wraparc.checks.rules import idle, tension_factor
+from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
 
 nan, inf = math.nan, math.inf
+
+#: Tension of a belt that does not hang slack [N].
+TAUT = 1.0
 
 
 @dataclass(frozen=True)
@@ -32,8 +36,8 @@ class Figure:
     name, title
         Key of the check, and its words.
     tension
-        Least (or, of a bound above, largest) tension of the belt at the take-up, the slack side
-        behind the drives where nothing is said [N]; inf where none keeps the check.
+        Least (or, of a bound above, largest) tension of the belt at the take-up, see
+        `Drive.take_up_tension` [N]; inf where none keeps the check.
     place
         Where it asks so much.
     binding
@@ -127,16 +131,30 @@ def least_tension(result: DriveResult | TrainResult) -> LeastTension | None:
         return None
     one = result.drive_result() if isinstance(result, TrainResult) else result
     if one not in _found:
-        _found[one] = _of(one)
+        _found[one] = least_of(one, one.drive)
     return _found[one]
 
 
-def figures(result: DriveResult) -> Iterator[Figure]:
-    """Yield what every check asks of the slack side, on every pulley in every load case."""
-    drive = result.drive
+def figures(result: DriveResult, drive: Drive) -> Iterator[Figure]:
+    """Yield what every check asks of the take-up of a drive, on every pulley in every load case.
+
+    It stands at one place and holds one tension: what a load case asks for is what it has there,
+    and what its slack side lacks.
+    """
     for name, arcs in _by_case(result).items():
-        case = drive.load_case(name)
-        yield from _figures(drive.in_case(case), case, arcs, drive.take_up_tension(case))
+        case = result.drive.load_case(name)
+        end = drive.take_up_tension(case)
+        yield from _figures(result.drive.in_case(case), case, arcs, end)
+    if drive.conveyor is not None:
+        yield taut(drive.conveyor)
+
+
+def taut(conveyor: Conveyor) -> Figure:
+    """Return what a belt that nowhere hangs slack asks of the take-up of a conveyor."""
+    ends = {s.name: min(s.head, s.tail, s.entry, s.exit) for s in conveyor.reckoned()}
+    slackest = least(ends, lambda name: ends[name])
+    tension = conveyor.take_up - ends[slackest] + TAUT
+    return Figure("taut", "Belt taut at both ends", tension, Place("", slackest))
 
 
 def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
@@ -146,24 +164,23 @@ def _by_case(result: DriveResult) -> dict[str, list[ArcResult]]:
     return by_case
 
 
-def _of(result: DriveResult) -> LeastTension | None:
-    drive = result.drive
-    ends = {case.name: drive.take_up_tension(case) for case in drive.load_cases}
+def least_of(result: DriveResult, drive: Drive) -> LeastTension | None:
+    """Return the same of some load cases of a drive, at the take-up that it has for all."""
     if any(_pulls(a) and math.isnan(a.capacities.gross_slip_capacity) for a in result):
         return None
     worst: dict[str, Figure] = {}
-    for figure in figures(result):
+    for figure in figures(result, drive):
         held = worst.get(figure.name)
         either = (figure,) if held is None else (held, figure)
         worst[figure.name] = (largest if figure.at_least else least)(either, _tension)
     if not any(f.at_least and f.binding for f in worst.values()):
         return None
     found = LeastTension(tuple(worst.values()), 0.0, 0.0)
-    given, take_up = ends[found.governing.place.load_case], found.tension
-    if drive.conveyor is not None:  # its take-up stands elsewhere: what is raised there is the same
-        take_up = drive.conveyor.take_up + take_up - given
-    weight = drive.criteria.take_up.counterweight(take_up)
-    return LeastTension(found.figures, given, weight)
+    if drive.conveyor is not None:
+        given = drive.conveyor.take_up
+    else:
+        given = drive.take_up_tension(drive.load_case(found.governing.place.load_case))
+    return LeastTension(found.figures, given, drive.criteria.take_up.counterweight(found.tension))
 
 
 def _pulls(result: ArcResult) -> bool:
@@ -173,7 +190,7 @@ def _pulls(result: ArcResult) -> bool:
 def _figures(
     drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], end: float
 ) -> Iterator[Figure]:
-    """Yield what every check asks of the take-up: all tensions rise with `end`."""
+    """Yield what every check asks of the take-up: all tensions rise with `end`, what it holds."""
     for index, result in enumerate(arcs):
         arc, place = result.arc, Place(result.arc.pulley, case.name)
         tight = max(arc.entry_tension, arc.exit_tension)

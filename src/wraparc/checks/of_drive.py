@@ -19,6 +19,7 @@ from wraparc.checks.rules import (
 )
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
+from wraparc.errors import shown
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
@@ -267,9 +268,11 @@ def take_up(drive: Drive) -> Iterator[Check]:
     high, low = ordered[0], ordered[-1]
     if held_alike(held[low], held[high]):
         return
-    after = drive.criteria.take_up.after
-    what = "the sum of both tensions" if fixed else "the slack-side tension"
-    what = f"the tension behind pulley {escaped(after)}" if after else what
+    place = escaped(drive.take_up_place.removeprefix("at the take-up "))
+    what = f"the tension {place}" if place else "the slack-side tension"
+    what = "the sum of both tensions" if fixed else what
+    other = "" if fixed or drive.criteria.take_up.after else _steady(drive)
+    where = f", or say where it stands: take_up.after = {shown(other)}" if other else ""
     yield Check(
         name="take_up",
         title="Tensions that the take-up holds",
@@ -278,10 +281,19 @@ def take_up(drive: Drive) -> Iterator[Check]:
         short="contradicts take-up",
         says=f"A {kind} take-up holds {what}, and it is {{least}} in load case {escaped(low)} "
         f"and {{most}} in load case {escaped(high)}.",
-        remedy="Correct the tensions, or the kind under [take_up].",
+        remedy=f"Correct the tensions, or the kind under [take_up]{escaped(where)}.",
         more={"least": (held[low], "force"), "most": (held[high], "force")},
         binding=False,
     )
+
+
+def _steady(drive: Drive) -> str:
+    """Return the pulley behind which the belt has the same tension in every load case, or none."""
+    for pulley in drive.pulleys:
+        behind = [case.tensions[pulley.name].exit for case in drive.load_cases]
+        if held_alike(min(behind), max(behind)):
+            return pulley.name
+    return ""
 
 
 def sense(case: LoadCase, pulley: Pulley) -> Check:

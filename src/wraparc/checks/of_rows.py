@@ -50,7 +50,7 @@ Codes = NDArray[np.int8]
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
 _NOT_OF_ROWS = (
-    "creep_interval", "balance", "train_balance", "motor_heat",
+    "creep_interval", "balance", "train_balance", "motor_heat", "taut",
 )  # fmt: skip
 #: Checks by their code: what governs a row. "" where nothing could be checked.
 NAMES = (

@@ -77,6 +77,7 @@ RULES = {
         Rule("tested_slip_speed", "the slip speed tested"),
         Rule("balance", "the energy balance", Level.FAULT),
         Rule("sag", "the sag of the belt", at_most=False),
+        Rule("taut", "a belt that nowhere hangs slack", at_most=False),
         Rule("pulley_diameter", "the least pulley of the belt", Level.FAILS, at_most=False),
         Rule("belt_thickness", "a trim without the thickness of the belt"),
         Rule("usual_sizes", "an unusual size"),

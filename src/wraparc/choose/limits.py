@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from wraparc.batch.arcs import Arcs
 from wraparc.choose.search import Grid, Search
-from wraparc.choose.slack_rules import gross_slip_slack, standard_slack
+from wraparc.choose.slack_rules import gross_slip_slack, sag_slack, standard_slack
 from wraparc.drive import LoadCase
 
 Array = NDArray[np.float64]
@@ -106,10 +106,11 @@ def held_to(
     if limits.rating is not None:
         for case in cases:
             parts["belt_rating"].append(_of_rating(search, grid, case))
-    sag = limits.sag.tension if limits.sag is not None else 0.0
-    for name, least in (("belt_sag", sag), ("other_pulleys", min(grid.others, NO_TENSION))):
-        if least > 0.0:
-            parts[name] += [(-grid.ends(case)[0], np.full(n, -least)) for case in cases]
+    others = min(grid.others, NO_TENSION)
+    for case in cases:
+        for name, least in (("belt_sag", sag_slack(search, case)), ("other_pulleys", others)):
+            if least > 0.0:
+                parts[name].append((-grid.ends(case)[0], np.full(n, -least)))
     if limits.least_pulley_diameter:
         asked = _of_belts(search, grid, "least_pulley_diameter")
         # the other way round: what is allowed is the least

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import of_belt
 from wraparc.batch.arcs import Arcs, arcs_of_table
+from wraparc.checks.least_tension import taut
 from wraparc.choose.cost import Costing, price_problems
 from wraparc.drive import Belt, Drive, Lagging, LoadCase, Pulley, Sag, Tensions
 from wraparc.drive.conditions import DRY, Condition
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
+from wraparc.units import display
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -79,9 +81,9 @@ class Search:
     diameters, wrap_angles
         Over the lagging [m] and [rad].
     slack_tensions
-        Slack-side tensions behind the drives, the same in every load case as a gravity take-up
-        keeps it [N]; None for the tensions of the load cases, empty for the least that each design
-        can do with.
+        Tensions at the take-up (`Drive.take_up_tension`): of the slack side behind the drives, or
+        where it stands; the same in every load case [N]. None for the tensions of the load cases,
+        empty for the least that each design can do with.
     conditions
         States in which every limit must hold.
     limits, costing
@@ -117,6 +119,7 @@ class Search:
             problems.append(
                 Problem(key="belt.speed", message=message, remedy="Add it to the drive file.")
             )
+        problems += self._pushed()
         if len(self) > MOST_DESIGNS:
             problems.append(
                 Problem(
@@ -128,6 +131,27 @@ class Search:
             )
         if problems:
             raise InputError(problems)
+
+    def _pushed(self) -> Iterator[Problem]:
+        """Yield what tensions at the take-up leave a belt that would have to push."""
+        drive, beyond = self.drive, {}
+        for case in drive.load_cases:
+            own = min(min(t.entry, t.exit) for t in case.tensions.values())
+            beyond[case.name] = own - drive.take_up_tension(case)
+        if drive.conveyor is not None:
+            ends = taut(drive.conveyor)
+            beyond[ends.place.load_case] = -ends.tension
+        slackest = min(beyond, key=lambda name: beyond[name])
+        for tension in self.slack_tensions or ():
+            left = tension + beyond[slackest]
+            if left <= 0.0:
+                yield Problem(
+                    key="candidates.slack_tensions",
+                    value=display(tension, "force"),
+                    message=f"leaves a belt tension of {display(left, 'force')} in load case "
+                    f"{slackest}, and a belt cannot push",
+                    remedy="Give a larger tension.",
+                )
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -179,9 +203,10 @@ class Grid:
     places
         Place of each design in the lists of candidates, shape (6, n).
     thickness, diameter, wrap_angle, slack
-        Values [m, m, rad, N]; slack is nan where the load cases have their own.
+        Values [m, m, rad, N]; slack is that at the take-up, nan where the load cases have their
+        own.
     others
-        Tension behind the drives that the other pulleys ask for [N].
+        Tension at the take-up that the other pulleys ask for [N].
     """
 
     search: Search
@@ -214,20 +239,20 @@ class Grid:
         return len(self.thickness)
 
     def with_slack(self, slack: Array) -> Grid:
-        """Return the same designs at other slack-side tensions."""
+        """Return the same designs at other tensions of the take-up."""
         return replace(self, slack=slack)
 
     def tensions(self, case: LoadCase) -> tuple[Array, Array]:
         """Entry and exit tension of every design in a load case [N]."""
         t = case.tensions[self.search.pulley]
-        end, own = self.search.drive.slack_end(case), np.isnan(self.slack)
+        end, own = self.search.drive.take_up_tension(case), np.isnan(self.slack)
         exit_side = np.where(own, t.exit, self.slack + (t.exit - end))
         entry_side = np.where(own, t.entry, self.slack + (t.entry - end))
         return entry_side, exit_side
 
     def ends(self, case: LoadCase) -> tuple[Array, Array]:
-        """Tension of the slack end of the whole drive, and the largest at any pulley [N]."""
-        end = self.search.drive.slack_end(case)
+        """Tension at the take-up of the whole drive, and the largest at any pulley [N]."""
+        end = self.search.drive.take_up_tension(case)
         most = max(max(t.entry, t.exit) for t in case.tensions.values())
         own = np.isnan(self.slack)
         slack = np.where(own, end, self.slack)
@@ -248,9 +273,13 @@ class Grid:
             cases.append(replace(case, condition="", tensions=pair))
         belt, criteria = s.belts[int(self.places[2, i])], s.drive.criteria
         alone = replace(criteria, take_up=replace(criteria.take_up, after=""))
+        conveyor, held = s.drive.conveyor, float(self.slack[i])
+        if conveyor is not None and not np.isnan(held):
+            conveyor = replace(conveyor, take_up_tension=held, counterweight=None)
         return replace(
-            s.drive, belt=belt, pulleys=(pulley,), load_cases=tuple(cases), criteria=alone
-        )
+            s.drive, belt=belt, pulleys=(pulley,), load_cases=tuple(cases), criteria=alone,
+            conveyor=conveyor,
+        )  # fmt: skip
 
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.checks.least_tension import taut
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
 from wraparc.choose.life_cycle import Costs, costs_of
@@ -18,6 +19,7 @@ from wraparc.choose.slack_rules import (
     below_standard,
     gross_slip_slack,
     others_slack,
+    sag_slack,
     slack_offset,
     standard_slack,
 )
@@ -43,7 +45,7 @@ class Selection:
     creep, bond_stress
         Worst of every design [m] and [Pa]; nan where it breaks away.
     tight_tension, slack_tension
-        Largest tension, and smallest, over the load cases [N].
+        Largest tension, and smallest at the take-up, over the load cases [N].
     unevenness
         Largest over mean entry tension across the width [-]; nan where the pulley is even, or a
         design was not solved across the width: see `unjudged`.
@@ -200,7 +202,7 @@ def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.
 
 
 def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tuple[Array, Array]:
-    """Least slack-side tension with which each design keeps every check in every load case.
+    """Least tension at the take-up with which each design keeps every check in every load case.
 
     The rule of `wraparc.checks.least_tension`: creep, the safety factor on gross slip, the design
     standard even where it does not bind, as what is recommended is never below it, and the lowest
@@ -234,21 +236,23 @@ def least_slack(search: Search, grid: Grid, solve: Solver = solve_columns) -> tu
 
 
 def _slack_floor(search: Search, grid: Grid) -> Array:
-    """Slack-side tension that sag and the lowest tested wrap pressure, p B D/2, ask for [N]."""
-    sag = search.limits.sag
-    least = np.full(len(grid), max(0.0 if sag is None else sag.tension, grid.others))
+    """Tension at the take-up that sag and the lowest tested wrap pressure, p B D/2, ask for [N]."""
+    cases, conveyor = search.drive.load_cases, search.drive.conveyor
+    ends = 0.0 if conveyor is None else taut(conveyor).tension
+    asked = max(sag_slack(search, case) for case in cases)
+    least = np.full(len(grid), max(asked, ends, grid.others))
     if not search.limits.tested_pressure:
         return least
     tested = [lag.law.tested for lag in search.laggings]
     low = np.array([0.0 if t is None else t.pressure_min for t in tested])[grid.places[0]]
     tested_least = 0.5 * low * search.drive.belt.width * grid.diameter
-    tested_least += max(slack_offset(search, case) for case in search.drive.load_cases)
+    tested_least += max(slack_offset(search, case) for case in cases)
     return np.asarray(np.maximum(least, tested_least))
 
 
 def own_slack(search: Search) -> float:
-    """Slack-side tension of the drive as it is: the largest over its load cases [N]."""
-    return max(search.drive.slack_end(case) for case in search.drive.load_cases)
+    """Tension at the take-up of the drive as it is: the largest over its load cases [N]."""
+    return max(search.drive.take_up_tension(case) for case in search.drive.load_cases)
 
 
 def _worst(columns: Sequence[Array]) -> Array:

@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Least tension behind the drives with the safety factor on gross slip, by design [N].
+    """Least tension at the take-up with the safety factor on gross slip, by design [N].
 
     As `wraparc.checks` judges it: the pull of the whole drive times the factor just does not slide
     the belt with its slack side held (gravity take-up), or the sum of both sides (fixed take-up).
@@ -37,7 +37,7 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
     pulls = np.array([[case.tensions[name].effective] for name in names])
     lost = given_up(pulls, names, search.drive.criteria.take_up)
     rise = rises_of(pulls, names.index(search.pulley), lost)[0][0]
-    lifted = tight - search.drive.slack_end(case) + (factor - 1.0) * float(rise)
+    lifted = tight - search.drive.take_up_tension(case) + (factor - 1.0) * float(rise)
     own = replace(grid, slack=np.full(len(grid), np.nan))  # each by the tensions of the drive
     arcs = own.arcs(case, condition)
     of = LoadedRows.of(arcs, setting=Setting.PRECISE)
@@ -48,7 +48,7 @@ def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int)
 
 
 def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
-    """Tension behind the drives that the design standard asks for, by design [N]; 0 for none."""
+    """Tension at the take-up that the design standard asks for, by design [N]; 0 for none."""
     offset = slack_offset(search, case)
 
     def least(lagging: int, wrap_angle: float) -> float:
@@ -59,7 +59,7 @@ def standard_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -
 
 
 def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
-    """Largest tension behind the drives that the standard asks of a design [N], and its words."""
+    """Largest tension at the take-up that the standard asks of a design [N], and its words."""
     wrap_angle, count = float(grid.wrap_angle[design]), len(search.laggings)
     found = [(0.0, "")]
     for condition in range(len(search.conditions)):
@@ -72,7 +72,7 @@ def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
 
 
 def below_standard(search: Search, grid: Grid, slack: Array) -> NDArray[np.bool_]:
-    """Whether designs with a tension behind the drives [N] stand below the design standard."""
+    """Whether designs with a tension at the take-up [N] stand below the design standard."""
     asked_for = np.zeros(len(grid))
     for condition in range(len(search.conditions)):
         for case in search.drive.load_cases:
@@ -91,20 +91,28 @@ def inapplicable(search: Search, grid: Grid, design: int) -> str:
 
 
 def slack_offset(search: Search, case: LoadCase) -> float:
-    """Tension of the slack end of the drive less that of the slack side of the pulley [N]."""
+    """Tension at the take-up of the drive less that of the slack side of the pulley [N]."""
     t = case.tensions[search.pulley]
-    return search.drive.slack_end(case) - min(t.entry, t.exit)
+    return search.drive.take_up_tension(case) - min(t.entry, t.exit)
+
+
+def sag_slack(search: Search, case: LoadCase) -> float:
+    """Tension at the take-up that the sag of the belt asks for, 0 where it is no limit [N]."""
+    sag = search.limits.sag
+    if sag is None:
+        return 0.0
+    return sag.tension + search.drive.take_up_tension(case) - search.drive.slack_end(case)
 
 
 def others_slack(search: Search) -> float:
-    """Tension behind the drives that the other pulleys ask for, every one pulling as it does [N].
+    """Tension at the take-up that the other pulleys ask for, every one pulling as it does [N].
 
     As `wraparc.checks.least_tension` has it; inf where no tension keeps their checks.
     """
     drive = search.drive
     if len(drive.pulleys) == 1:
         return 0.0
-    asked_for = figures(solve(drive, raise_on_failure=False))
+    asked_for = figures(solve(drive, raise_on_failure=False), drive)
     others = (f for f in asked_for if f.place.pulley not in ("", search.pulley))
     return max((f.tension for f in others if f.binding and f.at_least), default=0.0)
 

@@ -22,6 +22,7 @@ from wraparc.views import Viewable
 CREEP_LIMIT = 6.35e-3
 MOST_PULLEYS = 10
 SAME_MASS = 0.005  # by which the mass of the belt may differ in two places [-]
+SAME_TENSION = 1e-6  # by which two tensions differ by rounding alone [-]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -122,9 +123,7 @@ class Drive(Viewable):
         Errors as for `pulley`.
         """
         if name is None:
-            return heaviest(
-                self.load_cases, lambda case: math.fsum(t.effective for t in case.tensions.values())
-            )
+            return heaviest(self.load_cases, _pull)
         return named("load case", name, self.load_cases)
 
     @property
@@ -145,18 +144,71 @@ class Drive(Viewable):
 
     def slack_end(self, case: LoadCase) -> float:
         """Tension of the belt that leaves all pulleys slack in a load case [N]."""
-        first, last = (case.tensions[p.name] for p in (self.pulleys[0], self.pulleys[-1]))
-        pull = math.fsum(t.effective for t in case.tensions.values())
-        return last.exit if pull >= 0.0 else first.entry
+        entry, leaving = self._ends(case)
+        return leaving if _pull(case) >= 0.0 else entry
 
     def take_up_tension(self, case: LoadCase) -> float:
-        """Tension of the belt at the take-up in a load case, the slack end if nothing is said."""
-        after = self.criteria.take_up.after
-        return case.tensions[after].exit if after else self.slack_end(case)
+        """Tension of the belt at the take-up in a load case: at the one place where it stands [N].
+
+        A conveyor says where; else it stands behind `TakeUp.after`, or on the slack side, or, where
+        that has another tension in every load case, on the tight side if that keeps its own. Where
+        the slack side changes, it stands on the side that keeps its tension better. A fixed
+        take-up lifts all tensions alike: it is told by the slack side of one load case.
+        """
+        take_up = self.criteria.take_up
+        if self.conveyor is not None:
+            return self.conveyor.take_up
+        if take_up.fixed:
+            return self.slack_end(self.load_case())
+        if take_up.after:
+            return case.tensions[take_up.after].exit
+        entry, leaving = self._ends(case)
+        steady = self._steady_end
+        return self.slack_end(case) if steady == "" else leaving if steady == "exit" else entry
+
+    @property
+    def take_up_place(self) -> str:
+        """Where `take_up_tension` is, in words; empty for the slack side in every load case."""
+        take_up = self.criteria.take_up
+        ends = [self.slack_end(case) for case in self.load_cases]
+        if self.conveyor is not None:
+            held = self.conveyor.take_up
+            away = any(abs(end - held) > SAME_TENSION * held for end in ends)
+            return "at the take-up" if away else ""
+        if take_up.fixed:
+            alike = max(ends) - min(ends) <= SAME_TENSION * max(ends)
+            return "" if alike else f"of the slack side in load case {self.load_case().name}"
+        steady = self._steady_end
+        if steady == "entry" and not take_up.after:
+            return f"at the take-up ahead of pulley {self.pulleys[0].name}"
+        after = take_up.after or (self.pulleys[-1].name if steady == "exit" else "")
+        return f"at the take-up behind pulley {after}" if after else ""
+
+    @property
+    def _steady_end(self) -> str:
+        """``entry`` or ``exit`` where the take-up is not on the slack side always; else empty."""
+        pulls = [_pull(case) for case in self.load_cases]
+        entries = [self._ends(case)[0] for case in self.load_cases]
+        exits = [self._ends(case)[1] for case in self.load_cases]
+        steadier = min(exits) * max(entries) >= min(entries) * max(exits)
+        end, alike = ("exit", exits) if steadier else ("entry", entries)
+        if min(pulls) >= 0.0 or max(pulls) <= 0.0:
+            slack = "exit" if min(pulls) >= 0.0 else "entry"
+            if end == slack or max(alike) - min(alike) > SAME_TENSION * max(alike):
+                return ""
+        return end
+
+    def _ends(self, case: LoadCase) -> tuple[float, float]:
+        first, last = self.pulleys[0].name, self.pulleys[-1].name
+        return case.tensions[first].entry, case.tensions[last].exit
 
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""
         return self.creep_limit if pulley.creep_limit is None else pulley.creep_limit
+
+
+def _pull(case: LoadCase) -> float:
+    return math.fsum(t.effective for t in case.tensions.values())
 
 
 def laggings_of(pulleys: Sequence[Pulley], conditions: Iterable[str]) -> tuple[Lagging, ...]:

@@ -24,9 +24,10 @@ from wraparc.present.choose_words import (
     reasons,
     saving_words,
     silent_standard,
+    slack_words,
     unpriced_words,
 )
-from wraparc.present.least_tension import at_least
+from wraparc.present.least_tension import at_least, tension_at
 from wraparc.present.sheet import (
     WEAK,
     Row,
@@ -111,8 +112,9 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     told = f"Choose {name}"
     if below:
         told = f"No candidate {below}; the cheapest is {name}"
+    held = tension_at(selection.search.drive.take_up_place)
     headline = (
-        f"{silent}{told} with a slack-side tension of "
+        f"{silent}{told} with a {held} of "
         f"{at_least(float(selection.slack_tension[best]))}: "
         f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
         f"worst creep {named('exit_creep', float(selection.creep[best]))}."
@@ -129,7 +131,8 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
         sentences.append(
             f"The lightest catalogue belt that would do is {lighter.belt.name}: "
-            f"slack side {named('tension', lighter.slack_tension)}, largest tension "
+            f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
+            "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
     odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
@@ -273,7 +276,8 @@ def _slack_remarks(selection: Selection) -> Iterator[str]:
         asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
     if search.least_slack:
         words = " and ".join((", ".join(asked[:-1]), asked[-1]))
-        yield f"The slack-side tension is the least for {words}."
+        held = tension_at(search.drive.take_up_place)
+        yield f"The {held} is the least for {words}."
     if sag is None:
         yield (
             "Belt sag may need more slack-side tension; it is not checked, because limits.sag does "

@@ -10,10 +10,11 @@ from wraparc.choose.ranking import SAME
 from wraparc.choose.search import Search
 from wraparc.choose.selection import Selection, own_slack
 from wraparc.choose.slack_rules import inapplicable, standard_asks
-from wraparc.present.least_tension import at_least
+from wraparc.present.least_tension import at_least, tension_at
 from wraparc.present.sheet import named, percent, quantity
-from wraparc.units import Dimension
+from wraparc.units import RESULT_DIGITS, Cell, Dimension
 
+SLACK = tension_at("")
 #: limit -> what is limited, its dimension, whether the limit is a least
 _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "traction": ("tension ratio over the largest the friction carries", "number", False),
@@ -23,11 +24,11 @@ _LIMITS: dict[str, tuple[str, Dimension, bool]] = {
     "tested_slip_margin": ("margin to the edge of tested slip", "number", True),
     "gross_slip_margin": ("margin to gross slip", "number", True),
     "tested_pressure": ("wrap pressure", "pressure", False),
-    "gross_slip": ("slack-side tension", "force", True),
-    "design_standard": ("slack-side tension", "force", True),
+    "gross_slip": (SLACK, "force", True),
+    "design_standard": (SLACK, "force", True),
     "least_slack": ("pull over the largest pull within the creep limit", "number", False),
-    "belt_sag": ("slack-side tension", "force", True),
-    "other_pulleys": ("slack-side tension", "force", True),
+    "belt_sag": (SLACK, "force", True),
+    "other_pulleys": (SLACK, "force", True),
     "edge_tension": ("tension of an edge", "force_per_width", False),
     "belt_rating": ("tension per width", "force_per_width", False),
     "least_pulley_diameter": ("pulley diameter", "length", True),
@@ -45,6 +46,11 @@ _WHY = {
 def money(value: float, currency: str) -> str:
     """Return an amount: whole units of the currency, thousands apart as in every count."""
     return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
+
+
+def slack_words(search: Search) -> str:
+    """Return what has the tension of a design: the slack side, or the take-up elsewhere."""
+    return "take-up" if search.drive.take_up_place else "slack side"
 
 
 def design_name(selection: Selection, design: int, *, slack: bool = True) -> str:
@@ -65,7 +71,8 @@ def design_name(selection: Selection, design: int, *, slack: bool = True) -> str
     if shape[4] > 1:
         parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design])))
     if slack and shape[5] > 1:
-        parts.append("slack side " + named("tension", float(grid.slack[design])))
+        slack = named("tension", float(grid.slack[design]))
+        parts.append(f"{slack_words(search)} {slack}")
     return ", ".join(parts)
 
 
@@ -73,6 +80,8 @@ def reason(selection: Selection, design: int, name: str) -> str:
     """Return how a design stands to a limit it breaks, with by how much."""
     held = selection.held[name]
     what, dimension, least = _LIMITS[name]
+    if what == SLACK:
+        what = tension_at(selection.search.drive.take_up_place)
     value, limit = float(held.value[design]), float(held.limit[design])
     excess = float(held.excess[design])
     if name == "traction":
@@ -153,11 +162,12 @@ def saving_words(selection: Selection) -> Iterator[str]:
         max(t.entry, t.exit) for case in search.drive.load_cases for t in case.tensions.values()
     )
     tight = float(selection.tight_tension[best])
+    where = "" if search.drive.take_up_place else " next to the pulley"
     words = "less" if then <= now else "more"
     parts = f"{named('tension', abs(now - then))} {words}"
     yield (
-        f"Against the take-up of the drive file, {named('tension', now)}, the slack side "
-        f"is {parts}; the mass of a gravity take-up next to the pulley, of sheave ratio "
+        f"Against the take-up of the drive file, {named('tension', now)}, the "
+        f"{slack_words(search)} is {parts}; the mass of a gravity take-up{where}, of sheave ratio "
         f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now)} "
         f"to {_mass(search, then)}."
     )
@@ -171,7 +181,8 @@ def saving_words(selection: Selection) -> Iterator[str]:
 
 
 def _mass(search: Search, tension: float) -> str:
-    return quantity(search.drive.criteria.take_up.counterweight(tension), "mass")
+    weight = search.drive.criteria.take_up.counterweight(tension)
+    return Cell(weight, "mass", RESULT_DIGITS, "up")
 
 
 def next_dearer_words(selection: Selection) -> Iterator[str]:
@@ -195,7 +206,8 @@ def next_dearer_words(selection: Selection) -> Iterator[str]:
     changes = [
         f"the creep goes from {named('exit_creep', float(selection.creep[best]))} to "
         f"{named('exit_creep', float(selection.creep[other]))}",
-        f"the slack side from {named('tension', float(selection.slack_tension[best]))} to "
+        f"the {slack_words(selection.search)} from "
+        f"{named('tension', float(selection.slack_tension[best]))} to "
         f"{named('tension', float(selection.slack_tension[other]))}",
     ]
     years = selection.search.costing.years

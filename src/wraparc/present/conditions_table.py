@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from wraparc.arc import DriveResult
-from wraparc.checks import Check, Level, Verdict, judge, least_tension
+from wraparc.checks import Check, Level, Verdict, judge
+from wraparc.checks.least_tension import least_of
 from wraparc.present.least_tension import at_least, least_name
 from wraparc.present.sheet import NONE, Row, Table
 from wraparc.units import distinct
@@ -39,7 +40,9 @@ def conditions_table(result: DriveResult) -> Table:
     rows.append(
         Row("Equivalent friction at the creep limit", tuple(map(_friction, parts.values())))
     )
-    rows.append(Row(f"Least {least_name(result)}", tuple(_least(p) for p in parts.values())))
+    rows.append(
+        Row(f"Least {least_name(result)}", tuple(_least(p, result) for p in parts.values()))
+    )
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
 
@@ -47,7 +50,7 @@ def conditions_data(result: DriveResult) -> list[dict[str, Any]]:
     """Return the verdict and the least slack-side tension of each condition as plain data [SI]."""
     told = []
     for name, part in by_condition(result).items():
-        verdict, least = judge(part), least_tension(part)
+        verdict, least = judge(part), least_of(part, result.drive)
         told.append(
             {
                 "condition": name,
@@ -96,8 +99,8 @@ def _friction(result: DriveResult) -> str:
     return f"{min(known):.3f}" if known else NONE
 
 
-def _least(result: DriveResult) -> str:
-    found = least_tension(result)
+def _least(part: DriveResult, result: DriveResult) -> str:
+    found = least_of(part, result.drive)
     if found is None:
         return NONE
     return "none" if math.isinf(found.tension) else at_least(found.tension)

@@ -77,12 +77,12 @@ def least_table(result: DriveResult | TrainResult) -> Table | None:
     found = least_tension(result)
     if found is None:
         return None
-    rows, after = [], _after(result)
+    rows, place = [], _place(result)
     if not math.isinf(found.tension):
         weight = Cell(found.counterweight, "mass", RESULT_DIGITS, "up")
         given = f"given {named('tension', found.given)}"
         least = at_least(found.tension)
-        symbol = "" if after else "T2_min"
+        symbol = "" if place else "T2_min"
         rows.append(Row(f"Least {least_name(result)}", (least,), symbol, given))
         rows.append(Row("Counterweight for it", (weight,), "", "if the take-up is a weight"))
     for figure in sorted(found.figures, key=lambda f: (not f.at_least, -f.tension)):
@@ -93,22 +93,24 @@ def least_table(result: DriveResult | TrainResult) -> Table | None:
         note = "governs" if governs else "" if figure.binding else "not binding"
         note = ", ".join(part for part in (note, str(figure.place)) if part)
         rows.append(Row(f"{figure.title}, {bound}", (text,), "", note))
-    where = (
-        f"at the take-up behind pulley {after}" if after else "of the slack side behind the drives"
-    )
+    where = place or "of the slack side behind the drives"
     note = f"Tension {where} with which each check is kept, every pulley pulling as it does."
     return Table(f"Least {least_name(result)}", tuple(rows), note=note, name="least")
 
 
-def _after(result: DriveResult | TrainResult) -> str:
-    of = result.train if isinstance(result, TrainResult) else result.drive
-    return of.criteria.take_up.after
+def _place(result: DriveResult | TrainResult) -> str:
+    one = result.drive_result() if isinstance(result, TrainResult) else result
+    return one.drive.take_up_place
 
 
 def least_name(result: DriveResult | TrainResult) -> str:
     """Return the name of the tension that the take-up holds, after "Least"."""
-    after = _after(result)
-    return f"tension at the take-up behind pulley {after}" if after else "slack-side tension"
+    return tension_at(_place(result))
+
+
+def tension_at(place: str) -> str:
+    """Return the name of the tension at a `Drive.take_up_place`."""
+    return f"tension {place}" if place else "slack-side tension"
 
 
 def margins_table(result: DriveResult, arc: ArcResult) -> Table | None:

@@ -92,7 +92,8 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
         condition=own.condition if own else "",
     )
     pulley = drive.pulley(arc.arc.pulley)
-    return DriveResult(replace(drive, pulleys=(pulley,), load_cases=(case,)), (arc,))
+    own_case = replace(drive, pulleys=(pulley,), load_cases=(case,), conveyor=None)
+    return DriveResult(own_case, (arc,))
 
 
 _among: WeakKeyDictionary[DriveResult, dict[ArcResult, DriveResult]] = WeakKeyDictionary()
