@@ -10,9 +10,11 @@ from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
 from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, safety_of, trim_shift
 from wraparc.checks.rules import (
+    CUSTOMARY_SAFETY,
     RULES,
     Rule,
     asked_safety,
+    rated,
     tension_factor,
     tension_rule,
     wrap_pressure,
@@ -125,7 +127,8 @@ def belt_safety(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
 def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
     """Check the strength of a belt over a tension [N] in a kind of load case.
 
-    Against what the rating leaves, as its maker asks, or what is customary without one.
+    Against what the rating leaves, as its maker asks, or what is customary without one, or where
+    it leaves less than any belt has.
     """
     rule, momentary = RULES["belt_safety"], kind != "running"
     title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
@@ -138,7 +141,9 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
     if momentary and belt.momentary_factor is not None:
         factor = f" over momentary_factor, {belt.momentary_factor:g}"
     source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
-    if belt.rating is not None:
+    if belt.kind not in CUSTOMARY_SAFETY:
+        source = f"the least that any belt is rated with{factor}"
+    if rated(belt):
         rule = replace(rule, missed=Level.FAILS)
         source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
     return judged(
@@ -154,7 +159,7 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
         "stronger belt.",
         otherwise="Take a wider or stronger belt.",
-        binding=belt.rating is not None,
+        binding=rated(belt),
         place=place,
     )
 

@@ -33,6 +33,7 @@ from wraparc.conveyor import (
     Conveyor,
 )
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
+from wraparc.drive.pitch import pitch_offset
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by
@@ -271,11 +272,17 @@ def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
         turns = setting * speed / motor.gear_ratio
         remedy = "Check gear_ratio, rated_speed, diameter and belt speed."
     belt = math.nan if drive.belt.speed is None else drive.belt.speed
-    values = compared_motor(power, speed, turns, 0.5 * pulley.diameter, belt)
+    radius = pulley.radius + (pitch_offset(drive.belt, pulley.side) or 0.0)
+    values = compared_motor(power, speed, turns, radius, belt)
     for (name, dimension), value, ends in zip(_MOTOR_NAMES, values, USUAL_MOTORS, strict=True):
         if not usual(value, *ends):
             check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
-            yield replace(check, remedy=remedy) if name == _FITS else check
+            if name == _FITS:
+                more = check.more | {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
+                taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt]."
+                says = f"{check.says[:-1]}: {taken}"
+                check = replace(check, says=says, remedy=remedy, more=more)
+            yield check
 
 
 def _motor_sizes(drive: Drive, motors: Sequence[Motor]) -> Iterator[Check]:
@@ -334,12 +341,10 @@ def unusual(
         remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
     if name.startswith(_AT_RATING):
         remedy = "Check the diameter and the rating."
-    if name == _STRONG:
-        remedy = "Check strength and rating."
+    if name in (_STRONG, _RATIO):
+        remedy = _of_rating(name, value, least)
     if name == _MASS and value > most:
         remedy = "Is it that of the whole belt? Give the mass of a metre."
-    if name == _RATIO:
-        remedy = "Is the rating or the strength given as the modulus? Check the units of both."
     return Check(
         name="usual_sizes",
         title=f"Usual {name}",
@@ -356,6 +361,23 @@ def unusual(
         more={"least": (least, dimension), "most": (most, dimension)},
         binding=False,
     )
+
+
+def _of_rating(name: str, value: float, least: float) -> str:
+    """Return which of strength, modulus and rating may be wrong, by a ratio of two of them [-]."""
+    if name == _STRONG:
+        if value < 0.5 * least:
+            return "Is the rating the strength? Give the tension that the belt is rated for."
+        return (
+            "Is the rating that of the whole width? Give it per width."
+            if value < least
+            else "Check strength and rating: both are per width."
+        )
+    if value >= least:
+        return "Check the units of both."
+    meant = "rating or the strength given as the modulus"
+    meant = meant if value < 0.2 * least else "strength given as the rating, or as the modulus"
+    return f"Is the {meant}? Check the units of both."
 
 
 #: Dimensions of sizes that are compared over the width of the belt.
@@ -389,8 +411,8 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         ("largest wrap pressure of the belt", "pressure", belt),
         ("least pulley of the belt", "length", belt),
         (_SAG, "force", belt),
-        (_RATIO, "number", belt),
         (_STRONG, "number", belt),
+        (_RATIO, "number", belt),
         (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
         (f"entry tension {of}", "force", at),
         (f"exit tension {of}", "force", at),

@@ -92,7 +92,11 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
         condition=own.condition if own else "",
     )
     pulley = drive.pulley(arc.arc.pulley)
-    return DriveResult(replace(drive, pulleys=(pulley,), load_cases=(case,)), (arc,))
+    criteria, take_up = drive.criteria, drive.criteria.take_up
+    if take_up.after not in ("", pulley.name):  # it stands at a pulley that is left out
+        criteria = replace(criteria, take_up=replace(take_up, after=""))
+    kept = replace(drive, criteria=criteria, pulleys=(pulley,), load_cases=(case,))
+    return DriveResult(kept, (arc,))
 
 
 _among: WeakKeyDictionary[DriveResult, dict[ArcResult, DriveResult]] = WeakKeyDictionary()

@@ -1891,23 +1891,34 @@ if (($truth(momentary) && (belt.momentary_factor != null))) {
 (factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
 }
 (source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((belt.rating != null)) {
+if ((!$in(belt.kind, $c52))) {
+(source = ("" + "the least that any belt is rated with" + $str(factor)));
+}
+if ($truth(rules__rated(belt))) {
 (rule = $replaced(rule, new Map([["missed", "FAILS"]])));
 (source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
 }
-return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, (belt.rating != null));
+return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
 }
 function rules__asked_safety(belt, kind) {
-let asked;
+let asked, rating, strength;
 
-if ((belt.breaking_strength == null)) {
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+if ((strength == null)) {
 return NaN;
 }
-(asked = $m.get($c52, $bound(belt, "kind"), NaN));
-if ((belt.rating != null)) {
-(asked = (belt.breaking_strength / belt.rating));
+(asked = $m.get($c52, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+if (((rating != null) && $truth(rules__rated(belt)))) {
+(asked = (strength / rating));
 }
-return (asked / rules__tension_factor(belt, kind));
+(asked = (asked / rules__tension_factor(belt, kind)));
+return $b.max(asked, 1.0);
+}
+function rules__rated(belt) {
+let rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
 }
 function numbers__safety_of(strength, tension, asked) {
 let safety;
@@ -2307,14 +2318,11 @@ if ((($eq(dimension, "angle")) && !$truth(meant))) {
 if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
 (remedy = "Check the diameter and the rating.");
 }
-if (($eq(name, "strength over the rating of the belt"))) {
-(remedy = "Check strength and rating.");
+if (($in(name, ["strength over the rating of the belt", "modulus over the rating of the belt"]))) {
+(remedy = usual___of_rating(name, value, least));
 }
 if ((($eq(name, "mass of the belt")) && (value > most))) {
 (remedy = "Is it that of the whole belt? Give the mass of a metre.");
-}
-if (($eq(name, "modulus over the rating of the belt"))) {
-(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
 }
 return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
@@ -2339,8 +2347,24 @@ $m.append(found, [!(1.0 <= short && short < 1000.0), text]);
 }
 return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
 }
+function usual___of_rating(name, value, least) {
+let meant;
+
+if (($eq(name, "strength over the rating of the belt"))) {
+if ((value < $mul(0.5, least))) {
+return "Is the rating the strength? Give the tension that the belt is rated for.";
+}
+return ((value < least) ? "Is the rating that of the whole width? Give it per width." : "Check strength and rating: both are per width.");
+}
+if ((value >= least)) {
+return "Check the units of both.";
+}
+(meant = "rating or the strength given as the modulus");
+(meant = ((value < $mul(0.2, least)) ? meant : "strength given as the rating, or as the modulus"));
+return ("" + "Is the " + $str(meant) + "? Check the units of both.");
+}
 function* usual___turning(drive, owner) {
-let belt, check, dimension, ends, motor, name, power, pulley, remedy, setting, speed, turns, value, values;
+let belt, check, dimension, ends, more, motor, name, power, pulley, radius, remedy, says, setting, speed, taken, turns, value, values;
 
 ([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
 ([turns, remedy] = [motor, "Check the speeds of the drums, the diameter and the belt speed."]);
@@ -2351,11 +2375,18 @@ if ($truth($b.isinstance(motor, Motor))) {
 (remedy = "Check gear_ratio, rated_speed, diameter and belt speed.");
 }
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
-(values = numbers__compared_motor(power, speed, turns, $mul(0.5, pulley.diameter), belt));
+(radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
+(values = numbers__compared_motor(power, speed, turns, radius, belt));
 for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
-yield (($eq(name, "speed of the drum over that of the belt")) ? $replaced(check, new Map([["remedy", remedy]])) : check);
+if (($eq(name, "speed of the drum over that of the belt"))) {
+(more = $merged(check.more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
+(taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt].");
+(says = ("" + $str($slice(check.says, null, $neg(1))) + ": " + $str(taken)));
+(check = $replaced(check, new Map([["says", says], ["remedy", remedy], ["more", more]])));
+}
+yield check;
 }
 }
 }
@@ -2450,7 +2481,7 @@ let at, belt, drum, lagging, of;
 
 ([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
 ([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
-return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["strength over the rating of the belt", "number", belt], ["modulus over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
 }
 function usual___sizes(drive, case_, pulley) {
 let belt, idle, lagging, sag, tensions;
@@ -2465,7 +2496,7 @@ return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.
 }
 function numbers__compared_sizes(of) {
 
-return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
+return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.strength / of.rating), (of.modulus / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
 }
 function of_data__data(drive, pulley) {
 let found, grounds, kind, lagging, what, words, worst;
@@ -6032,10 +6063,18 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 get breaking_strength() {
-const self = this; let found;
+const self = this; let bare, found, told;
 
-(found = $m.search($c840, $m.upper(self.name)));
-return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
+(found = $m.search($c840, $m.upper($m.strip(self.name))));
+if (((self.strength != null) || (found == null))) {
+return self.strength;
+}
+(told = $b.float($at(found, 1)));
+(bare = $m.startswith($m.strip(self.name), $at(found, 1)));
+if (($truth(bare) && (self.rating != null) && ($b.abs($sub((self.rating / $mul(told, 175.12683524647636)), 1.0)) < 0.02))) {
+return null;
+}
+return $mul(1000.0, told);
 }
 get axial_stiffness() {
 const self = this; 
@@ -8224,7 +8263,7 @@ const $c731 = ["speed of the drum over that of the belt", "number"];
 const $c58 = [$c729, $c730, $c731];
 const $c732 = [250.0, 20000000.0];
 const $c733 = [10.0, 400.0];
-const $c734 = [0.6, 1.7];
+const $c734 = [0.95, 1.05];
 const $c59 = [$c732, $c733, $c734];
 const $c735 = ["length", 3.0, 30000.0];
 const $c736 = ["lift", -1500.0, 1500.0];
@@ -8261,8 +8300,8 @@ const $c778 = [10000.0, 50000000.0];
 const $c779 = [50000.0, 10000000.0];
 const $c780 = [0.1, 3.0];
 const $c781 = [500.0, 10000000.0];
-const $c782 = [15.0, 1000.0];
-const $c783 = [3.0, 20.0];
+const $c782 = [4.0, 20.0];
+const $c783 = [15.0, 1000.0];
 const $c784 = [0.0, 1600000.0];
 const $c785 = [1.0, 130.0];
 const $c63 = [$c766, $c767, $c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c778, $c779, $c780, $c781, $c782, $c783, $c784, $c781, $c781, $c732, $c785];
@@ -8361,7 +8400,7 @@ const $c1469 = [false, true];
 const $c833 = new Map([["polynomial", $c1466], ["logarithmic", $c1467], ["power", $c1468], ["exponential", $c1469]]);
 const $c838 = $made(_OfClass, [], []);
 const $c839 = new Map([[10, null], [9, null]]);
-const $c840 = $re("ST[ -]?(\\d{3,5})\\b", "");
+const $c840 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
 const $c1470 = [80.0, 1.92];
 const $c1471 = [90.0, 1.86];
 const $c1472 = [100.0, 1.78];
