@@ -103,10 +103,12 @@ class Bar(Answer):
     `says` is what it says where it is not kept, `source` where its limit came from.
     """
 
+    name: str
     title: str
     level: Level
     place: str
     at_most: bool
+    value: float
     share: float
     found: Text
     limit: Text

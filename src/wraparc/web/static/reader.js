@@ -1345,6 +1345,21 @@ function judge__every_check(result) {
 return $b.tuple(($truth($b.isinstance(result, TrainResult)) ? judge___train(result) : judge___drive(result)));
 }
 function* judge___train(result) {
+let case_, check, checks, failing;
+(checks = [...$iter(judge___of_members(result))]);
+(failing = new Set((function* () { for (const check of $iter(checks)) { if (!((check.level === "FAILS"))) continue; yield check.place.load_case; } })()));
+for (check of $iter(checks)) {
+if ((($eq(check.name, "fight")) && $truth(check.missed) && ($in(check.place.load_case, failing)))) {
+(case_ = result.train.case($bound(check.place, "load_case")));
+if (($at($at(check.more, "lost"), 0) > $mul(0.1, $b.abs($bound(case_, "effective_tension"))))) {
+yield $replaced(check, new Map([["level", "FAILS"]]));
+continue;
+}
+}
+yield check;
+}
+}
+function* judge___of_members(result) {
 let adrift, case_, check, title;
 for (case_ of $iter(result)) {
 yield* $iter(judge___of_train($bound(result, "train"), case_));
@@ -1363,11 +1378,12 @@ yield check;
 }
 }
 function* judge___of_train(train, case_) {
-let division, driven, member, motor, place, several;
+let driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
-yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place);
+(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), judge___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
+yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($c40, case_.status, "solved"))) {
@@ -1375,22 +1391,30 @@ yield* $iter(($truth(several) ? judge__not_working(place) : []));
 return null;
 }
 if ($truth(several)) {
-yield judge__fight(numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]), place);
+(lost = numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]));
+yield judge__fight(lost, place, $bound(case_.case, "division"));
 (driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
 yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
 }
 yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
-(division = case_.case.division);
-for ([member, motor] of $iter($b.zip($bound(case_, "members"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
-yield judge___motor(member, motor, $bound(case_, "case"));
+(motors = judge___motors($bound(case_, "case")));
+(driven_by = [...$iter($b.zip($bound(case_, "members"), motors, $k({strict: false})))]);
+(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
+yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), helps); } })());
 }
+function judge___motors(case_) {
+return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
-function judge__operating_point(status, reason, place) {
-let fault, shorts;
+function judge__operating_point(status, reason, place, overrun = false) {
+let _, fault, remedy, says, shorts;
 
+([says, _, remedy] = $m.partition($b.str(status), ". "));
+if ($truth(overrun)) {
+(remedy = ("" + "Set brakes = true for its motor if its drive can hold back. " + $str(remedy)));
+}
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 (shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
-return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(status)))));
+return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(says) + "."))), check__escaped(remedy));
 }
 function check__escaped(text) {
 
@@ -1416,11 +1440,19 @@ return 0.0;
 }
 return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
 }
-function judge__fight(lost, place) {
-let fights;
+function judge__fight(lost, place, division) {
+let fights, remedy;
 
 (fights = (lost > 0.0));
-return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : ""), undefined, $map([["lost", [lost, "force"]]]));
+(remedy = "Bring their speeds closer together, or divide the load by torque.");
+if ($truth($b.isinstance(division, Shares))) {
+(remedy = "Correct the shares: one below 0 % brakes against the others.");
+} else {
+if ($truth($b.isinstance(division, Pulls))) {
+(remedy = "Correct the tensions: one of the pulleys is given as braking.");
+}
+}
+return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? remedy : ""), undefined, $map([["lost", [lost, "force"]]]));
 }
 function* of_drive__unknown_trims(belt, pulleys, at) {
 let first, opposite, place, pulley, shift;
@@ -1491,14 +1523,14 @@ return ($eq(value, limit));
 }
 return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
 }
-function judge___motor(member, motor, case_) {
+function judge___motor(member, motor, case_, helps) {
 let at, momentary;
 
 ([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
 if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
 return judge__unrated(momentary, at);
 }
-return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at);
+return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
 }
 function judge__unrated(momentary, place) {
 let name, why;
@@ -1507,13 +1539,17 @@ let name, why;
 (why = "a drive that follows another gives no rating of its motors");
 return of_drive__not_checked(name, $at($c45, momentary), why, place);
 }
-function judge__motor_load(load, most, momentary, place) {
-let remedy, title;
+function judge__motor_load(load, most, momentary, place, helps) {
+let other, remedy, title;
 
 (title = $at($c45, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
+if (!$truth(helps)) {
+(remedy = "Take larger motors: no other division of the load helps.");
+}
 if ($truth(momentary)) {
-(remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
+(other = ($truth(helps) ? "divide the load otherwise, " : ""));
+(remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
 }
 return of_drive__judged($at($c44, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
 }
@@ -2919,14 +2955,19 @@ $put(known, arc, words__alone($bound(result, "drive"), arc));
 return $at(known, arc);
 }
 function words__alone(drive, arc) {
-let case_, name, own, pulley, solved, tensions;
+let case_, criteria, kept, name, own, pulley, solved, take_up, tensions;
 
 ([name, solved] = [arc.arc.load_case, arc.arc]);
 (tensions = new Tensions(solved.entry_tension, solved.exit_tension));
 (own = $b.next((function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })(), null));
 (case_ = new LoadCase(name, $map([[arc.arc.pulley, tensions]]), ($truth(own) ? own.kind : "running"), ($truth(own) ? own.condition : "")));
 (pulley = drive.pulley($bound(arc.arc, "pulley")));
-return new DriveResult($replaced(drive, new Map([["pulleys", [pulley]], ["load_cases", [case_]]])), [arc]);
+([criteria, take_up] = [drive.criteria, drive.criteria.take_up]);
+if ((!$in(take_up.after, ["", pulley.name]))) {
+(criteria = $replaced(criteria, new Map([["take_up", $replaced(take_up, new Map([["after", ""]]))]])));
+}
+(kept = $replaced(drive, new Map([["criteria", criteria], ["pulleys", [pulley]], ["load_cases", [case_]]])));
+return new DriveResult(kept, [arc]);
 }
 function errors___stopped(sentence) {
 return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
@@ -5090,6 +5131,43 @@ return $m.join(", ", parts);
 }
 }
 $sig(Place, ["pulley", "load_case", "event"], false, {pulley: () => "", load_case: () => "", event: () => ""});
+class Motors extends $Object {
+}
+$sig(Motors, ["motors"], false, {});
+class Motor extends $Object {
+__post_init__() {
+const self = this; let message, problems;
+(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
+if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
+(message = "must be a whole number of motors");
+$m.append(problems, new Problem(message, undefined, undefined, "count", ("" + $format(self.count, ("" + "g")))));
+}
+limits__raise_all($add(problems, self._problems()));
+}
+_problems() {
+const self = this; 
+return [];
+}
+bears(momentary) {
+const self = this; 
+return ($truth(momentary) ? $b.min(1.6, self.largest_load()) : 1.0);
+}
+load(drum_torque) {
+const self = this; let eta;
+
+(eta = ((drum_torque >= 0.0) ? self.gear_efficiency : (1.0 / self.gear_efficiency)));
+return (drum_torque / $mul(eta, self.drum_torque));
+}
+get drum_torque() {
+const self = this; 
+return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
+}
+get rated_torque() {
+const self = this; 
+return (self.rated_power / self.rated_speed);
+}
+}
+$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
 class Check extends $Object {
 get margin() {
 const self = this; 
@@ -5149,7 +5227,7 @@ if (!$truth(self.says)) {
 (bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
 return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
 }
-(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d)]; } })()]));
+(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d, self._beside(n))]; } })()]));
 (words = $merged(words, $map([["value", value], ["limit", limit]])));
 return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
 }
@@ -5165,8 +5243,21 @@ get leads() {
 const self = this; 
 return $and((self.level === "FAILS"), () => ($in(self.name, $c831)));
 }
+_beside(name) {
+const self = this; let dimension, others, value;
+
+([value, dimension] = $at(self.more, name));
+(others = [...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { if (!(((!$eq(n, name)) && ($eq(d, dimension))))) continue; yield v; } })()]);
+return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
+}
 }
 $sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+class Pulls extends $Object {
+}
+$sig(Pulls, ["effective_tensions"], false, {});
+class Shares extends $Object {
+}
+$sig(Shares, ["fractions"], false, {});
 class Miss extends $Tuple {
 at(value, at_most) {
 const self = this; let says;
@@ -5179,46 +5270,6 @@ return [self.level, $m.rstrip(says)];
 }
 }
 $sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
-class Motors extends $Object {
-}
-$sig(Motors, ["motors"], false, {});
-class Motor extends $Object {
-__post_init__() {
-const self = this; let message, problems;
-(problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$eq(self.count, $b.int($bound(self, "count"))))) {
-(message = "must be a whole number of motors");
-$m.append(problems, new Problem(message, undefined, undefined, "count", ("" + $format(self.count, ("" + "g")))));
-}
-limits__raise_all($add(problems, self._problems()));
-}
-_problems() {
-const self = this; 
-return [];
-}
-bears(momentary) {
-const self = this; 
-return ($truth(momentary) ? $b.min(1.6, self.largest_load()) : 1.0);
-}
-load(drum_torque) {
-const self = this; let eta;
-
-(eta = ((drum_torque >= 0.0) ? self.gear_efficiency : (1.0 / self.gear_efficiency)));
-return (drum_torque / $mul(eta, self.drum_torque));
-}
-get drum_torque() {
-const self = this; 
-return $mul($mul(self.count, self.gear_ratio), self.rated_torque);
-}
-get rated_torque() {
-const self = this; 
-return (self.rated_power / self.rated_speed);
-}
-}
-$sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
-class Pulls extends $Object {
-}
-$sig(Pulls, ["effective_tensions"], false, {});
 class Speeds extends $Object {
 }
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
@@ -5721,9 +5772,6 @@ $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque",
 class DrumAt extends $Tuple {
 }
 $sig(DrumAt, ["diameter", "speed"], false, {});
-class Shares extends $Object {
-}
-$sig(Shares, ["fractions"], false, {});
 class Pair extends $Tuple {
 }
 $sig(Pair, ["entry", "exit"], false, {});
@@ -8391,7 +8439,7 @@ const $c146 = ["word", "kind"];
 const $c177 = ["kind"];
 const $c829 = ["balance", "train_balance", "across_balance"];
 const $c830 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c831 = ["gross_slip", "operating_point"];
+const $c831 = ["gross_slip", "operating_point", "fight"];
 const $c832 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
 const $c1466 = [false, false];
 const $c1467 = [true, false];
@@ -8482,12 +8530,13 @@ in_page$Given.$compared = in_page$Given.$names;
 Rise.$compared = Rise.$names;
 in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
-Check.$compared = Check.$names;
-Miss.$compared = Miss.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
 Motor.LIMITS = Motor.prototype.LIMITS = $c108;
+Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
+Shares.$compared = Shares.$names;
+Miss.$compared = Miss.$names;
 Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
@@ -8516,7 +8565,6 @@ Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_m
 Lagging.LIMITS = Lagging.prototype.LIMITS = $c110;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
-Shares.$compared = Shares.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
 TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c111;
