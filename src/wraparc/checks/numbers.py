@@ -39,7 +39,7 @@ USUAL_SIZES = (
     (0.15, 3.0),  # diameter
     (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
     (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
-    (0.05e-3, 61e-3),  # creep limit; ten customary ones, 63.5 mm, are sliding
+    (0.5e-3, 61e-3),  # creep limit; ten customary ones, 63.5 mm, are sliding
     (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
     (0.0, 60e-3),  # thickness of the lagging
     (0.1e6, 50e6),  # its shear modulus

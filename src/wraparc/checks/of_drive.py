@@ -8,7 +8,14 @@ from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, safety_of, trim_shift
+from wraparc.checks.numbers import (
+    COVERS_APART,
+    LEAST_SHIFT,
+    held_alike,
+    idles,
+    safety_of,
+    trim_shift,
+)
 from wraparc.checks.rules import (
     CUSTOMARY_SAFETY,
     RULES,
@@ -58,11 +65,11 @@ def open_shift(belt: Belt, first: Pulley, other: Pulley) -> float:
 
 def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
     """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
-    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    why = f"{{layer}} of belt on drums of two diameters shifts it by {{shift}} % against {first}."
     if opposite:
         why = (
-            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
-            "shift it by {shift} %."
+            f"it meets the other side of the belt than {first}, and covers that differ by "
+            "{apart} shift it by {shift} %."
         )
     return Check(
         name="belt_thickness",
@@ -72,7 +79,10 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         short="trim without belt thickness",
         says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
         remedy="Give pulley_cover, carry_cover and carcass in [belt].",
-        more={"shift": (100.0 * shift, "number")},
+        more={
+            "shift": (100.0 * shift, "number"),
+            "apart" if opposite else "layer": (COVERS_APART if opposite else 10e-3, "length"),
+        },
         binding=False,
     )
 

@@ -55,7 +55,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
     "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
     "Lagging": {
-        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-13, 1e-8),
+        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-14, 1e-10),
         "belt_energy_share": (0.01, 1.0),
     },
     "Block": {
@@ -330,7 +330,8 @@ def unusual(
 ) -> Check:
     """Return the check that a value [SI] outside its usual ends misses."""
     least, most = ends
-    meant = " or ".join(meant_by(value, dimension, least, most))
+    small = least if least > 0.0 else 0.1 * most  # nothing is meant that is next to nothing
+    meant = " or ".join(meant_by(value, dimension, small, most))
     remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
     if dimension == "number":
         near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
