@@ -46,8 +46,9 @@ from wraparc.train import (
 )
 from wraparc.train import file as train_file
 from wraparc.train.system import System
-from wraparc.units import Cell, digits, display, percent, quantity, unit_row
+from wraparc.units import Cell, digits, display, percent, quantity
 from wraparc.units.cell import cell_text
+from wraparc.units.display import unit_row
 from wraparc.web import in_page, in_page_checks, in_page_train
 
 ROOT = Path(__file__).parents[1]

@@ -96,3 +96,40 @@ def test_without_a_strength_it_is_not_checked() -> None:
 def test_rows_of_a_study_end_as_the_drive(over: float) -> None:
     of = of_belt(over * 360e3)
     assert of_rows(of) == one_by_one(of)
+
+
+@pytest.mark.parametrize(
+    ("name", "rating", "strength"),
+    [
+        ("EP 630/4", None, 630e3),  # DIN 22102: N/mm before the plies
+        ("ACME ep1000/4", 100e3, 1000e3),
+        ("NN-500/3 X", None, 500e3),
+        ("630/4", 63e3, 630e3),
+        ("1000/4", 175e3, None),  # of lbf/in, a rating: 1000 lbf/in = 175.1 kN/m
+        ("Plylon Plus 1000/4", 175e3, None),
+        ("EP200", None, None),  # of a ply
+        ("Flexsteel ST1000", None, 1000e3),
+        ("Cover 8/4", None, None),
+    ],
+)
+def test_a_name_tells_the_strength(name: str, rating: float | None, strength: float | None) -> None:
+    assert of_belt(300e3, name=name, rating=rating).belt.breaking_strength == strength
+
+
+@pytest.mark.parametrize("over", [0.4, 0.9, 1.2, 2.5])
+@pytest.mark.parametrize("kind", ["fabric", ""])
+def test_a_rating_that_leaves_hardly_a_safety_is_none_to_rely_on(over: float, kind: str) -> None:
+    """2000/600 = 3.33: what is customary is asked, 8 of fabric, 4 of any (`LEAST_RATED`)."""
+    of = of_belt(over * 360e3, rating=600e3, kind=kind)
+    check = checked(of)
+    assert check.limit == (8.0 if kind else 4.0)
+    assert check.level is (
+        Level.FAILS if check.value < 3.0 else Level.ATTENTION if check.value < check.limit
+        else Level.OK
+    )  # fmt: skip
+    assert of_rows(of) == one_by_one(of)
+
+
+def test_a_strength_below_the_tension_is_never_kept() -> None:
+    """6.67 over a momentary factor of ten is 0.67; 2400 kN over 2667 kN is 0.9."""
+    assert checked(of_belt(2667e3, "starting", momentary_factor=10.0)).level is Level.FAILS

@@ -7,8 +7,10 @@ import pytest
 
 from wraparc.checks import Level, judge
 from wraparc.checks.check import Place
+from wraparc.checks.judge import motor_load
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
+from wraparc.units import Cell, in_units, quantity
 
 #: One drum of 0.8 m on one motor of 200 kW at 1480 rpm, i = 20.67: 26.67 kN m at the drum.
 DRIVE = """
@@ -103,3 +105,16 @@ def test_overloaded_motor_leads_the_verdict() -> None:
         .headline()
         .startswith("Pulley head, load case design: The motors work at 142 % of their rated torque")
     )
+
+
+def test_a_load_just_over_is_told_apart_from_what_is_allowed() -> None:
+    """1.0012 times the rated torque: 100.1 % of it, which in three digits is 100 %."""
+    said = motor_load(1.0012, 1.0, False, Place("one", "design"), False).sentence()
+    assert "work at 100.1 % of their rated torque, and may at 100 %." in said
+    assert said.endswith("Take larger motors: no other division of the load helps.")
+
+
+def test_numbers_that_are_alike_are_told_in_few_digits() -> None:
+    """No digit tells 8.2 rad/s from what differs in its fifteenth: 78.30 rpm of both."""
+    alike = Cell(8.2, "rotation_speed", form="apart", other=8.2 + 1e-14)
+    assert in_units(alike) == in_units(quantity(8.2, "rotation_speed"))

@@ -31,7 +31,7 @@ def said(**of: Any) -> list[str]:
         ({"lagging": lagging(bond_strength=2.0)}, "The bond strength of lagging plain"),
         ({"lagging": lagging(fatigue_limit=2e9)}, "Check the unit: 2 MPa or 2 psi?"),  # 2 GPa
         ({"belt": {"modulus": 175e3}}, "The modulus over the rating of the belt, 1, is outside"),
-        ({"belt": {"modulus": 1000e3}}, "Is the rating or the strength given as the modulus?"),
+        ({"belt": {"modulus": 1000e3}}, "Is the strength given as the rating, or as the modulus?"),
         ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
         ({"belt": {"strength": 100e3}}, "The strength over the rating of the belt, 0.571,"),
         ({"pulley": {"diameter": 0.2}}, "at its rating on pulley head, 1750 kPa"),

@@ -113,3 +113,21 @@ def test_every_bad_ratio_is_named() -> None:
     with pytest.raises(InputError) as caught:
         tension_ratio_family(arc(), (0.5, 2.0, 2000.0))
     assert [p.value for p in caught.value.problems] == ["0.5", "2000"]
+
+
+@pytest.mark.parametrize(
+    "asked", [("family", "--ratios", "1.2"), ("what-if", "--thickness", "18 mm")]
+)
+def test_a_pulley_is_asked_about_where_the_take_up_stands_at_another(
+    asked: tuple[str, ...], tmp_path: Path
+) -> None:
+    """Expected: the answer without the take-up, but for the least tension, which it holds."""
+    text = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8")
+    path, (command, *more) = tmp_path / "drive.toml", asked
+    told = []
+    for take_up in ("", '[take_up]\nkind = "gravity"\nafter = "first"\n'):
+        path.write_text(text + take_up, "utf-8")
+        words = wraparc(command, path, "--pulley", "second", *more).words
+        told.append(words.partition("Least")[0])
+    assert "creep" in told[0]
+    assert told[0] == told[1]

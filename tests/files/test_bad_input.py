@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 
 from wraparc import InputError
+from wraparc.errors import Problem
 from wraparc.files import drive_from_text, lagging_from_text, load_drive, load_lagging
+from wraparc.schema.problems import Report
 
 DRIVE = """format = 1
 title = "Head drive"
@@ -518,3 +520,30 @@ def test_faults_of_a_lagging_file_name_that_file(tmp_path: Path) -> None:
         'DIR/mine.toml: thickness = "12 kN": a force, where a length is needed. '
         'Write for example "1200 mm".'
     )
+
+
+@pytest.mark.parametrize(
+    ("lagging", "told"),
+    [
+        (
+            '{ preset = "diamond-rubber", thickness = "0 mm" }',
+            'lagging.thickness = "0 mm": must be at least 0.1 mm, the height of its blocks.',
+        ),
+        (
+            '{ surface = "rubber", law = { kind = "table", friction = 0.5 } }',
+            'rows: missing. Write rows = [{ pressure = "100 kPa", friction = [0.0, 0.4, 0.5] }]',
+        ),
+    ],
+)
+def test_an_error_of_a_lagging_names_what_was_typed_and_shows_the_form(
+    lagging: str, told: str
+) -> None:
+    found = problems(DRIVE, ('"diamond-rubber"', lagging))
+    assert any(told in problem for problem in found), found
+
+
+def test_a_name_with_a_hyphen_stays_one_step_of_a_key() -> None:
+    report = Report("plan.toml")
+    error = InputError(Problem(message="no cost", key="cost.lagging.diamond-rubber"))
+    report.take(error, ())
+    assert "cost.lagging.diamond-rubber" in str(report.problems[0])

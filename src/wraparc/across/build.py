@@ -18,6 +18,7 @@ from wraparc.across.wide_arc import Array, WideArc, centres, cosines, wave_numbe
 from wraparc.arc import WrapArc
 from wraparc.drive import Across, Belt, Drive, LoadCase, Pulley, Transition, WidthProfile
 from wraparc.provenance import Kind, Provenance
+from wraparc.units import unit_factor
 
 
 @dataclass(frozen=True)
@@ -57,7 +58,9 @@ def in_plane_stiffness(belt: Belt) -> Stiffness:
         return Stiffness(given, given, given, belt.source_of("in_plane_shear_stiffness"))
     value, down, up = _ESTIMATES.get(belt.kind, _ESTIMATES[""])
     carcass = belt.kind if belt.kind in _ESTIMATES else "fabric"
-    note = f"estimated for {carcass}, between {down * value / 1e3:g} and {up * value / 1e3:g} kN/m"
+    piw = unit_factor("PIW", "force_per_width")
+    ends = [f"{down * value / unit:.3g} and {up * value / unit:.3g}" for unit in (1e3, piw)]
+    note = f"estimated for {carcass}, between {ends[0]} kN/m ({ends[1]} PIW)"
     return Stiffness(value, down * value, up * value, Provenance(Kind.ILLUSTRATIVE, note=note))
 
 

@@ -24,8 +24,9 @@ ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed")
 NUMERICAL = ("balance", "train_balance", "across_balance")
 #: What is said of the drive and compares nothing: no row of a table of checks, and not counted.
 SAID = ("data", "sense")
-#: Checks whose failure stands before every other one: the load is not carried at all.
-LEADING = ("gross_slip", "operating_point")
+#: Checks whose failure stands before every other one: the load is not carried at all, or what fails
+#: besides is the pull of drives against each other.
+LEADING = ("gross_slip", "operating_point", "fight")
 
 
 class Level(StrEnum):
@@ -241,6 +242,12 @@ class Check:
             return ""
         return f"{'at most' if self.at_most else 'at least'} {self.texts()[1]}"
 
+    def _beside(self, name: str) -> float:
+        """Return the quantity of `more` that one of it is told from: the nearest of its kind."""
+        value, dimension = self.more[name]
+        others = [v for n, (v, d) in self.more.items() if n != name and d == dimension]
+        return min(others, key=lambda other: abs(other - value), default=math.nan)
+
     def sentence(self, system: System = "si") -> str:
         """Return what there is to say, with the remedy, as text in a system of units."""
         return in_units(self.said, system)
@@ -252,7 +259,7 @@ class Check:
         if not self.says:
             bound = f", {self.bound()}" if limit else ""
             return f"{self.title}: {value}{bound}." if value else f"{self.title}."
-        words = {n: quantity_text(v, d) for n, (v, d) in self.more.items()}
+        words = {n: quantity_text(v, d, self._beside(n)) for n, (v, d) in self.more.items()}
         words |= {"value": value, "limit": limit}
         return " ".join(part.format(**words) for part in (self.says, self.remedy) if part)
 

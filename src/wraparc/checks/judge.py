@@ -22,10 +22,12 @@ from wraparc.checks.usual import Owner, of_train, usual_sizes
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.train import (
     CaseResult,
+    Division,
     MemberResult,
     Motor,
     Motors,
     Pulls,
+    Shares,
     TorqueFollower,
     Train,
     TrainCase,
@@ -51,6 +53,8 @@ EVEN = {
 }  # fmt: skip
 #: Largest relative miss of tensions, speeds and torques that a solved train is trusted with [-].
 TRAIN_BALANCE = 1e-5
+#: Pull of drives against each other over that of all from which it leads what else fails [-]; ours.
+FIGHTS = 0.1
 #: Titles of the checks that only a train has.
 FIGHT = "Drives work together"
 NO_DIVISION = "no division of the load is found"
@@ -231,6 +235,18 @@ def _meeting(case: CaseResult) -> Iterator[Check]:
 
 
 def _train(result: TrainResult) -> Iterator[Check]:
+    checks = [*_of_members(result)]
+    failing = {check.place.load_case for check in checks if check.level is Level.FAILS}
+    for check in checks:
+        if check.name == "fight" and check.missed and check.place.load_case in failing:
+            case = result.train.case(check.place.load_case)
+            if check.more["lost"][0] > FIGHTS * abs(case.effective_tension):
+                yield replace(check, level=Level.FAILS)
+                continue
+        yield check
+
+
+def _of_members(result: TrainResult) -> Iterator[Check]:
     for case in result:
         yield from _of_train(result.train, case)
         if isinstance(case.case.division, Pulls):
@@ -248,31 +264,42 @@ def _of_train(train: Train, case: CaseResult) -> Iterator[Check]:
     """Yield what only a train can miss: motors, drives that fight, the balance of the whole."""
     place = Place("", case.case.name)
     if case.adrift or case.status in (TrainStatus.BEYOND_MOTOR, TrainStatus.UNSOLVED):
-        yield operating_point(case.status, case.reason, place)
+        overrun = any(
+            m.motor is not None and m.motor.motor_load < 0.0 and not motor.brakes
+            for m, motor in zip(case.members, _motors(case.case), strict=False)
+            if isinstance(motor, Motor)
+        )
+        yield operating_point(case.status, case.reason, place, overrun=overrun)
     several = len(case.members) > 1
     if not case.status.solved:
         yield from not_working(place) if several else ()
         return
     if several:
-        yield fight(pull_against([m.arc.effective_tension for m in case.members]), place)
+        lost = pull_against([m.arc.effective_tension for m in case.members])
+        yield fight(lost, place, case.case.division)
         driven = [
             p for p, m in zip(train.pulleys, case.members, strict=True) if not idle(m.arc.arc)
         ]
         yield from of_drive.unknown_trims(train.belt, driven, place)
     yield train_balance(max(case.tension_error, case.speed_error), place)
-    division = case.case.division
-    for member, motor in zip(
-        case.members, division.motors if isinstance(division, Motors) else (), strict=False
-    ):
-        yield _motor(member, motor, case.case)
+    motors = _motors(case.case)
+    driven_by = [*zip(case.members, motors, strict=False)]
+    helps = not all(_motor(m, motor, case.case, True).missed for m, motor in driven_by)
+    yield from (_motor(m, motor, case.case, helps) for m, motor in driven_by)
 
 
-def _motor(member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase) -> Check:
+def _motors(case: TrainCase) -> Sequence[Motor | TorqueFollower]:
+    return case.division.motors if isinstance(case.division, Motors) else ()
+
+
+def _motor(
+    member: MemberResult, motor: Motor | TorqueFollower, case: TrainCase, helps: bool
+) -> Check:
     """Check the torque of the motors of a drum; a drive that follows another states no rating."""
     at, momentary = Place(member.name, case.name), case.kind != "running"
     if member.motor is None or not isinstance(motor, Motor):
         return unrated(momentary, at)
-    return motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at)
+    return motor_load(member.motor.motor_load, motor.bears(momentary), momentary, at, helps)
 
 
 def unrated(momentary: bool, place: Place) -> Check:
@@ -282,12 +309,18 @@ def unrated(momentary: bool, place: Place) -> Check:
     return of_drive.not_checked(name, _MOTOR[momentary], why, place)
 
 
-def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check:
-    """Check the torque of motors over their rated torque against what they bear [-]."""
+def motor_load(load: float, most: float, momentary: bool, place: Place, helps: bool) -> Check:
+    """Check the torque of motors over their rated torque against what they bear [-].
+
+    `helps` is whether another division of the load does: not where every motor bears too much.
+    """
     title = _MOTOR[momentary]
     remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors."
+    if not helps:
+        remedy = "Take larger motors: no other division of the load helps."
     if momentary:
-        remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors."
+        other = "divide the load otherwise, " if helps else ""
+        remedy = f"Start and stop more slowly, {other}or take larger motors."
     return of_drive.judged(
         RULES["momentary_load" if momentary else "motor_load"],
         title,
@@ -305,8 +338,16 @@ def motor_load(load: float, most: float, momentary: bool, place: Place) -> Check
     )
 
 
-def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
-    """Return the check that a train without an operating point misses."""
+def operating_point(
+    status: TrainStatus, reason: str, place: Place, *, overrun: bool = False
+) -> Check:
+    """Return the check that a train without an operating point misses.
+
+    `overrun` is whether a motor that cannot hold back is asked to.
+    """
+    says, _, remedy = str(status).partition(". ")
+    if overrun:
+        remedy = f"Set brakes = true for its motor if its drive can hold back. {remedy}"
     fault = status is TrainStatus.UNSOLVED
     shorts = {TrainStatus.BREAKAWAY: "gross slip", TrainStatus.BEYOND_MOTOR: "beyond a motor"}
     return Check(
@@ -314,7 +355,8 @@ def operating_point(status: TrainStatus, reason: str, place: Place) -> Check:
         title="Operating point of the drives",
         level=Level.FAULT if fault else Level.FAILS,
         short=shorts.get(status, "not solved"),
-        says=escaped(f"{reason} {status}".strip()),
+        says=escaped(f"{reason} {says}.".strip()),
+        remedy=escaped(remedy),
         place=place,
     )
 
@@ -325,18 +367,21 @@ def not_working(place: Place) -> Iterator[Check]:
         yield of_drive.not_checked(name, title, "the drives do not carry the load", place)
 
 
-def fight(lost: float, place: Place) -> Check:
+def fight(lost: float, place: Place, division: Division) -> Check:
     """Check that drives work together: so much pull is against each other [N]."""
     fights = lost > 0.0
+    remedy = "Bring their speeds closer together, or divide the load by torque."
+    if isinstance(division, Shares):
+        remedy = "Correct the shares: one below 0 % brakes against the others."
+    elif isinstance(division, Pulls):
+        remedy = "Correct the tensions: one of the pulleys is given as braking."
     return Check(
         name="fight",
         title=FIGHT,
         level=Level.ATTENTION if fights else Level.OK,
         short="drives fight" if fights else "",
         says="The drives work against each other with {lost} of pull." if fights else "",
-        remedy="Bring their speeds closer together, or divide the load by torque."
-        if fights
-        else "",
+        remedy=remedy if fights else "",
         more={"lost": (lost, "force")},
         place=place,
     )

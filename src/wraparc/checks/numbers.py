@@ -39,7 +39,7 @@ USUAL_SIZES = (
     (0.15, 3.0),  # diameter
     (10.0 * pi / 180.0, 270.0 * pi / 180.0),  # wrap angle of a pulley that does not pull
     (120.0 * pi / 180.0, 270.0 * pi / 180.0),  # of one that does; with a snub pulley 240 deg
-    (0.05e-3, 61e-3),  # creep limit; ten customary ones, 63.5 mm, are sliding
+    (0.5e-3, 61e-3),  # creep limit; ten customary ones, 63.5 mm, are sliding
     (-2e-3, 2e-3),  # overrun; lagging that is compressed by it makes some 0.1 mm to 1 mm
     (0.0, 60e-3),  # thickness of the lagging
     (0.1e6, 50e6),  # its shear modulus
@@ -50,10 +50,10 @@ USUAL_SIZES = (
     (50e3, 10e6),  # largest wrap pressure of the belt
     (0.1, 3.0),  # its least pulley
     USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
+    # strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers)
+    (4.0, 20.0),
     # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
     (15.0, 1000.0),
-    # strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers)
-    (3.0, 20.0),
     # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)
     (0.0, 1.6e6),
     USUAL_TENSION,  # entry tension over the width
@@ -161,7 +161,7 @@ def compared_sizes(of: Sizes) -> list[float]:
         of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus,
         of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter,
         of.sag / of.width,
-        of.modulus / of.rating, of.strength / of.rating, 2.0 * of.rating / of.diameter,
+        of.strength / of.rating, of.modulus / of.rating, 2.0 * of.rating / of.diameter,
         of.entry / of.width, of.leaving / of.width, abs(of.pull) * of.speed,
         of.mass / of.width,
     ]  # fmt: skip
@@ -170,8 +170,8 @@ def compared_sizes(of: Sizes) -> list[float]:
 #: Rated power of all motors over that of the largest pull that is given, at most [-].
 LARGE_MOTORS = 6.0
 #: Rated power and speed of motors [W, rad/s], and speed of the drum surface at it over that of the
-#: belt [-], least and most.
-USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.6, 1.7))
+#: belt [-], least and most: motors slip by a few per cent, a belt by less.
+USUAL_MOTORS = ((250.0, 2e7), (10.0, 400.0), (0.95, 1.05))
 
 
 def compared_motor(
@@ -179,14 +179,6 @@ def compared_motor(
 ) -> list[float]:
     """What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown."""
     return [power, speed, drum * radius / belt]
-
-
-def usual_motor(power: float, speed: float, drum: float, radius: float, belt: float) -> bool:
-    """Whether a motor is of usual size, and turns the drum about as fast as the belt runs."""
-    values = compared_motor(power, speed, drum, radius, belt)
-    return all(
-        usual(value, ends[0], ends[1]) for value, ends in zip(values, USUAL_MOTORS, strict=True)
-    )
 
 
 def safety_of(strength: float, tension: float, asked: float) -> float:

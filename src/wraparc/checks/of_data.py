@@ -50,8 +50,7 @@ def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) 
         source=origin(lagging.sources[part]),
         short=f"not tested {state}",
         says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
-        remedy=f"Test the lagging {escaped(state)}, or keep more slack-side tension in hand.",
-        otherwise=f"Test the lagging {escaped(state)}.",
+        remedy=f"Test the lagging {escaped(state)}.",
         binding=False,
     )
 

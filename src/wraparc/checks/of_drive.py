@@ -8,11 +8,20 @@ from dataclasses import replace
 
 from wraparc.alike import falling
 from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
-from wraparc.checks.numbers import LEAST_SHIFT, held_alike, idles, safety_of, trim_shift
+from wraparc.checks.numbers import (
+    COVERS_APART,
+    LEAST_SHIFT,
+    held_alike,
+    idles,
+    safety_of,
+    trim_shift,
+)
 from wraparc.checks.rules import (
+    CUSTOMARY_SAFETY,
     RULES,
     Rule,
     asked_safety,
+    rated,
     tension_factor,
     tension_rule,
     wrap_pressure,
@@ -57,11 +66,11 @@ def open_shift(belt: Belt, first: Pulley, other: Pulley) -> float:
 
 def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Check:
     """Ask for the thickness of a belt on drums that differ: so much of the trim is open [-]."""
-    why = f"10 mm of belt on drums of two diameters shifts it by {{shift}} % against {first}."
+    why = f"{{layer}} of belt on drums of two diameters shifts it by {{shift}} % against {first}."
     if opposite:
         why = (
-            f"it meets the other side of the belt than {first}, and covers that differ by 4 mm "
-            "shift it by {shift} %."
+            f"it meets the other side of the belt than {first}, and covers that differ by "
+            "{apart} shift it by {shift} %."
         )
     return Check(
         name="belt_thickness",
@@ -71,7 +80,10 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         short="trim without belt thickness",
         says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
         remedy="Give pulley_cover, carry_cover and carcass in [belt].",
-        more={"shift": (100.0 * shift, "number")},
+        more={
+            "shift": (100.0 * shift, "number"),
+            "apart" if opposite else "layer": (COVERS_APART if opposite else 10e-3, "length"),
+        },
         binding=False,
     )
 
@@ -133,7 +145,8 @@ def belt_safety(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
 def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
     """Check the strength of a belt over a tension [N] in a kind of load case.
 
-    Against what the rating leaves, as its maker asks, or what is customary without one.
+    Against what the rating leaves, as its maker asks, or what is customary without one, or where
+    it leaves less than any belt has.
     """
     rule, momentary = RULES["belt_safety"], kind != "running"
     title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
@@ -146,7 +159,9 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
     if momentary and belt.momentary_factor is not None:
         factor = f" over momentary_factor, {belt.momentary_factor:g}"
     source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
-    if belt.rating is not None:
+    if belt.kind not in CUSTOMARY_SAFETY:
+        source = f"the least that any belt is rated with{factor}"
+    if rated(belt):
         rule = replace(rule, missed=Level.FAILS)
         source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
     return judged(
@@ -162,7 +177,7 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
         "stronger belt.",
         otherwise="Take a wider or stronger belt.",
-        binding=belt.rating is not None,
+        binding=rated(belt),
         place=place,
     )
 

@@ -29,6 +29,7 @@ from wraparc.checks.numbers import (
 from wraparc.checks.of_drive import open_shift
 from wraparc.checks.rules import (
     ACROSS_CHECKS,
+    LEAST_RATED,
     NO_GRIP,
     RULES,
     asked_safety,
@@ -94,7 +95,7 @@ class Held:
     belt_tension, momentary_tension
         Largest tension: one of them, by the kind of the load case [N].
     belt_safety, customary
-        Least strength over tension [-], and whether no rating asks for it.
+        Least strength over tension [-], and whether no rating to rely on asks for it.
     face_pressure, bond_stress, fatigue_stress
         Largest pressures and stresses [Pa].
     slack, sag
@@ -206,7 +207,7 @@ def held_by(
         belt_tension=running * arcs.belt_width,
         momentary_tension=momentary * arcs.belt_width,
         belt_safety=asked,
-        customary=np.isnan(rating),
+        customary=np.isnan(rating) | (strength < LEAST_RATED * rating),
         face_pressure=face,
         bond_stress=bond,
         fatigue_stress=fatigue,

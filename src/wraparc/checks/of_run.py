@@ -327,7 +327,7 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
     """
     i = run.station.index(drum.name)
     rating, train = run.station.drums[i].control.rated_torque, run.station.train
-    division = train.case(run.station.load_case).division
+    division, several = train.case(run.station.load_case).division, len(train.pulleys) > 1
     motor = division.motors[i] if isinstance(division, Motors) else None
     if rating is None and isinstance(motor, Motor):
         rating = motor.drum_torque * motor.gear_efficiency
@@ -335,10 +335,10 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
         why = "the rated torque of its control is not given"
         yield not_checked("motor_heat", HEATING, why, place)
         return
-    yield motor_load(drum.extremes.torque.value / rating, MOMENTARY, True, place)
+    yield motor_load(drum.extremes.torque.value / rating, MOMENTARY, True, place, several)
     late = run.time >= (1.0 - _LAST) * run.time[-1]
     lasting = float(np.sqrt(np.mean((drum.torque[late] / rating) ** 2)))
-    yield motor_load(lasting, 1.0, False, place)
+    yield motor_load(lasting, 1.0, False, place, several)
     heat = most = 0.0
     for load, time in zip(
         0.5 * (drum.torque[1:] + drum.torque[:-1]) / rating, np.diff(run.time), strict=True

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
-from wraparc.checks.numbers import idles
+from wraparc.checks.numbers import USUAL_SIZES, idles
 from wraparc.checks.sliding import SLIDES
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 
@@ -24,6 +24,8 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 #: Breaking strength over the largest tension that is customary, by carcass, where no rating says
 #: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
 CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
+#: Strength over rating of any belt, at least: a rating that leaves less is not one to rely on [-].
+LEAST_RATED = USUAL_SIZES[17][0]
 
 
 @dataclass(frozen=True)
@@ -135,15 +137,24 @@ def tension_factor(belt: Belt, kind: str) -> float:
 def asked_safety(belt: Belt, kind: str) -> float:
     """Breaking strength over tension that a belt is to have in a kind of load case [-].
 
-    What its rating leaves, the demand of its maker; without one what is customary for its carcass;
-    nan where its strength is not known, or neither of them.
+    What its rating leaves, the demand of its maker; without one, or where it leaves less than any
+    belt has, what is customary for its carcass; nan where its strength is not known, or neither of
+    them. Never less than 1.
     """
-    if belt.breaking_strength is None:
+    strength, rating = belt.breaking_strength, belt.rating
+    if strength is None:
         return math.nan
-    asked = CUSTOMARY_SAFETY.get(belt.kind, math.nan)
-    if belt.rating is not None:
-        asked = belt.breaking_strength / belt.rating
-    return asked / tension_factor(belt, kind)
+    asked = CUSTOMARY_SAFETY.get(belt.kind, math.nan if rating is None else LEAST_RATED)
+    if rating is not None and rated(belt):
+        asked = strength / rating
+    asked /= tension_factor(belt, kind)
+    return max(asked, 1.0)
+
+
+def rated(belt: Belt) -> bool:
+    """Whether the rating of a belt leaves a safety factor to rely on."""
+    strength, rating = belt.breaking_strength, belt.rating
+    return strength is not None and rating is not None and strength >= LEAST_RATED * rating
 
 
 def start_factor(criteria: Criteria, kind: str) -> float:

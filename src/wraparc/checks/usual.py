@@ -33,6 +33,7 @@ from wraparc.conveyor import (
     Conveyor,
 )
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley
+from wraparc.drive.pitch import pitch_offset
 from wraparc.train import Motor, Motors, Speeds, Train
 from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by
@@ -54,7 +55,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
     "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
     "Lagging": {
-        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-13, 1e-8),
+        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-14, 1e-10),
         "belt_energy_share": (0.01, 1.0),
     },
     "Block": {
@@ -271,11 +272,17 @@ def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
         turns = setting * speed / motor.gear_ratio
         remedy = "Check gear_ratio, rated_speed, diameter and belt speed."
     belt = math.nan if drive.belt.speed is None else drive.belt.speed
-    values = compared_motor(power, speed, turns, 0.5 * pulley.diameter, belt)
+    radius = pulley.radius + (pitch_offset(drive.belt, pulley.side) or 0.0)
+    values = compared_motor(power, speed, turns, radius, belt)
     for (name, dimension), value, ends in zip(_MOTOR_NAMES, values, USUAL_MOTORS, strict=True):
         if not usual(value, *ends):
             check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
-            yield replace(check, remedy=remedy) if name == _FITS else check
+            if name == _FITS:
+                more = check.more | {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
+                taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt]."
+                says = f"{check.says[:-1]}: {taken}"
+                check = replace(check, says=says, remedy=remedy, more=more)
+            yield check
 
 
 def _motor_sizes(drive: Drive, motors: Sequence[Motor]) -> Iterator[Check]:
@@ -323,7 +330,8 @@ def unusual(
 ) -> Check:
     """Return the check that a value [SI] outside its usual ends misses."""
     least, most = ends
-    meant = " or ".join(meant_by(value, dimension, least, most))
+    small = least if least > 0.0 else 0.1 * most  # nothing is meant that is next to nothing
+    meant = " or ".join(meant_by(value, dimension, small, most))
     remedy = f"Check the unit: {meant}?" if meant else "Check the unit."
     if dimension == "number":
         near = next((n for n in (0.1, 10.0, 0.01, 100.0) if least <= n * value <= most), None)
@@ -334,12 +342,10 @@ def unusual(
         remedy = "Is it what a snub pulley adds to half a turn? Give the sum."
     if name.startswith(_AT_RATING):
         remedy = "Check the diameter and the rating."
-    if name == _STRONG:
-        remedy = "Check strength and rating."
+    if name in (_STRONG, _RATIO):
+        remedy = _of_rating(name, value, least)
     if name == _MASS and value > most:
         remedy = "Is it that of the whole belt? Give the mass of a metre."
-    if name == _RATIO:
-        remedy = "Is the rating or the strength given as the modulus? Check the units of both."
     return Check(
         name="usual_sizes",
         title=f"Usual {name}",
@@ -356,6 +362,23 @@ def unusual(
         more={"least": (least, dimension), "most": (most, dimension)},
         binding=False,
     )
+
+
+def _of_rating(name: str, value: float, least: float) -> str:
+    """Return which of strength, modulus and rating may be wrong, by a ratio of two of them [-]."""
+    if name == _STRONG:
+        if value < 0.5 * least:
+            return "Is the rating the strength? Give the tension that the belt is rated for."
+        return (
+            "Is the rating that of the whole width? Give it per width."
+            if value < least
+            else "Check strength and rating: both are per width."
+        )
+    if value >= least:
+        return "Check the units of both."
+    meant = "rating or the strength given as the modulus"
+    meant = meant if value < 0.2 * least else "strength given as the rating, or as the modulus"
+    return f"Is the {meant}? Check the units of both."
 
 
 #: Dimensions of sizes that are compared over the width of the belt.
@@ -389,8 +412,8 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
         ("largest wrap pressure of the belt", "pressure", belt),
         ("least pulley of the belt", "length", belt),
         (_SAG, "force", belt),
-        (_RATIO, "number", belt),
         (_STRONG, "number", belt),
+        (_RATIO, "number", belt),
         (f"{_AT_RATING} on pulley {pulley.name}", "pressure", drum),
         (f"entry tension {of}", "force", at),
         (f"exit tension {of}", "force", at),

@@ -18,6 +18,8 @@ COVER_SHEAR_MODULUS, COVER_SHEAR_BAND = 1.0e6, (0.8e6, 1.5e6)
 MOST_THICKNESS = 0.06  # of a belt [m]
 #: Layers of a belt, by key, and the key of their sum.
 LAYERS, THICKNESS = ("pulley_cover", "carry_cover", "carcass"), "thickness"
+#: Pound-force an inch [N/m]: ratings of American belts stand in their names, 1000/4, by it.
+_PIW = 4.4482216152605 / 0.0254
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +37,7 @@ class Belt:
     rating
         Rated (operating) tension per unit width [N/m], or None.
     strength
-        Breaking strength per unit width [N/m], or None; the name of a steel-cord belt tells it.
+        Breaking strength per unit width [N/m], or None; names like ST2000 and EP 630/4 tell it.
     speed
         Belt speed [m/s], or None; power and wear need it.
     kind
@@ -142,9 +144,22 @@ class Belt:
 
     @property
     def breaking_strength(self) -> float | None:
-        """Breaking strength per unit width [N/m]: as given, or as a name like ``ST2000`` tells."""
-        found = re.search(r"ST[ -]?(\d{3,5})\b", self.name.upper())
-        return 1e3 * float(found[1]) if found and self.strength is None else self.strength
+        """Breaking strength per unit width [N/m].
+
+        As given, or as a name tells: ``ST2000`` of steel cord, ``EP 630/4`` and ``630/4`` of fabric
+        in N/mm; a name of digits alone may state an American rating instead, in lbf/in.
+        """
+        found = re.search(
+            r"(?:ST[ -]?|(?:\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\d+/\d))(\d{3,5})\b",  # DIN 22102
+            self.name.strip().upper(),
+        )
+        if self.strength is not None or found is None:
+            return self.strength
+        told = float(found[1])
+        bare = self.name.strip().startswith(found[1])
+        if bare and self.rating is not None and abs(self.rating / (told * _PIW) - 1.0) < 0.02:
+            return None
+        return 1e3 * told
 
     @property
     def axial_stiffness(self) -> float:

@@ -113,7 +113,7 @@ def covered(belt: Belt) -> bool:
 #: Where the modulus of a cover comes from that is not given.
 ESTIMATED_COVER = Provenance(
     note=f"estimated: belt covers have {COVER_SHEAR_BAND[0] / 1e6:g} to "
-    f"{COVER_SHEAR_BAND[1] / 1e6:g} MPa"
+    f"{COVER_SHEAR_BAND[1] / 1e6:g} MPa (116 to 218 psi)"
 )
 
 

@@ -47,7 +47,7 @@ BELT = Table(
     Entry(
         "strength",
         "Breaking strength per unit width, for the safety factor of the belt; that in the name of "
-        "a steel-cord belt, ST2000, if left out.",
+        "the belt, ST2000 or EP 630/4, if left out.",
     ),
     known("speed", quantity="belt_speed"),
     Entry(

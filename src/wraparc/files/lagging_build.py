@@ -19,6 +19,7 @@ from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance, read_provenance, read_sources
 from wraparc.schema.problems import Report
 from wraparc.schema.tables import Record
+from wraparc.units import display
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
 _SAME = (
@@ -166,6 +167,12 @@ def _estimated(
         young = record[basis] * (1.0 if basis == "elastic_modulus" else 3.0)
         shape = record.get("block", {})
         height = {} if "height" in shape else {"height": record["thickness"]}
+        least = Block.LIMITS["height"].least
+        if height and shape and record["thickness"] < least:
+            message = f"must be at least {display(least, 'length')}, the height of its blocks"
+            remedy = "Give the thickness, or a lagging without blocks."
+            report.add((*record.place, "thickness"), message, remedy, record.raw.get("thickness"))
+            return {}
         block: Block | None = BLOCK.built(shape, report, **height)
         moduli["compression_modulus"] = compression_modulus(young, block) if block else young
         moduli["block"] = block

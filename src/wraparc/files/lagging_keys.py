@@ -241,8 +241,15 @@ LAW = Variant(
             "Rising from 0.",
             Rows(Quantity("length", Limit("length", most=1.0)), 2),
             title="Slips",
+            example='slip = ["0 mm", "2 mm", "10 mm"]',
         ),
-        need("rows", "Friction at rising pressures.", Rows(TABLE_ROW, 1, 200)),
+        need(
+            "rows",
+            "Friction at rising pressures.",
+            Rows(TABLE_ROW, 1, 200),
+            example='rows = [{ pressure = "100 kPa", friction = [0.0, 0.4, 0.5] }], a friction for '
+            "each slip",
+        ),
         of=MeasuredTable,
     ),
 )

@@ -207,8 +207,11 @@ def _cost_table(lagging: Lagging) -> Table:
     return Table("Cost", rows, name="cost")
 
 
-def _weight(mass: float | None, unit: float) -> str:
-    return NONE if mass is None else f"{mass / unit:.3g} kg/m2"
+def _weight(mass: float | None, si: float, us: float) -> str:
+    """Return a mass per area, of what is so thick in each system of units [m]; 1 of a whole."""
+    if mass is None:
+        return NONE
+    return either(f"{mass * si:.3g} kg/m2", f"{mass * us / (0.45359237 / 0.3048**2):.3g} lb/ft2")
 
 
 def belts_sheet() -> Sheet:
@@ -229,8 +232,8 @@ def belts_sheet() -> Sheet:
                     quantity(belt.modulus, "force_per_width"),
                     NONE if least is None else quantity(least, "length"),
                     NONE if belt.carcass is None else quantity(belt.carcass, "length"),
-                    _weight(belt.carcass_mass, 1.0),
-                    _weight(belt.cover_mass, 1e3),
+                    _weight(belt.carcass_mass, 1.0, 1.0),
+                    _weight(belt.cover_mass, 1e-3, 0.0254 / 32.0),
                 )
                 rows.append(Row(belt.name, values))
         heads = (
@@ -239,7 +242,7 @@ def belts_sheet() -> Sheet:
             "least drive pulley",
             "carcass",
             "its mass",
-            "1 mm of cover",
+            either("1 mm of cover", "1/32 in of cover"),
         )
         tables.append(Table(f"Belts, {kind}", tuple(rows), heads, "; ".join(notes)))
     return Sheet("Belts of the catalogue", "", None, tuple(tables), (), of.listed())

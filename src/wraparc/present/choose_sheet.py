@@ -95,15 +95,18 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         told = ", ".join(
             f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
         )
+        most = max(counts, key=lambda n: counts[n])
+        action = f"Add candidates against what is broken most, {most.replace('_', ' ')}."
         return Verdict(
             Level.FAILS,
-            "No candidate keeps every limit.",
+            f"No candidate keeps every limit. {action}",
             (
                 f"Limits broken: {told}.",
                 f"Nearest: {design_name(selection, near)}: "
                 + "; ".join(reason(selection, near, n) for n in names)
                 + ".",
             ),
+            action=action,
         )
     best = int(selection.ranking[0])
     currency, years = selection.search.costing.currency, selection.search.costing.years

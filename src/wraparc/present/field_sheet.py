@@ -78,14 +78,21 @@ def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
     covered = tuple(_covered(found))
     doubt = not found.shown or at_once or found.alarms_at(found.covered or found.worst_seen)
     open_ = bool(doubt) and judged.level is Level.OK
+    reason, action = "", ""
+    if open_ and not found.shown:
+        action = "Give pulley_cover, carry_cover and carcass in [belt]."
+        reason = f" The thickness of the belt, which moves these levels, is not given. {action}"
+    elif open_:
+        reason = f" {[*at_once, *covered, again][0]}"
     return Verdict(
         Level.ATTENTION if open_ else judged.level,
         f"{why}{who} shows at {'most' if found.side > 0.0 else 'least'} "
         f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'drum'} and belt; alarm "
         f"at {percent(found.seen(found.alarm, 0.0))}, trip at "
-        f"{percent(found.seen(found.trip, 0.0))}.",
+        f"{percent(found.seen(found.trip, 0.0))}.{reason}",
         (*as_is, *at_once, *surface, *covered, *_rules(found, worst), again),
         "" if open_ else judged.word,
+        action,
         kept=(*as_is, *at_once, *surface, *covered, again),
     )
 

@@ -248,7 +248,9 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
             f"Yes, it pulsates by itself: with {ways} a vibration of {result.frequency:.3g} Hz "
             f"doubles every {quantity(double, 'time', 2)}."
         )
-        return Verdict(Level.FAILS, headline, (*_why(result), cure, forced))
+        action = f"Drive it another way: {calmest.name} is the calmest of the usual ones."
+        said_of = (*_why(result), cure, forced)
+        return Verdict(Level.FAILS, f"{headline} {action}", said_of, action=action)
     calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM
     headline = f"No, it does not pulsate by itself with {ways}"
     headline += "." if calm else f", but it passes errors of the drums on as force. {forced}"

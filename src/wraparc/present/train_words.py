@@ -249,12 +249,29 @@ def matching_verdict(result: TrainResult, matching: Matching) -> Verdict:
 def _to_set(matching: Matching, name: str) -> str:
     """Say what trim to set for equal shares, or that it is set."""
     now, even = (c.members[matching.drive].speed_trim for c in (matching.case, matching.equal))
+    (_, before), (share, after) = _largest_creep(matching.case), _largest_creep(matching.equal)
+    if share > 1.0 and after > (1.0 + _ALIKE) * before:
+        return (
+            f"{name} equalises the load at a trim of {100.0 * even:.3f} %, but the largest creep "
+            f"then rises from {named('exit_creep', before)} to {named('exit_creep', after)}, over "
+            f"its limit; now it is at {100.0 * now:.3f} %"
+        )
     if abs(now - even) < _AS_FAST:
         return f"Keep {name} at a trim of {100.0 * even:.3f} %, which equalises the load"
     return (
         f"Set {name} to a trim of {100.0 * even:.3f} %, which equalises the load, in the place of "
         f"{100.0 * now:.3f} %"
     )
+
+
+def _largest_creep(case: CaseResult) -> tuple[float, float]:
+    """Largest creep of the drums over its limit [-], and that creep, whichever way it pulls [m]."""
+    share, most = 0.0, 0.0
+    for member in case.members:
+        creep = abs(member.arc.exit_creep)
+        if creep / member.arc.arc.creep_limit > share:
+            share, most = creep / member.arc.arc.creep_limit, creep
+    return share, most
 
 
 def _steepest(of: CaseResult, cases: Sequence[CaseResult], drive: int) -> float:

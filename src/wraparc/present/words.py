@@ -92,7 +92,12 @@ def alone(drive: Drive, arc: ArcResult) -> DriveResult:
         condition=own.condition if own else "",
     )
     pulley = drive.pulley(arc.arc.pulley)
-    own_case = replace(drive, pulleys=(pulley,), load_cases=(case,), conveyor=None)
+    criteria, take_up = drive.criteria, drive.criteria.take_up
+    if take_up.after not in ("", pulley.name):  # it stands at a pulley that is left out
+        criteria = replace(criteria, take_up=replace(take_up, after=""))
+    own_case = replace(
+        drive, criteria=criteria, pulleys=(pulley,), load_cases=(case,), conveyor=None
+    )
     return DriveResult(own_case, (arc,))
 
 

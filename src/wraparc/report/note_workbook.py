@@ -114,7 +114,7 @@ class _Workbook:
 
     def _put(self, sheet: Any, row: int, column: int, value: Cell, style: Any = None) -> None:
         if isinstance(value, str):
-            sheet.write_string(row, column, value, style)
+            sheet.write_string(row, column, in_units(value, self.system), style)
         elif math.isnan(value):
             sheet.write_blank(row, column, None, style)
         elif math.isinf(value):
@@ -144,7 +144,8 @@ class _Workbook:
             for column, value in enumerate(values):
                 self._put(sheet, last, column, value)
                 if isinstance(value, str):
-                    widths[column] = min(max(widths[column], len(value) + 1), _WIDEST)
+                    long = len(in_units(value, self.system)) + 1
+                    widths[column] = min(max(widths[column], long), _WIDEST)
         for column, width in enumerate(widths):
             sheet.set_column(column, column, width)
         sheet.freeze_panes(1, frozen)
@@ -196,7 +197,7 @@ class _Workbook:
         unit, size = self._unit(check.dimension)
         bound = "" if math.isnan(check.limit) else "at most" if check.at_most else "at least"
         # what is below its accuracy is told so, as everywhere
-        value: Cell = in_units(check.texts()[0], self.system) if check.below else check.value / size
+        value: Cell = check.texts()[0] if check.below else check.value / size
         margin: Cell = "-" if check.below else 100.0 * check.margin
         return (
             check.title, bound, check.limit / size, value, unit or "-",
@@ -204,7 +205,7 @@ class _Workbook:
         )  # fmt: skip
 
     def _input(self, entry: Input) -> tuple[Cell, ...]:
-        value: Cell = in_units(entry.text(), self.system)
+        value: Cell = entry.text()
         unit = ""
         if isinstance(entry.value, float) and math.isfinite(entry.value):
             unit, size = self._unit(entry.dimension)
@@ -238,9 +239,9 @@ class _Workbook:
         """Write every number of the tables of a note on a line of its own, as it is filtered by."""
 
         def line(title: str, row: Row, head: str, value: str) -> list[Cell]:
-            where = [in_units(text, self.system) for text in (title, row.title, row.symbol, head)]
             number, unit = self._number(value)
-            return [*where, number, unit, str(row.level or ""), in_units(row.note, self.system)]
+            where = title, row.title, row.symbol, head
+            return [*where, number, unit, str(row.level or ""), row.note]
 
         rows = (
             line(table.title or section.title, row, head, value)
@@ -256,7 +257,7 @@ class _Workbook:
         cell = cell_of(text)
         ends = cell is not None and cell.form in ("to", "-") and cell.other != cell.value
         if cell is None or cell.form == "unit" or ends:
-            return in_units(text, self.system), ""
+            return text, ""
         if cell.form == "percent":
             return 100.0 * cell.value, "%"
         unit, size = self._unit(cell.dimension)

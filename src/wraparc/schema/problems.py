@@ -11,7 +11,7 @@ from wraparc.errors import InputError, Problem, shown
 Place = tuple[str | int, ...]
 
 _BARE = re.compile(r"[A-Za-z0-9_-]{1,60}")
-_STEP = re.compile(r"\.?([A-Za-z_][A-Za-z0-9_]*)|\[(\d+)\]")
+_STEP = re.compile(r"\.?([A-Za-z_][A-Za-z0-9_-]*)|\[(\d+)\]")
 _MOST = 50
 
 

@@ -216,6 +216,8 @@ def beyond_motor(name: str, rotation: float, motor: Motor, point: MotorPoint) ->
         end = low / (motor.gear_efficiency if low >= 0.0 else 1.0 / motor.gear_efficiency)
         turns, top = _apart(rotation, motor.drum_speed(end * motor.drum_torque))
         means = "it cannot hold back" if low == 0.0 else f"it holds back {-low:.3g} rated torques"
+        if turns == top:
+            return f"The belt drives the drum of {name} at {turns}, where its motor ends: {means}."
         return (
             f"The belt drives the drum of {name} at {turns}, faster than its motor allows: "
             f"{top} at most, where {means}."
@@ -230,16 +232,12 @@ def beyond_motor(name: str, rotation: float, motor: Motor, point: MotorPoint) ->
 
 
 def _apart(one: float, other: float) -> tuple[str, str]:
-    """Return two rotation speeds [rad/s] in as many digits as tell them apart."""
-    told = ("", "")
-    for digits in range(4, 10):
-        told = (
-            display(one, "rotation_speed", "si", digits),
-            display(other, "rotation_speed", "si", digits),
-        )
+    """Return two rotation speeds [rad/s] in as many digits as tell them apart, or alike."""
+    for digits in (4, 5, 6, 4):  # alike in six, they are told alike
+        told = tuple(display(of, "rotation_speed", "si", digits) for of in (one, other))
         if told[0] != told[1]:
             break
-    return told
+    return told[0], told[1]
 
 
 def sensitivity(

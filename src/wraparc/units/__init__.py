@@ -19,11 +19,9 @@ from wraparc.units.digits import GIVEN_DIGITS, NOTHING, RESULT_DIGITS
 from wraparc.units.display import (
     SMALL,
     System,
-    UnitRow,
     display,
     display_unit,
     on_safe_side,
-    unit_row,
 )
 from wraparc.units.numbers import parse_number
 from wraparc.units.parse import dimension_of, meant_by, parse_quantity, unit_factor, unit_names
@@ -41,7 +39,6 @@ __all__ = [
     "Cell",
     "Dimension",
     "System",
-    "UnitRow",
     "bare",
     "cell_of",
     "cells_in",
@@ -62,5 +59,4 @@ __all__ = [
     "unit_factor",
     "unit_names",
     "unit_of",
-    "unit_row",
 ]

@@ -122,13 +122,11 @@ def _with_unit(
             return joined(last)
         begin = first[0] if first[1] == last[1] else joined(first)
         return begin + (" to " if form == "to" else "-") + joined(last)
-    while (
-        form in ("apart", "slip apart")
-        and digits < MOST_DIGITS
-        and joined(told(value, digits)) == joined(told(other, digits))
-    ):
-        digits += 1
-    return joined(told(value, digits))
+    if form in ("apart", "slip apart"):
+        for more in range(digits, MOST_DIGITS + 1):
+            if joined(told(value, more)) != joined(told(other, more)):
+                return joined(told(value, more))
+    return joined(told(value, digits))  # alike in all of them: no digit tells
 
 
 def quantity(

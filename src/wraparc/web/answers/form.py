@@ -21,8 +21,8 @@ from wraparc.units import (
     display,
     display_unit,
     unit_factor,
-    unit_row,
 )
+from wraparc.units.display import unit_row
 from wraparc.version import __version__
 from wraparc.web.answers.shown import Answer, Data
 
@@ -109,7 +109,7 @@ class Section(Answer):
 
 
 class Unit(Answer):
-    """A unit, its size [SI], and what reads better, see `wraparc.units.UnitRow`."""
+    """A unit, its size [SI], and what reads better, see `wraparc.units.display.UnitRow`."""
 
     unit: str
     factor: float

@@ -1922,21 +1922,17 @@ export function turning__speed_error(system, nips, torques, level, lift) {
   return $maxOf(misses);
 }
 
-/** Return two rotation speeds [rad/s] in as many digits as tell them apart. */
+/** Return two rotation speeds [rad/s] in as many digits as tell them apart, or alike. */
 export function turning___apart(one, other) {
-  let digits;
-  let told = ["", ""];
-  for (let each1 = 4, end1 = 10; each1 < end1; each1++) {
+  let digits, told;
+  for (const each1 of [4, 5, 6, 4]) {
     digits = each1;
-    told = [
-      display(one, "rotation_speed", "si", digits),
-      display(other, "rotation_speed", "si", digits),
-    ];
+    told = [...[...[one, other]].map((of) => display(of, "rotation_speed", "si", digits))];
     if (told[0] !== told[1]) {
       break;
     }
   }
-  return told;
+  return [told[0], told[1]];
 }
 
 /** Say how a motor would have to leave its curve, or nothing; the drum turns at `rotation`. */
@@ -1953,6 +1949,18 @@ export function turning__beyond_motor(name, rotation, motor, point) {
       low === 0.0
         ? "it cannot hold back"
         : "" + "it holds back " + $told(-low, false, 3, "g") + " rated torques";
+    if (turns === top) {
+      return (
+        "" +
+        "The belt drives the drum of " +
+        $text(name) +
+        " at " +
+        $text(turns) +
+        ", where its motor ends: " +
+        $text(means) +
+        "."
+      );
+    }
     return (
       "" +
       "The belt drives the drum of " +

@@ -98,7 +98,7 @@ export function digits__safe(value, size, up) {
 }
 
 export function cell___with_unit(value, dimension, digits, form, other, system) {
-  let begin, first, last;
+  let begin, first, last, more;
   const told = (number, places) => {
     let size, unit;
     if (!Number.isFinite(number)) {
@@ -123,12 +123,13 @@ export function cell___with_unit(value, dimension, digits, form, other, system) 
     begin = first[1] === last[1] ? first[0] : display__joined(first);
     return begin + (form === "to" ? " to " : "-") + display__joined(last);
   }
-  while (
-    (form === "apart" || form === "slip apart") &&
-    digits < MOST_DIGITS &&
-    display__joined(told(value, digits)) === display__joined(told(other, digits))
-  ) {
-    digits += 1;
+  if (form === "apart" || form === "slip apart") {
+    for (let each1 = digits, end1 = MOST_DIGITS + 1; each1 < end1; each1++) {
+      more = each1;
+      if (display__joined(told(value, more)) !== display__joined(told(other, more))) {
+        return display__joined(told(value, more));
+      }
+    }
   }
   return display__joined(told(value, digits));
 }

@@ -1345,6 +1345,21 @@ function judge__every_check(result) {
 return $b.tuple(($truth($b.isinstance(result, TrainResult)) ? judge___train(result) : judge___drive(result)));
 }
 function* judge___train(result) {
+let case_, check, checks, failing;
+(checks = [...$iter(judge___of_members(result))]);
+(failing = new Set((function* () { for (const check of $iter(checks)) { if (!((check.level === "FAILS"))) continue; yield check.place.load_case; } })()));
+for (check of $iter(checks)) {
+if ((($eq(check.name, "fight")) && $truth(check.missed) && ($in(check.place.load_case, failing)))) {
+(case_ = result.train.case($bound(check.place, "load_case")));
+if (($at($at(check.more, "lost"), 0) > $mul(0.1, $b.abs($bound(case_, "effective_tension"))))) {
+yield $replaced(check, new Map([["level", "FAILS"]]));
+continue;
+}
+}
+yield check;
+}
+}
+function* judge___of_members(result) {
 let adrift, case_, check, title;
 for (case_ of $iter(result)) {
 yield* $iter(judge___of_train($bound(result, "train"), case_));
@@ -1363,11 +1378,12 @@ yield check;
 }
 }
 function* judge___of_train(train, case_) {
-let division, driven, member, motor, place, several;
+let driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
-yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place);
+(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), judge___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
+yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($c40, case_.status, "solved"))) {
@@ -1375,22 +1391,30 @@ yield* $iter(($truth(several) ? judge__not_working(place) : []));
 return null;
 }
 if ($truth(several)) {
-yield judge__fight(numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]), place);
+(lost = numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]));
+yield judge__fight(lost, place, $bound(case_.case, "division"));
 (driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
 yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
 }
 yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
-(division = case_.case.division);
-for ([member, motor] of $iter($b.zip($bound(case_, "members"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
-yield judge___motor(member, motor, $bound(case_, "case"));
+(motors = judge___motors($bound(case_, "case")));
+(driven_by = [...$iter($b.zip($bound(case_, "members"), motors, $k({strict: false})))]);
+(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
+yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), helps); } })());
 }
+function judge___motors(case_) {
+return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
-function judge__operating_point(status, reason, place) {
-let fault, shorts;
+function judge__operating_point(status, reason, place, overrun = false) {
+let _, fault, remedy, says, shorts;
 
+([says, _, remedy] = $m.partition($b.str(status), ". "));
+if ($truth(overrun)) {
+(remedy = ("" + "Set brakes = true for its motor if its drive can hold back. " + $str(remedy)));
+}
 (fault = (status === "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."));
 (shorts = $map([["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", "gross slip"], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "beyond a motor"]]));
-return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(status)))));
+return new Check("operating_point", "Operating point of the drives", ($truth(fault) ? "FAULT OF THE PROGRAM" : "FAILS"), place, undefined, undefined, undefined, undefined, undefined, $m.get(shorts, status, "not solved"), check__escaped($m.strip(("" + $str(reason) + " " + $str(says) + "."))), check__escaped(remedy));
 }
 function check__escaped(text) {
 
@@ -1416,11 +1440,19 @@ return 0.0;
 }
 return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
 }
-function judge__fight(lost, place) {
-let fights;
+function judge__fight(lost, place, division) {
+let fights, remedy;
 
 (fights = (lost > 0.0));
-return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? "Bring their speeds closer together, or divide the load by torque." : ""), undefined, $map([["lost", [lost, "force"]]]));
+(remedy = "Bring their speeds closer together, or divide the load by torque.");
+if ($truth($b.isinstance(division, Shares))) {
+(remedy = "Correct the shares: one below 0 % brakes against the others.");
+} else {
+if ($truth($b.isinstance(division, Pulls))) {
+(remedy = "Correct the tensions: one of the pulleys is given as braking.");
+}
+}
+return new Check("fight", "Drives work together", ($truth(fights) ? "ATTENTION" : "OK"), place, undefined, undefined, undefined, undefined, undefined, ($truth(fights) ? "drives fight" : ""), ($truth(fights) ? "The drives work against each other with {lost} of pull." : ""), ($truth(fights) ? remedy : ""), undefined, $map([["lost", [lost, "force"]]]));
 }
 function* of_drive__unknown_trims(belt, pulleys, at) {
 let first, opposite, place, pulley, shift;
@@ -1453,11 +1485,11 @@ return $b.abs($sub((0.005 / $mul(0.5, first)), (0.005 / $mul(0.5, other))));
 function of_drive__unknown_trim(first, shift, opposite, place) {
 let why;
 
-(why = ("" + "10 mm of belt on drums of two diameters shifts it by {shift} % against " + $str(first) + "."));
+(why = ("" + "{layer} of belt on drums of two diameters shifts it by {shift} % against " + $str(first) + "."));
 if ($truth(opposite)) {
-(why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by 4 mm shift it by {shift} %."));
+(why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by {apart} shift it by {shift} %."));
 }
-return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give pulley_cover, carry_cover and carcass in [belt].", undefined, $map([["shift", [$mul(100.0, shift), "number"]]]), false);
+return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give pulley_cover, carry_cover and carcass in [belt].", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
 }
 function judge__train_balance(error, place) {
 
@@ -1491,14 +1523,14 @@ return ($eq(value, limit));
 }
 return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
 }
-function judge___motor(member, motor, case_) {
+function judge___motor(member, motor, case_, helps) {
 let at, momentary;
 
 ([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
 if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
 return judge__unrated(momentary, at);
 }
-return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at);
+return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
 }
 function judge__unrated(momentary, place) {
 let name, why;
@@ -1507,13 +1539,17 @@ let name, why;
 (why = "a drive that follows another gives no rating of its motors");
 return of_drive__not_checked(name, $at($c45, momentary), why, place);
 }
-function judge__motor_load(load, most, momentary, place) {
-let remedy, title;
+function judge__motor_load(load, most, momentary, place, helps) {
+let other, remedy, title;
 
 (title = $at($c45, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
+if (!$truth(helps)) {
+(remedy = "Take larger motors: no other division of the load helps.");
+}
 if ($truth(momentary)) {
-(remedy = "Start and stop more slowly, divide the load otherwise, or take larger motors.");
+(other = ($truth(helps) ? "divide the load otherwise, " : ""));
+(remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
 }
 return of_drive__judged($at($c44, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
 }
@@ -1895,23 +1931,34 @@ if (($truth(momentary) && (belt.momentary_factor != null))) {
 (factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
 }
 (source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((belt.rating != null)) {
+if ((!$in(belt.kind, $c52))) {
+(source = ("" + "the least that any belt is rated with" + $str(factor)));
+}
+if ($truth(rules__rated(belt))) {
 (rule = $replaced(rule, new Map([["missed", "FAILS"]])));
 (source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
 }
-return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, (belt.rating != null));
+return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
 }
 function rules__asked_safety(belt, kind) {
-let asked;
+let asked, rating, strength;
 
-if ((belt.breaking_strength == null)) {
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+if ((strength == null)) {
 return NaN;
 }
-(asked = $m.get($c52, $bound(belt, "kind"), NaN));
-if ((belt.rating != null)) {
-(asked = (belt.breaking_strength / belt.rating));
+(asked = $m.get($c52, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+if (((rating != null) && $truth(rules__rated(belt)))) {
+(asked = (strength / rating));
 }
-return (asked / rules__tension_factor(belt, kind));
+(asked = (asked / rules__tension_factor(belt, kind)));
+return $b.max(asked, 1.0);
+}
+function rules__rated(belt) {
+let rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
 }
 function numbers__safety_of(strength, tension, asked) {
 let safety;
@@ -2021,7 +2068,7 @@ yield of_data___untested(case_, pulley, "worn", "worn", says);
 function of_data___untested(case_, pulley, state, part, says) {
 let lagging;
 (lagging = pulley.lagging);
-return new Check($at($c44, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + ", or keep more slack-side tension in hand."), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, false);
+return new Check($at($c44, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
 }
 function* of_data__fit(case_, pulley) {
 let first, lagging, more, others;
@@ -2305,10 +2352,11 @@ function numbers__usual(value, least, most) {
 return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
 }
 function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy;
+let least, meant, most, near, remedy, small;
 
 ([least, most] = ends);
-(meant = $m.join(" or ", parse__meant_by(value, dimension, least, most)));
+(small = ((least > 0.0) ? least : $mul(0.1, most)));
+(meant = $m.join(" or ", parse__meant_by(value, dimension, small, most)));
 (remedy = ($truth(meant) ? ("" + "Check the unit: " + $str(meant) + "?") : "Check the unit."));
 if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
@@ -2324,14 +2372,11 @@ if ((($eq(dimension, "angle")) && !$truth(meant))) {
 if ($truth($m.startswith(name, "pressure of the belt at its rating"))) {
 (remedy = "Check the diameter and the rating.");
 }
-if (($eq(name, "strength over the rating of the belt"))) {
-(remedy = "Check strength and rating.");
+if (($in(name, ["strength over the rating of the belt", "modulus over the rating of the belt"]))) {
+(remedy = usual___of_rating(name, value, least));
 }
 if ((($eq(name, "mass of the belt")) && (value > most))) {
 (remedy = "Is it that of the whole belt? Give the mass of a metre.");
-}
-if (($eq(name, "modulus over the rating of the belt"))) {
-(remedy = "Is the rating or the strength given as the modulus? Check the units of both.");
 }
 return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
@@ -2356,8 +2401,24 @@ $m.append(found, [!(1.0 <= short && short < 1000.0), text]);
 }
 return [...(function* () { for (const [_, text] of $iter($slice($b.sorted(found, $k({key: ((one) => $at(one, 0))})), null, 2))) { yield text; } })()];
 }
+function usual___of_rating(name, value, least) {
+let meant;
+
+if (($eq(name, "strength over the rating of the belt"))) {
+if ((value < $mul(0.5, least))) {
+return "Is the rating the strength? Give the tension that the belt is rated for.";
+}
+return ((value < least) ? "Is the rating that of the whole width? Give it per width." : "Check strength and rating: both are per width.");
+}
+if ((value >= least)) {
+return "Check the units of both.";
+}
+(meant = "rating or the strength given as the modulus");
+(meant = ((value < $mul(0.2, least)) ? meant : "strength given as the rating, or as the modulus"));
+return ("" + "Is the " + $str(meant) + "? Check the units of both.");
+}
 function* usual___turning(drive, owner) {
-let belt, check, dimension, ends, motor, name, power, pulley, remedy, setting, speed, turns, value, values;
+let belt, check, dimension, ends, more, motor, name, power, pulley, radius, remedy, says, setting, speed, taken, turns, value, values;
 
 ([motor, pulley, power, speed] = [owner.of, drive.pulley($bound(owner.place, "pulley")), NaN, NaN]);
 ([turns, remedy] = [motor, "Check the speeds of the drums, the diameter and the belt speed."]);
@@ -2368,11 +2429,18 @@ if ($truth($b.isinstance(motor, Motor))) {
 (remedy = "Check gear_ratio, rated_speed, diameter and belt speed.");
 }
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
-(values = numbers__compared_motor(power, speed, turns, $mul(0.5, pulley.diameter), belt));
+(radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
+(values = numbers__compared_motor(power, speed, turns, radius, belt));
 for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
-yield (($eq(name, "speed of the drum over that of the belt")) ? $replaced(check, new Map([["remedy", remedy]])) : check);
+if (($eq(name, "speed of the drum over that of the belt"))) {
+(more = $merged(check.more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
+(taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt].");
+(says = ("" + $str($slice(check.says, null, $neg(1))) + ": " + $str(taken)));
+(check = $replaced(check, new Map([["says", says], ["remedy", remedy], ["more", more]])));
+}
+yield check;
 }
 }
 }
@@ -2467,7 +2535,7 @@ let at, belt, drum, lagging, of;
 
 ([belt, drum, at] = [new Place(), new Place($bound(pulley, "name")), new Place($bound(pulley, "name"), $bound(case_, "name"))]);
 ([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
-return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["modulus over the rating of the belt", "number", belt], ["strength over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
+return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["strength over the rating of the belt", "number", belt], ["modulus over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
 }
 function usual___sizes(drive, case_, pulley) {
 let belt, idle, lagging, sag, tensions;
@@ -2482,7 +2550,7 @@ return new Sizes(belt.width, belt.modulus, known($bound(belt, "speed")), pulley.
 }
 function numbers__compared_sizes(of) {
 
-return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.modulus / of.rating), (of.strength / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
+return [of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle, of.creep_limit, of.overrun, of.thickness, of.shear_modulus, of.compression_modulus, of.rating, of.bond_strength, of.fatigue_limit, of.face_pressure, of.least_diameter, (of.sag / of.width), (of.strength / of.rating), (of.modulus / of.rating), ($mul(2.0, of.rating) / of.diameter), (of.entry / of.width), (of.leaving / of.width), $mul($b.abs($bound(of, "pull")), of.speed), (of.mass / of.width)];
 }
 function of_data__data(drive, pulley) {
 let found, grounds, kind, lagging, what, words, worst;
@@ -2917,14 +2985,18 @@ $put(known, arc, words__alone($bound(result, "drive"), arc));
 return $at(known, arc);
 }
 function words__alone(drive, arc) {
-let case_, name, own, own_case, pulley, solved, tensions;
+let case_, criteria, name, own, own_case, pulley, solved, take_up, tensions;
 
 ([name, solved] = [arc.arc.load_case, arc.arc]);
 (tensions = new Tensions(solved.entry_tension, solved.exit_tension));
 (own = $b.next((function* () { for (const case_ of $iter(drive.load_cases)) { if (!(($eq(case_.name, name)))) continue; yield case_; } })(), null));
 (case_ = new LoadCase(name, $map([[arc.arc.pulley, tensions]]), ($truth(own) ? own.kind : "running"), ($truth(own) ? own.condition : "")));
 (pulley = drive.pulley($bound(arc.arc, "pulley")));
-(own_case = $replaced(drive, new Map([["pulleys", [pulley]], ["load_cases", [case_]], ["conveyor", null]])));
+([criteria, take_up] = [drive.criteria, drive.criteria.take_up]);
+if ((!$in(take_up.after, ["", pulley.name]))) {
+(criteria = $replaced(criteria, new Map([["take_up", $replaced(take_up, new Map([["after", ""]]))]])));
+}
+(own_case = $replaced(drive, new Map([["criteria", criteria], ["pulleys", [pulley]], ["load_cases", [case_]], ["conveyor", null]])));
 return new DriveResult(own_case, [arc]);
 }
 function errors___stopped(sentence) {
@@ -3014,7 +3086,7 @@ return $map([]);
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
-let basis, block, height, moduli, shape, text, young;
+let basis, block, height, least, message, moduli, remedy, shape, text, young;
 
 function note(part, basis, text) {
 let of;
@@ -3032,7 +3104,14 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(block = $method($c79, "built", [shape, report], [...height]));
+(least = $at($c79, "height").least);
+if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
+(message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
+(remedy = "Give the thickness, or a lagging without blocks.");
+report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
+return $map([]);
+}
+(block = $method($c80, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -3058,7 +3137,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c80, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c81, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -3076,7 +3155,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c87.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c88.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -3085,7 +3164,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c81, $map([["pressure", $m.get($c82, kind, "tested_pressure")]])));
+(names = $merged($c82, $map([["pressure", $m.get($c83, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -3094,7 +3173,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c83, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c84, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3277,7 +3356,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c84;
+return $c85;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3378,7 +3457,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c85], ["temperature", $c86]])) {
+for ([key, table] of $iter([["slip_speed", $c86], ["temperature", $c87]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3437,7 +3516,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c88, document, file));
+([record, report] = source__read_tables($c89, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3473,7 +3552,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c90)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c91)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3777,7 +3856,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c98, "OK", "rank"), 0.5) : $told($c98, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c99, "OK", "rank"), 0.5) : $told($c99, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -3900,7 +3979,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c839, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c844, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -3910,14 +3989,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c844, 0), 0));
+(least = $at($at($c849, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c844, 0), 0)) ? NaN : $at($at($c844, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c844))) {
+(found = ((length < $at($at($c849, 0), 0)) ? NaN : $at($at($c849, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c849))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -4207,7 +4286,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c89)) {
+for (group of $iter($c90)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -4333,7 +4412,7 @@ const self = this; super.$init(message);
 }
 class Unit extends $Tuple {
 }
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c99});
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c100});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -4391,7 +4470,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c91) {
+overridden(record, fixed = false, speed = null, runs = $c92) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -4423,7 +4502,7 @@ $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()}
 class LoadCase extends $Object {
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c92]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c93]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -4724,7 +4803,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c91, self._take_up.fixed]);
+([runs, fixed] = [$c92, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -4737,7 +4816,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c93), ...$iter($c94), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c94), ...$iter($c95), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -4781,10 +4860,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c94)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c95)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c94)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c95)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -4860,7 +4939,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c95))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c96))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -4872,7 +4951,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c96.built(record, $bound(self, "_report")));
+(motor = $c97.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -5144,95 +5223,6 @@ return $m.join(", ", parts);
 }
 }
 $sig(Place, ["pulley", "load_case", "event"], false, {pulley: () => "", load_case: () => "", event: () => ""});
-class Check extends $Object {
-get margin() {
-const self = this; 
-return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
-}
-get compares() {
-const self = this; 
-return $and((!$in(self.name, $c97)), () => (self.level !== "NOT CHECKED"));
-}
-get below() {
-const self = this; 
-return $and(self.numerical, () => (self.level === "OK"));
-}
-get share() {
-const self = this; let share, silent;
-
-(silent = $or((self.level === "NOT CHECKED"), () => $or(self.numerical, () => !$truth(self.limit))));
-(share = ($truth(silent) ? NaN : (self.value / self.limit)));
-return ($truth($math.isfinite(share)) ? share : NaN);
-}
-get reason() {
-const self = this; 
-return ($truth(self.missed) ? $replaced(self, new Map([["remedy", ""]])).said : "");
-}
-get times() {
-const self = this; 
-return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
-}
-get missed() {
-const self = this; 
-return ($told($c98, self.level, "rank") >= $told($c98, "ATTENTION", "rank"));
-}
-texts() {
-const self = this; let limit;
-
-if ($truth(self.below)) {
-(limit = check__quantity_text($bound(self, "limit"), $bound(self, "dimension")));
-return [("" + "below " + $str(limit)), limit];
-}
-if (!$truth(self.missed)) {
-return [check__quantity_text($bound(self, "value"), $bound(self, "dimension")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"))];
-}
-return [check__quantity_text($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
-}
-bound() {
-const self = this; 
-if ($truth($math.isnan($bound(self, "limit")))) {
-return "";
-}
-return ("" + $str(($truth(self.at_most) ? "at most" : "at least")) + " " + $str($at(self.texts(), 1)));
-}
-get said() {
-const self = this; let bound, limit, value, words;
-
-([value, limit] = self.texts());
-if (!$truth(self.says)) {
-(bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
-return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
-}
-(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d)]; } })()]));
-(words = $merged(words, $map([["value", value], ["limit", limit]])));
-return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
-}
-get numerical() {
-const self = this; 
-return ($in(self.name, $c830));
-}
-get advises() {
-const self = this; 
-return $or(($in(self.name, $c831)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
-}
-get leads() {
-const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c832)));
-}
-}
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
-class Miss extends $Tuple {
-at(value, at_most) {
-const self = this; let says;
-
-if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
-return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
-}
-(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
-return [self.level, $m.rstrip(says)];
-}
-}
-$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class Motors extends $Object {
 }
 $sig(Motors, ["motors"], false, {});
@@ -5270,9 +5260,108 @@ return (self.rated_power / self.rated_speed);
 }
 }
 $sig(Motor, ["rated_power", "rated_speed", "gear_ratio", "gear_efficiency", "motor_efficiency", "count", "brakes"], false, {gear_ratio: () => 1.0, gear_efficiency: () => 1.0, motor_efficiency: () => null, count: () => 1, brakes: () => true});
+class Check extends $Object {
+get margin() {
+const self = this; 
+return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bound(self, "limit"), $bound(self, "at_most")));
+}
+get compares() {
+const self = this; 
+return $and((!$in(self.name, $c98)), () => (self.level !== "NOT CHECKED"));
+}
+get below() {
+const self = this; 
+return $and(self.numerical, () => (self.level === "OK"));
+}
+get share() {
+const self = this; let share, silent;
+
+(silent = $or((self.level === "NOT CHECKED"), () => $or(self.numerical, () => !$truth(self.limit))));
+(share = ($truth(silent) ? NaN : (self.value / self.limit)));
+return ($truth($math.isfinite(share)) ? share : NaN);
+}
+get reason() {
+const self = this; 
+return ($truth(self.missed) ? $replaced(self, new Map([["remedy", ""]])).said : "");
+}
+get times() {
+const self = this; 
+return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
+}
+get missed() {
+const self = this; 
+return ($told($c99, self.level, "rank") >= $told($c99, "ATTENTION", "rank"));
+}
+texts() {
+const self = this; let limit;
+
+if ($truth(self.below)) {
+(limit = check__quantity_text($bound(self, "limit"), $bound(self, "dimension")));
+return [("" + "below " + $str(limit)), limit];
+}
+if (!$truth(self.missed)) {
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"))];
+}
+return [check__quantity_text($bound(self, "value"), $bound(self, "dimension"), $bound(self, "limit")), check__quantity_text($bound(self, "limit"), $bound(self, "dimension"), $bound(self, "value"))];
+}
+bound() {
+const self = this; 
+if ($truth($math.isnan($bound(self, "limit")))) {
+return "";
+}
+return ("" + $str(($truth(self.at_most) ? "at most" : "at least")) + " " + $str($at(self.texts(), 1)));
+}
+get said() {
+const self = this; let bound, limit, value, words;
+
+([value, limit] = self.texts());
+if (!$truth(self.says)) {
+(bound = ($truth(limit) ? ("" + ", " + $str(self.bound())) : ""));
+return ($truth(value) ? ("" + $str(self.title) + ": " + $str(value) + $str(bound) + ".") : ("" + $str(self.title) + "."));
+}
+(words = $map([...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { yield [n, check__quantity_text(v, d, self._beside(n))]; } })()]));
+(words = $merged(words, $map([["value", value], ["limit", limit]])));
+return $m.join(" ", (function* () { for (const part of $iter([self.says, self.remedy])) { if (!($truth(part))) continue; yield $m.format(part, [], $map([...words])); } })());
+}
+get numerical() {
+const self = this; 
+return ($in(self.name, $c835));
+}
+get advises() {
+const self = this; 
+return $or(($in(self.name, $c836)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+}
+get leads() {
+const self = this; 
+return $and((self.level === "FAILS"), () => ($in(self.name, $c837)));
+}
+_beside(name) {
+const self = this; let dimension, others, value;
+
+([value, dimension] = $at(self.more, name));
+(others = [...(function* () { for (const [n, [v, d]] of $iter($m.items(self.more))) { if (!(((!$eq(n, name)) && ($eq(d, dimension))))) continue; yield v; } })()]);
+return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
+}
+}
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
+class Shares extends $Object {
+}
+$sig(Shares, ["fractions"], false, {});
+class Miss extends $Tuple {
+at(value, at_most) {
+const self = this; let says;
+
+if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
+return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+}
+(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
+return [self.level, $m.rstrip(says)];
+}
+}
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class Speeds extends $Object {
 }
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
@@ -5492,7 +5581,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c98, self.level, "rank") > $told($c98, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c99, self.level, "rank") > $told($c99, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -5510,7 +5599,7 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c833)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c838)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 $sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
@@ -5519,7 +5608,7 @@ class Row extends $Object {
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
 }
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c100, note: () => "", name: () => "", short: () => null, brief: () => ""});
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c101, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class TestedRange extends $Object {
 __post_init__() {
 const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
@@ -5560,12 +5649,12 @@ class Trend extends $Object {
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c834)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c834)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c839)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c839)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c834, self.form));
+([logarithmic, exponential] = $at($c839, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -5584,7 +5673,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c834, self.form));
+([logarithmic, exponential] = $at($c839, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
@@ -5592,7 +5681,7 @@ return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bou
 $sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
 }
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c101, residual_friction: () => $c102});
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c102, residual_friction: () => $c103});
 class CoefficientPieces extends $Object {
 __post_init__() {
 const self = this; let n, problems;
@@ -5750,8 +5839,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c835)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c835))));
+if (($truth(self.surface) && (!$in(self.surface, $c840)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c840))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -5775,9 +5864,6 @@ $sig(LoadGiven, ["entry_tension", "exit_tension", "effective_tension", "torque",
 class DrumAt extends $Tuple {
 }
 $sig(DrumAt, ["diameter", "speed"], false, {});
-class Shares extends $Object {
-}
-$sig(Shares, ["fractions"], false, {});
 class Pair extends $Tuple {
 }
 $sig(Pair, ["entry", "exit"], false, {});
@@ -5820,7 +5906,7 @@ class TakeUp extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c836)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c841)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -5853,7 +5939,7 @@ $sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_r
 class DesignStandard extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c837)]], ["condition", ["", ...$iter($c838)]]]));
+(words = $map([["name", ["", ...$iter($c842)]], ["condition", ["", ...$iter($c843)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -5892,7 +5978,7 @@ class tables$Table extends Kind {
 get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, of = null, on_one_line = false, ...entries) {
 const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c839) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c844) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -5966,7 +6052,7 @@ const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c839, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c844, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
 read(raw, place, report) {
 const self = this; let value;
@@ -5989,7 +6075,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c840) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c845) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -6117,10 +6203,18 @@ const self = this;
 return $m.get(self.sources, part, $bound(self, "provenance"));
 }
 get breaking_strength() {
-const self = this; let found;
+const self = this; let bare, found, told;
 
-(found = $m.search($c841, $m.upper(self.name)));
-return (($truth(found) && (self.strength == null)) ? $mul(1000.0, $b.float($at(found, 1))) : self.strength);
+(found = $m.search($c846, $m.upper($m.strip(self.name))));
+if (((self.strength != null) || (found == null))) {
+return self.strength;
+}
+(told = $b.float($at(found, 1)));
+(bare = $m.startswith($m.strip(self.name), $at(found, 1)));
+if (($truth(bare) && (self.rating != null) && ($b.abs($sub((self.rating / $mul(told, 175.12683524647636)), 1.0)) < 0.02))) {
+return null;
+}
+return $mul(1000.0, told);
 }
 get axial_stiffness() {
 const self = this; 
@@ -6201,7 +6295,7 @@ class DimensionText extends $Tuple {
 $sig(DimensionText, ["si_unit", "name", "example"], false, {});
 class Definition extends $Tuple {
 }
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c848});
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c853});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -6235,7 +6329,7 @@ class Pulley extends $Object {
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c842]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c847]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -6280,8 +6374,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c843))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c843))));
+if ((!$in(self.drive_at, $c848))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c848))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -6419,7 +6513,7 @@ yield new Resistance("inertia", carrying, returning, "force to accelerate belt, 
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1496);
+([least, most] = $c1497);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -6450,8 +6544,8 @@ class Block extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c845))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c845))));
+if ((!$in(self.shape, $c850))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c850))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -6511,7 +6605,7 @@ get knots() { return $kept(this, "knots", this.$find_knots()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c846));
+(problems = limits__limit_problems(self, $c851));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -6550,7 +6644,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c847, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c852, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -6656,8 +6750,8 @@ class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1212))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1212))));
+if ((!$in(self.depth, $c1213))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1213))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
@@ -6905,800 +6999,800 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c857 = ["of", "entries", "_known"];
-const $c872 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c142 = ["dimension", "limit"];
-const $c873 = $made(Quantity, $c142, ["number", null]);
-const $c860 = $made(Entry, $c872, ["format", $c873, true, "", "format = 1", "format", ""]);
-const $c875 = ["longest", "lines"];
-const $c874 = $made(Text, $c875, [200, false]);
-const $c861 = $made(Entry, $c872, ["title", $c874, false, "", "", "title", ""]);
-const $c876 = $made(Text, $c875, [5000, true]);
-const $c862 = $made(Entry, $c872, ["description", $c876, false, "", "", "description", ""]);
-const $c878 = ["dimension", "least", "most", "open", "rigid"];
-const $c807 = $made(Limit, $c878, ["length", 0.0, 1.0, true, false]);
-const $c877 = $made(Quantity, $c142, ["length", $c807]);
-const $c863 = $made(Entry, $c872, ["creep_limit", $c877, false, "", "", "creep_limit", ""]);
-const $c880 = ["kind", "most"];
-const $c881 = ["text", "table"];
-const $c883 = ["longest"];
-const $c882 = $made(Name, $c883, [60]);
-const $c891 = $made(Name, $c883, [60]);
-const $c886 = $made(Entry, $c872, ["name", $c891, true, "", "", "name", ""]);
-const $c803 = $made(Limit, $c878, ["number", 0.0, 2.0, true, false]);
-const $c892 = $made(Quantity, $c142, ["number", $c803]);
-const $c887 = $made(Entry, $c872, ["friction_factor", $c892, false, "", "", "factor", ""]);
-const $c893 = $made(ByName, $c880, [$c892, 200]);
-const $c888 = $made(Entry, $c872, ["friction_factors", $c893, false, "", "", "friction_factors", ""]);
-const $c895 = ["options"];
-const $c896 = ["DIN 22101", "practice"];
-const $c894 = $made(Choice, $c895, [$c896]);
-const $c889 = $made(Entry, $c872, ["standard", $c894, false, "", "", "standard", ""]);
-const $c904 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c903 = $made(Choice, $c895, [$c904]);
-const $c899 = $made(Entry, $c872, ["kind", $c903, true, "", "", "kind", ""]);
-const $c905 = $made(Text, $c875, [500, false]);
-const $c900 = $made(Entry, $c872, ["source", $c905, false, "", "", "source", ""]);
-const $c906 = $made(Text, $c875, [60, false]);
-const $c901 = $made(Entry, $c872, ["date", $c906, false, "", "", "date", ""]);
-const $c907 = $made(Text, $c875, [1000, false]);
-const $c902 = $made(Entry, $c872, ["note", $c907, false, "", "", "note", ""]);
-const $c897 = [$c899, $c900, $c901, $c902];
-const $c898 = new Map([["kind", $c899], ["source", $c900], ["date", $c901], ["note", $c902]]);
-const $c2 = $made(tables$Table, $c857, [Provenance, $c897, $c898]);
-const $c890 = $made(Entry, $c872, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c884 = [$c886, $c887, $c888, $c889, $c890];
-const $c885 = new Map([["name", $c886], ["friction_factor", $c887], ["friction_factors", $c888], ["standard", $c889], ["provenance", $c890]]);
-const $c8 = $made(tables$Table, $c857, [Condition, $c884, $c885]);
-const $c203 = $made(TextOr, $c881, [$c882, $c8]);
-const $c879 = $made(OneOrMore, $c880, [$c203, 8]);
-const $c864 = $made(Entry, $c872, ["condition", $c879, false, "", "", "condition", ""]);
-const $c138 = $made(Name, $c883, [60]);
-const $c117 = $made(Entry, $c872, ["preset", $c138, false, "", "", "preset", ""]);
-const $c139 = $made(Name, $c883, [60]);
-const $c118 = $made(Entry, $c872, ["name", $c139, false, "", "", "name", ""]);
-const $c140 = $made(Text, $c875, [60, false]);
-const $c119 = $made(Entry, $c872, ["kind", $c140, false, "", "", "kind", ""]);
-const $c143 = $made(Limit, $c878, ["length", 0.001, 1000.0, false, false]);
-const $c141 = $made(Quantity, $c142, ["length", $c143]);
-const $c120 = $made(Entry, $c872, ["width", $c141, true, "", "", "width", ""]);
-const $c909 = ["word", "kind", "meaning"];
-const $c148 = $made(Limit, $c878, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c147 = $made(Quantity, $c142, ["force_per_width", $c148]);
-const $c145 = $made(WordOr, $c909, ["rigid", $c147, Infinity]);
-const $c121 = $made(Entry, $c872, ["modulus", $c145, false, "", "", "modulus", ""]);
-const $c150 = $made(Limit, $c878, ["force_per_width", 0.0, Infinity, true, false]);
-const $c149 = $made(Quantity, $c142, ["force_per_width", $c150]);
-const $c122 = $made(Entry, $c872, ["rating", $c149, false, "", "", "rating", ""]);
-const $c152 = $made(Limit, $c878, ["force_per_width", 0.0, Infinity, true, false]);
-const $c151 = $made(Quantity, $c142, ["force_per_width", $c152]);
-const $c123 = $made(Entry, $c872, ["strength", $c151, false, "", "", "strength", ""]);
-const $c154 = $made(Limit, $c878, ["speed", 0.0, 1000.0, true, false]);
-const $c153 = $made(Quantity, $c142, ["speed", $c154]);
-const $c124 = $made(Entry, $c872, ["speed", $c153, false, "", "", "speed", ""]);
-const $c156 = $made(Limit, $c878, ["number", 1.0, 10.0, false, false]);
-const $c155 = $made(Quantity, $c142, ["number", $c156]);
-const $c125 = $made(Entry, $c872, ["momentary_factor", $c155, false, "", "", "momentary_factor", ""]);
-const $c158 = $made(Limit, $c878, ["length", 0.0, Infinity, true, false]);
-const $c157 = $made(Quantity, $c142, ["length", $c158]);
-const $c126 = $made(Entry, $c872, ["least_pulley_diameter", $c157, false, "", "", "least_pulley_diameter", ""]);
-const $c160 = $made(Limit, $c878, ["pressure", 0.0, Infinity, true, false]);
-const $c159 = $made(Quantity, $c142, ["pressure", $c160]);
-const $c127 = $made(Entry, $c872, ["largest_wrap_pressure", $c159, false, "", "", "largest_wrap_pressure", ""]);
-const $c162 = $made(Limit, $c878, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c161 = $made(Quantity, $c142, ["force_per_width", $c162]);
-const $c128 = $made(Entry, $c872, ["in_plane_shear_stiffness", $c161, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c164 = $made(Limit, $c878, ["length", 0.0, 0.06, false, false]);
-const $c163 = $made(Quantity, $c142, ["length", $c164]);
-const $c129 = $made(Entry, $c872, ["pulley_cover", $c163, false, "", "", "pulley_cover", ""]);
-const $c166 = $made(Limit, $c878, ["length", 0.0, 0.06, false, false]);
-const $c165 = $made(Quantity, $c142, ["length", $c166]);
-const $c130 = $made(Entry, $c872, ["carry_cover", $c165, false, "", "", "carry_cover", ""]);
-const $c168 = $made(Limit, $c878, ["length", 0.0, 0.06, true, false]);
-const $c167 = $made(Quantity, $c142, ["length", $c168]);
-const $c131 = $made(Entry, $c872, ["carcass", $c167, false, "", "", "carcass", ""]);
-const $c170 = $made(Limit, $c878, ["length", 0.0, 0.06, true, false]);
-const $c169 = $made(Quantity, $c142, ["length", $c170]);
-const $c132 = $made(Entry, $c872, ["thickness", $c169, false, "", "", "thickness", ""]);
-const $c173 = $made(Limit, $c878, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c172 = $made(Quantity, $c142, ["pressure", $c173]);
-const $c171 = $made(WordOr, $c909, ["rigid", $c172, Infinity]);
-const $c133 = $made(Entry, $c872, ["cover_shear_modulus", $c171, false, "", "", "cover_shear_modulus", ""]);
-const $c175 = $made(Limit, $c878, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c174 = $made(Quantity, $c142, ["mass_per_length", $c175]);
-const $c134 = $made(Entry, $c872, ["mass", $c174, false, "", "", "mass", ""]);
-const $c135 = $made(Entry, $c872, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c176 = $made(ByName, $c880, [$c2, 200]);
-const $c136 = $made(Entry, $c872, ["sources", $c176, false, "", "", "sources", ""]);
-const $c1 = [$c117, $c118, $c119, $c120, $c121, $c122, $c123, $c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136];
-const $c908 = new Map([["preset", $c117], ["name", $c118], ["kind", $c119], ["width", $c120], ["modulus", $c121], ["rating", $c122], ["strength", $c123], ["speed", $c124], ["momentary_factor", $c125], ["least_pulley_diameter", $c126], ["largest_wrap_pressure", $c127], ["in_plane_shear_stiffness", $c128], ["pulley_cover", $c129], ["carry_cover", $c130], ["carcass", $c131], ["thickness", $c132], ["cover_shear_modulus", $c133], ["mass", $c134], ["provenance", $c135], ["sources", $c136]]);
-const $c5 = $made(tables$Table, $c857, [Belt, $c1, $c908]);
-const $c865 = $made(Entry, $c872, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c911 = ["kind", "least", "most"];
-const $c196 = $made(Name, $c883, [60]);
-const $c178 = $made(Entry, $c872, ["name", $c196, true, "", "name = \"head\"", "name", ""]);
-const $c198 = $made(Limit, $c878, ["length", 0.001, 1000.0, false, false]);
-const $c197 = $made(Quantity, $c142, ["length", $c198]);
-const $c179 = $made(Entry, $c872, ["diameter", $c197, true, "", "", "diameter", ""]);
-const $c200 = $made(Limit, $c878, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c199 = $made(Quantity, $c142, ["angle", $c200]);
-const $c180 = $made(Entry, $c872, ["wrap_angle", $c199, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c804 = $made(Limit, $c878, ["length", -100000.0, 100000.0, false, false]);
-const $c920 = $made(Quantity, $c142, ["length", $c804]);
-const $c915 = $made(Entry, $c872, ["x", $c920, true, "", "", "x", ""]);
-const $c921 = $made(Quantity, $c142, ["length", $c804]);
-const $c916 = $made(Entry, $c872, ["y", $c921, true, "", "", "y", ""]);
-const $c923 = ["clockwise", "counterclockwise"];
-const $c922 = $made(Choice, $c895, [$c923]);
-const $c917 = $made(Entry, $c872, ["turn", $c922, false, "", "", "turn", ""]);
-const $c930 = $made(Quantity, $c142, ["length", $c804]);
-const $c927 = $made(Entry, $c872, ["x", $c930, true, "", "", "x", ""]);
-const $c931 = $made(Quantity, $c142, ["length", $c804]);
-const $c928 = $made(Entry, $c872, ["y", $c931, true, "", "", "y", ""]);
-const $c805 = $made(Limit, $c878, ["length", 0.0, 1000.0, false, false]);
-const $c932 = $made(Quantity, $c142, ["length", $c805]);
-const $c929 = $made(Entry, $c872, ["diameter", $c932, false, "", "", "diameter", ""]);
-const $c925 = [$c927, $c928, $c929, $c917];
-const $c926 = new Map([["x", $c927], ["y", $c928], ["diameter", $c929], ["turn", $c917]]);
-const $c924 = $made(tables$Table, $c857, [Point, $c925, $c926]);
-const $c918 = $made(Entry, $c872, ["before", $c924, true, "", "a table with x and y", "before", ""]);
-const $c919 = $made(Entry, $c872, ["after", $c924, true, "", "a table with x and y", "after", ""]);
-const $c913 = [$c915, $c916, $c917, $c918, $c919];
-const $c914 = new Map([["x", $c915], ["y", $c916], ["turn", $c917], ["before", $c918], ["after", $c919]]);
-const $c201 = $made(tables$Table, $c857, [Point, $c913, $c914]);
-const $c181 = $made(Entry, $c872, ["belt_path", $c201, false, "", "", "belt_path", ""]);
-const $c933 = $made(Name, $c883, [500]);
-const $c957 = $made(Name, $c883, [500]);
-const $c937 = $made(Entry, $c872, ["preset", $c957, false, "", "", "preset", ""]);
-const $c958 = $made(Name, $c883, [60]);
-const $c938 = $made(Entry, $c872, ["name", $c958, false, "", "", "name", ""]);
-const $c959 = $made(Text, $c875, [200, false]);
-const $c939 = $made(Entry, $c872, ["title", $c959, false, "", "", "title", ""]);
-const $c960 = $made(Text, $c875, [5000, true]);
-const $c940 = $made(Entry, $c872, ["description", $c960, false, "", "", "description", ""]);
-const $c835 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c961 = $made(Choice, $c895, [$c835]);
-const $c941 = $made(Entry, $c872, ["surface", $c961, false, "", "", "surface", ""]);
-const $c818 = $made(Limit, $c878, ["length", 0.0, 1.0, false, false]);
-const $c962 = $made(Quantity, $c142, ["length", $c818]);
-const $c942 = $made(Entry, $c872, ["thickness", $c962, false, "", "", "thickness", ""]);
-const $c821 = $made(Limit, $c878, ["pressure", 1000.0, Infinity, false, false]);
-const $c963 = $made(Quantity, $c142, ["pressure", $c821]);
-const $c943 = $made(Entry, $c872, ["elastic_modulus", $c963, false, "", "", "elastic_modulus", ""]);
-const $c819 = $made(Limit, $c878, ["pressure", 1000.0, Infinity, false, true]);
-const $c965 = $made(Quantity, $c142, ["pressure", $c819]);
-const $c964 = $made(WordOr, $c909, ["rigid", $c965, Infinity]);
-const $c944 = $made(Entry, $c872, ["shear_modulus", $c964, false, "", "", "shear_modulus", ""]);
-const $c820 = $made(Limit, $c878, ["pressure", 1000.0, Infinity, false, true]);
-const $c967 = $made(Quantity, $c142, ["pressure", $c820]);
-const $c966 = $made(WordOr, $c909, ["rigid", $c967, Infinity]);
-const $c945 = $made(Entry, $c872, ["compression_modulus", $c966, false, "", "", "compression_modulus", ""]);
-const $c845 = ["square", "strip"];
-const $c975 = $made(Choice, $c895, [$c845]);
-const $c970 = $made(Entry, $c872, ["shape", $c975, false, "", "", "shape", ""]);
-const $c977 = $made(Limit, $c878, ["length", 0.0001, 10.0, false, false]);
-const $c976 = $made(Quantity, $c142, ["length", $c977]);
-const $c971 = $made(Entry, $c872, ["width", $c976, true, "", "", "width", ""]);
-const $c979 = $made(Limit, $c878, ["length", 0.0001, 1.0, false, false]);
-const $c978 = $made(Quantity, $c142, ["length", $c979]);
-const $c972 = $made(Entry, $c872, ["height", $c978, false, "", "", "height", ""]);
-const $c981 = $made(Limit, $c878, ["number", 0.0, 10.0, false, false]);
-const $c980 = $made(Quantity, $c142, ["number", $c981]);
-const $c973 = $made(Entry, $c872, ["stiffening", $c980, false, "", "", "stiffening", ""]);
-const $c983 = $made(Limit, $c878, ["number", 0.01, 1.0, false, false]);
-const $c982 = $made(Quantity, $c142, ["number", $c983]);
-const $c974 = $made(Entry, $c872, ["contact_fraction", $c982, false, "", "", "contact_fraction", ""]);
-const $c968 = [$c970, $c971, $c972, $c973, $c974];
-const $c969 = new Map([["shape", $c970], ["width", $c971], ["height", $c972], ["stiffening", $c973], ["contact_fraction", $c974]]);
-const $c79 = $made(tables$Table, $c857, [Block, $c968, $c969]);
-const $c946 = $made(Entry, $c872, ["block", $c79, false, "", "", "block", ""]);
-const $c822 = $made(Limit, $c878, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c984 = $made(Quantity, $c142, ["wear_coefficient", $c822]);
-const $c947 = $made(Entry, $c872, ["wear_coefficient", $c984, false, "", "", "wear_coefficient", ""]);
-const $c823 = $made(Limit, $c878, ["number", 0.0, 1.0, false, false]);
-const $c985 = $made(Quantity, $c142, ["number", $c823]);
-const $c948 = $made(Entry, $c872, ["belt_energy_share", $c985, false, "", "", "belt_energy_share", ""]);
-const $c824 = $made(Limit, $c878, ["pressure", 0.0, Infinity, true, false]);
-const $c986 = $made(Quantity, $c142, ["pressure", $c824]);
-const $c949 = $made(Entry, $c872, ["bond_strength", $c986, false, "", "", "bond_strength", ""]);
-const $c825 = $made(Limit, $c878, ["pressure", 0.0, Infinity, true, false]);
-const $c987 = $made(Quantity, $c142, ["pressure", $c825]);
-const $c950 = $made(Entry, $c872, ["fatigue_limit", $c987, false, "", "", "fatigue_limit", ""]);
-const $c996 = $made(Limit, $c878, ["number", 0.0, Infinity, false, false]);
-const $c995 = $made(Quantity, $c142, ["number", $c996]);
-const $c990 = $made(Entry, $c872, ["material", $c995, true, "", "", "material", ""]);
-const $c998 = $made(Limit, $c878, ["number", 0.0, Infinity, false, false]);
-const $c997 = $made(Quantity, $c142, ["number", $c998]);
-const $c991 = $made(Entry, $c872, ["installation", $c997, true, "", "", "installation", ""]);
-const $c999 = $made(Name, $c883, [12]);
-const $c992 = $made(Entry, $c872, ["currency", $c999, true, "", "", "currency", ""]);
-const $c1001 = $made(Limit, $c878, ["area", 0.0, Infinity, true, false]);
-const $c1000 = $made(Quantity, $c142, ["area", $c1001]);
-const $c993 = $made(Entry, $c872, ["area", $c1000, true, "", "", "area", ""]);
-const $c1003 = $made(Quantity, $c142, ["number", null]);
-const $c1002 = $made(Rows, $c911, [$c1003, 2, 2]);
-const $c994 = $made(Entry, $c872, ["life_years", $c1002, true, "", "", "life_years", ""]);
+const $c861 = ["of", "entries", "_known"];
+const $c876 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c143 = ["dimension", "limit"];
+const $c877 = $made(Quantity, $c143, ["number", null]);
+const $c864 = $made(Entry, $c876, ["format", $c877, true, "", "format = 1", "format", ""]);
+const $c879 = ["longest", "lines"];
+const $c878 = $made(Text, $c879, [200, false]);
+const $c865 = $made(Entry, $c876, ["title", $c878, false, "", "", "title", ""]);
+const $c880 = $made(Text, $c879, [5000, true]);
+const $c866 = $made(Entry, $c876, ["description", $c880, false, "", "", "description", ""]);
+const $c882 = ["dimension", "least", "most", "open", "rigid"];
+const $c812 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
+const $c881 = $made(Quantity, $c143, ["length", $c812]);
+const $c867 = $made(Entry, $c876, ["creep_limit", $c881, false, "", "", "creep_limit", ""]);
+const $c884 = ["kind", "most"];
+const $c885 = ["text", "table"];
+const $c887 = ["longest"];
+const $c886 = $made(Name, $c887, [60]);
+const $c895 = $made(Name, $c887, [60]);
+const $c890 = $made(Entry, $c876, ["name", $c895, true, "", "", "name", ""]);
+const $c808 = $made(Limit, $c882, ["number", 0.0, 2.0, true, false]);
+const $c896 = $made(Quantity, $c143, ["number", $c808]);
+const $c891 = $made(Entry, $c876, ["friction_factor", $c896, false, "", "", "factor", ""]);
+const $c897 = $made(ByName, $c884, [$c896, 200]);
+const $c892 = $made(Entry, $c876, ["friction_factors", $c897, false, "", "", "friction_factors", ""]);
+const $c899 = ["options"];
+const $c900 = ["DIN 22101", "practice"];
+const $c898 = $made(Choice, $c899, [$c900]);
+const $c893 = $made(Entry, $c876, ["standard", $c898, false, "", "", "standard", ""]);
+const $c908 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c907 = $made(Choice, $c899, [$c908]);
+const $c903 = $made(Entry, $c876, ["kind", $c907, true, "", "", "kind", ""]);
+const $c909 = $made(Text, $c879, [500, false]);
+const $c904 = $made(Entry, $c876, ["source", $c909, false, "", "", "source", ""]);
+const $c910 = $made(Text, $c879, [60, false]);
+const $c905 = $made(Entry, $c876, ["date", $c910, false, "", "", "date", ""]);
+const $c911 = $made(Text, $c879, [1000, false]);
+const $c906 = $made(Entry, $c876, ["note", $c911, false, "", "", "note", ""]);
+const $c901 = [$c903, $c904, $c905, $c906];
+const $c902 = new Map([["kind", $c903], ["source", $c904], ["date", $c905], ["note", $c906]]);
+const $c2 = $made(tables$Table, $c861, [Provenance, $c901, $c902]);
+const $c894 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c888 = [$c890, $c891, $c892, $c893, $c894];
+const $c889 = new Map([["name", $c890], ["friction_factor", $c891], ["friction_factors", $c892], ["standard", $c893], ["provenance", $c894]]);
+const $c8 = $made(tables$Table, $c861, [Condition, $c888, $c889]);
+const $c204 = $made(TextOr, $c885, [$c886, $c8]);
+const $c883 = $made(OneOrMore, $c884, [$c204, 8]);
+const $c868 = $made(Entry, $c876, ["condition", $c883, false, "", "", "condition", ""]);
+const $c139 = $made(Name, $c887, [60]);
+const $c118 = $made(Entry, $c876, ["preset", $c139, false, "", "", "preset", ""]);
+const $c140 = $made(Name, $c887, [60]);
+const $c119 = $made(Entry, $c876, ["name", $c140, false, "", "", "name", ""]);
+const $c141 = $made(Text, $c879, [60, false]);
+const $c120 = $made(Entry, $c876, ["kind", $c141, false, "", "", "kind", ""]);
+const $c144 = $made(Limit, $c882, ["length", 0.001, 1000.0, false, false]);
+const $c142 = $made(Quantity, $c143, ["length", $c144]);
+const $c121 = $made(Entry, $c876, ["width", $c142, true, "", "", "width", ""]);
+const $c913 = ["word", "kind", "meaning"];
+const $c149 = $made(Limit, $c882, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c148 = $made(Quantity, $c143, ["force_per_width", $c149]);
+const $c146 = $made(WordOr, $c913, ["rigid", $c148, Infinity]);
+const $c122 = $made(Entry, $c876, ["modulus", $c146, false, "", "", "modulus", ""]);
+const $c151 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, true, false]);
+const $c150 = $made(Quantity, $c143, ["force_per_width", $c151]);
+const $c123 = $made(Entry, $c876, ["rating", $c150, false, "", "", "rating", ""]);
+const $c153 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, true, false]);
+const $c152 = $made(Quantity, $c143, ["force_per_width", $c153]);
+const $c124 = $made(Entry, $c876, ["strength", $c152, false, "", "", "strength", ""]);
+const $c155 = $made(Limit, $c882, ["speed", 0.0, 1000.0, true, false]);
+const $c154 = $made(Quantity, $c143, ["speed", $c155]);
+const $c125 = $made(Entry, $c876, ["speed", $c154, false, "", "", "speed", ""]);
+const $c157 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
+const $c156 = $made(Quantity, $c143, ["number", $c157]);
+const $c126 = $made(Entry, $c876, ["momentary_factor", $c156, false, "", "", "momentary_factor", ""]);
+const $c159 = $made(Limit, $c882, ["length", 0.0, Infinity, true, false]);
+const $c158 = $made(Quantity, $c143, ["length", $c159]);
+const $c127 = $made(Entry, $c876, ["least_pulley_diameter", $c158, false, "", "", "least_pulley_diameter", ""]);
+const $c161 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
+const $c160 = $made(Quantity, $c143, ["pressure", $c161]);
+const $c128 = $made(Entry, $c876, ["largest_wrap_pressure", $c160, false, "", "", "largest_wrap_pressure", ""]);
+const $c163 = $made(Limit, $c882, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c162 = $made(Quantity, $c143, ["force_per_width", $c163]);
+const $c129 = $made(Entry, $c876, ["in_plane_shear_stiffness", $c162, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c165 = $made(Limit, $c882, ["length", 0.0, 0.06, false, false]);
+const $c164 = $made(Quantity, $c143, ["length", $c165]);
+const $c130 = $made(Entry, $c876, ["pulley_cover", $c164, false, "", "", "pulley_cover", ""]);
+const $c167 = $made(Limit, $c882, ["length", 0.0, 0.06, false, false]);
+const $c166 = $made(Quantity, $c143, ["length", $c167]);
+const $c131 = $made(Entry, $c876, ["carry_cover", $c166, false, "", "", "carry_cover", ""]);
+const $c169 = $made(Limit, $c882, ["length", 0.0, 0.06, true, false]);
+const $c168 = $made(Quantity, $c143, ["length", $c169]);
+const $c132 = $made(Entry, $c876, ["carcass", $c168, false, "", "", "carcass", ""]);
+const $c171 = $made(Limit, $c882, ["length", 0.0, 0.06, true, false]);
+const $c170 = $made(Quantity, $c143, ["length", $c171]);
+const $c133 = $made(Entry, $c876, ["thickness", $c170, false, "", "", "thickness", ""]);
+const $c174 = $made(Limit, $c882, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c173 = $made(Quantity, $c143, ["pressure", $c174]);
+const $c172 = $made(WordOr, $c913, ["rigid", $c173, Infinity]);
+const $c134 = $made(Entry, $c876, ["cover_shear_modulus", $c172, false, "", "", "cover_shear_modulus", ""]);
+const $c176 = $made(Limit, $c882, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c175 = $made(Quantity, $c143, ["mass_per_length", $c176]);
+const $c135 = $made(Entry, $c876, ["mass", $c175, false, "", "", "mass", ""]);
+const $c136 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c177 = $made(ByName, $c884, [$c2, 200]);
+const $c137 = $made(Entry, $c876, ["sources", $c177, false, "", "", "sources", ""]);
+const $c1 = [$c118, $c119, $c120, $c121, $c122, $c123, $c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137];
+const $c912 = new Map([["preset", $c118], ["name", $c119], ["kind", $c120], ["width", $c121], ["modulus", $c122], ["rating", $c123], ["strength", $c124], ["speed", $c125], ["momentary_factor", $c126], ["least_pulley_diameter", $c127], ["largest_wrap_pressure", $c128], ["in_plane_shear_stiffness", $c129], ["pulley_cover", $c130], ["carry_cover", $c131], ["carcass", $c132], ["thickness", $c133], ["cover_shear_modulus", $c134], ["mass", $c135], ["provenance", $c136], ["sources", $c137]]);
+const $c5 = $made(tables$Table, $c861, [Belt, $c1, $c912]);
+const $c869 = $made(Entry, $c876, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c915 = ["kind", "least", "most"];
+const $c197 = $made(Name, $c887, [60]);
+const $c179 = $made(Entry, $c876, ["name", $c197, true, "", "name = \"head\"", "name", ""]);
+const $c199 = $made(Limit, $c882, ["length", 0.001, 1000.0, false, false]);
+const $c198 = $made(Quantity, $c143, ["length", $c199]);
+const $c180 = $made(Entry, $c876, ["diameter", $c198, true, "", "", "diameter", ""]);
+const $c201 = $made(Limit, $c882, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c200 = $made(Quantity, $c143, ["angle", $c201]);
+const $c181 = $made(Entry, $c876, ["wrap_angle", $c200, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c809 = $made(Limit, $c882, ["length", -100000.0, 100000.0, false, false]);
+const $c924 = $made(Quantity, $c143, ["length", $c809]);
+const $c919 = $made(Entry, $c876, ["x", $c924, true, "", "", "x", ""]);
+const $c925 = $made(Quantity, $c143, ["length", $c809]);
+const $c920 = $made(Entry, $c876, ["y", $c925, true, "", "", "y", ""]);
+const $c927 = ["clockwise", "counterclockwise"];
+const $c926 = $made(Choice, $c899, [$c927]);
+const $c921 = $made(Entry, $c876, ["turn", $c926, false, "", "", "turn", ""]);
+const $c934 = $made(Quantity, $c143, ["length", $c809]);
+const $c931 = $made(Entry, $c876, ["x", $c934, true, "", "", "x", ""]);
+const $c935 = $made(Quantity, $c143, ["length", $c809]);
+const $c932 = $made(Entry, $c876, ["y", $c935, true, "", "", "y", ""]);
+const $c810 = $made(Limit, $c882, ["length", 0.0, 1000.0, false, false]);
+const $c936 = $made(Quantity, $c143, ["length", $c810]);
+const $c933 = $made(Entry, $c876, ["diameter", $c936, false, "", "", "diameter", ""]);
+const $c929 = [$c931, $c932, $c933, $c921];
+const $c930 = new Map([["x", $c931], ["y", $c932], ["diameter", $c933], ["turn", $c921]]);
+const $c928 = $made(tables$Table, $c861, [Point, $c929, $c930]);
+const $c922 = $made(Entry, $c876, ["before", $c928, true, "", "a table with x and y", "before", ""]);
+const $c923 = $made(Entry, $c876, ["after", $c928, true, "", "a table with x and y", "after", ""]);
+const $c917 = [$c919, $c920, $c921, $c922, $c923];
+const $c918 = new Map([["x", $c919], ["y", $c920], ["turn", $c921], ["before", $c922], ["after", $c923]]);
+const $c202 = $made(tables$Table, $c861, [Point, $c917, $c918]);
+const $c182 = $made(Entry, $c876, ["belt_path", $c202, false, "", "", "belt_path", ""]);
+const $c937 = $made(Name, $c887, [500]);
+const $c961 = $made(Name, $c887, [500]);
+const $c941 = $made(Entry, $c876, ["preset", $c961, false, "", "", "preset", ""]);
+const $c962 = $made(Name, $c887, [60]);
+const $c942 = $made(Entry, $c876, ["name", $c962, false, "", "", "name", ""]);
+const $c963 = $made(Text, $c879, [200, false]);
+const $c943 = $made(Entry, $c876, ["title", $c963, false, "", "", "title", ""]);
+const $c964 = $made(Text, $c879, [5000, true]);
+const $c944 = $made(Entry, $c876, ["description", $c964, false, "", "", "description", ""]);
+const $c840 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c965 = $made(Choice, $c899, [$c840]);
+const $c945 = $made(Entry, $c876, ["surface", $c965, false, "", "", "surface", ""]);
+const $c823 = $made(Limit, $c882, ["length", 0.0, 1.0, false, false]);
+const $c966 = $made(Quantity, $c143, ["length", $c823]);
+const $c946 = $made(Entry, $c876, ["thickness", $c966, false, "", "", "thickness", ""]);
+const $c826 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, false]);
+const $c967 = $made(Quantity, $c143, ["pressure", $c826]);
+const $c947 = $made(Entry, $c876, ["elastic_modulus", $c967, false, "", "", "elastic_modulus", ""]);
+const $c824 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, true]);
+const $c969 = $made(Quantity, $c143, ["pressure", $c824]);
+const $c968 = $made(WordOr, $c913, ["rigid", $c969, Infinity]);
+const $c948 = $made(Entry, $c876, ["shear_modulus", $c968, false, "", "", "shear_modulus", ""]);
+const $c825 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, true]);
+const $c971 = $made(Quantity, $c143, ["pressure", $c825]);
+const $c970 = $made(WordOr, $c913, ["rigid", $c971, Infinity]);
+const $c949 = $made(Entry, $c876, ["compression_modulus", $c970, false, "", "", "compression_modulus", ""]);
+const $c850 = ["square", "strip"];
+const $c979 = $made(Choice, $c899, [$c850]);
+const $c974 = $made(Entry, $c876, ["shape", $c979, false, "", "", "shape", ""]);
+const $c796 = $made(Limit, $c882, ["length", 0.0001, 10.0, false, false]);
+const $c980 = $made(Quantity, $c143, ["length", $c796]);
+const $c975 = $made(Entry, $c876, ["width", $c980, true, "", "", "width", ""]);
+const $c797 = $made(Limit, $c882, ["length", 0.0001, 1.0, false, false]);
+const $c981 = $made(Quantity, $c143, ["length", $c797]);
+const $c976 = $made(Entry, $c876, ["height", $c981, false, "", "", "height", ""]);
+const $c798 = $made(Limit, $c882, ["number", 0.0, 10.0, false, false]);
+const $c982 = $made(Quantity, $c143, ["number", $c798]);
+const $c977 = $made(Entry, $c876, ["stiffening", $c982, false, "", "", "stiffening", ""]);
+const $c799 = $made(Limit, $c882, ["number", 0.01, 1.0, false, false]);
+const $c983 = $made(Quantity, $c143, ["number", $c799]);
+const $c978 = $made(Entry, $c876, ["contact_fraction", $c983, false, "", "", "contact_fraction", ""]);
+const $c972 = [$c974, $c975, $c976, $c977, $c978];
+const $c973 = new Map([["shape", $c974], ["width", $c975], ["height", $c976], ["stiffening", $c977], ["contact_fraction", $c978]]);
+const $c80 = $made(tables$Table, $c861, [Block, $c972, $c973]);
+const $c950 = $made(Entry, $c876, ["block", $c80, false, "", "", "block", ""]);
+const $c827 = $made(Limit, $c882, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c984 = $made(Quantity, $c143, ["wear_coefficient", $c827]);
+const $c951 = $made(Entry, $c876, ["wear_coefficient", $c984, false, "", "", "wear_coefficient", ""]);
+const $c828 = $made(Limit, $c882, ["number", 0.0, 1.0, false, false]);
+const $c985 = $made(Quantity, $c143, ["number", $c828]);
+const $c952 = $made(Entry, $c876, ["belt_energy_share", $c985, false, "", "", "belt_energy_share", ""]);
+const $c829 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
+const $c986 = $made(Quantity, $c143, ["pressure", $c829]);
+const $c953 = $made(Entry, $c876, ["bond_strength", $c986, false, "", "", "bond_strength", ""]);
+const $c830 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
+const $c987 = $made(Quantity, $c143, ["pressure", $c830]);
+const $c954 = $made(Entry, $c876, ["fatigue_limit", $c987, false, "", "", "fatigue_limit", ""]);
+const $c996 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
+const $c995 = $made(Quantity, $c143, ["number", $c996]);
+const $c990 = $made(Entry, $c876, ["material", $c995, true, "", "", "material", ""]);
+const $c998 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
+const $c997 = $made(Quantity, $c143, ["number", $c998]);
+const $c991 = $made(Entry, $c876, ["installation", $c997, true, "", "", "installation", ""]);
+const $c999 = $made(Name, $c887, [12]);
+const $c992 = $made(Entry, $c876, ["currency", $c999, true, "", "", "currency", ""]);
+const $c1001 = $made(Limit, $c882, ["area", 0.0, Infinity, true, false]);
+const $c1000 = $made(Quantity, $c143, ["area", $c1001]);
+const $c993 = $made(Entry, $c876, ["area", $c1000, true, "", "", "area", ""]);
+const $c1003 = $made(Quantity, $c143, ["number", null]);
+const $c1002 = $made(Rows, $c915, [$c1003, 2, 2]);
+const $c994 = $made(Entry, $c876, ["life_years", $c1002, true, "", "", "life_years", ""]);
 const $c988 = [$c990, $c991, $c992, $c993, $c994];
 const $c989 = new Map([["material", $c990], ["installation", $c991], ["currency", $c992], ["area", $c993], ["life_years", $c994]]);
-const $c76 = $made(tables$Table, $c857, [Cost, $c988, $c989]);
-const $c951 = $made(Entry, $c872, ["cost", $c76, false, "", "", "cost", ""]);
-const $c1005 = $made(Limit, $c878, ["speed", 0.0, Infinity, true, false]);
-const $c1004 = $made(Quantity, $c142, ["speed", $c1005]);
-const $c952 = $made(Entry, $c872, ["slip_speed", $c1004, false, "", "", "slip_speed", ""]);
-const $c1007 = $made(Limit, $c878, ["temperature", 0.0, Infinity, false, false]);
-const $c1006 = $made(Quantity, $c142, ["temperature", $c1007]);
-const $c953 = $made(Entry, $c872, ["temperature", $c1006, false, "", "", "temperature", ""]);
-const $c1014 = $made(Name, $c883, [60]);
-const $c1011 = $made(Entry, $c872, ["condition", $c1014, true, "", "", "condition", ""]);
-const $c1016 = $made(Limit, $c878, ["number", 0.0, 10.0, true, false]);
-const $c1015 = $made(Quantity, $c142, ["number", $c1016]);
-const $c1012 = $made(Entry, $c872, ["factor", $c1015, true, "", "", "factor", ""]);
-const $c1013 = $made(Entry, $c872, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c76 = $made(tables$Table, $c861, [Cost, $c988, $c989]);
+const $c955 = $made(Entry, $c876, ["cost", $c76, false, "", "", "cost", ""]);
+const $c1005 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
+const $c1004 = $made(Quantity, $c143, ["speed", $c1005]);
+const $c956 = $made(Entry, $c876, ["slip_speed", $c1004, false, "", "", "slip_speed", ""]);
+const $c1007 = $made(Limit, $c882, ["temperature", 0.0, Infinity, false, false]);
+const $c1006 = $made(Quantity, $c143, ["temperature", $c1007]);
+const $c957 = $made(Entry, $c876, ["temperature", $c1006, false, "", "", "temperature", ""]);
+const $c1014 = $made(Name, $c887, [60]);
+const $c1011 = $made(Entry, $c876, ["condition", $c1014, true, "", "", "condition", ""]);
+const $c1016 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
+const $c1015 = $made(Quantity, $c143, ["number", $c1016]);
+const $c1012 = $made(Entry, $c876, ["factor", $c1015, true, "", "", "factor", ""]);
+const $c1013 = $made(Entry, $c876, ["provenance", $c2, true, "", "", "provenance", ""]);
 const $c1009 = [$c1011, $c1012, $c1013];
 const $c1010 = new Map([["condition", $c1011], ["factor", $c1012], ["provenance", $c1013]]);
-const $c80 = $made(tables$Table, $c857, [ConditionFactor, $c1009, $c1010]);
-const $c1008 = $made(Rows, $c911, [$c80, 0, 20]);
-const $c954 = $made(Entry, $c872, ["condition_factor", $c1008, false, "", "", "condition_factor", ""]);
+const $c81 = $made(tables$Table, $c861, [ConditionFactor, $c1009, $c1010]);
+const $c1008 = $made(Rows, $c915, [$c81, 0, 20]);
+const $c958 = $made(Entry, $c876, ["condition_factor", $c1008, false, "", "", "condition_factor", ""]);
 const $c1018 = ["tag", "tables"];
 const $c1045 = ["integral-log"];
-const $c1044 = $made(Choice, $c895, [$c1045]);
-const $c1027 = $made(Entry, $c872, ["kind", $c1044, true, "", "", "kind", ""]);
-const $c1046 = $made(Name, $c883, [60]);
-const $c1028 = $made(Entry, $c872, ["condition", $c1046, false, "", "", "condition", ""]);
-const $c1029 = $made(Entry, $c872, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c1030 = $made(Entry, $c872, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c1059 = $made(Name, $c883, [120]);
-const $c1058 = $made(Rows, $c911, [$c1059, 1, 1000]);
-const $c1049 = $made(Entry, $c872, ["parameters", $c1058, true, "", "", "parameters", ""]);
-const $c1060 = $made(Rows, $c911, [$c1003, 1, 1000]);
-const $c1050 = $made(Entry, $c872, ["values", $c1060, true, "", "", "values", ""]);
-const $c1062 = $made(Rows, $c911, [$c1003, 1, 1000]);
-const $c1061 = $made(Rows, $c911, [$c1062, 1, 1000]);
-const $c1051 = $made(Entry, $c872, ["covariance", $c1061, true, "", "", "covariance", ""]);
-const $c1064 = $made(Limit, $c878, ["number", 0.0, Infinity, false, false]);
-const $c1063 = $made(Quantity, $c142, ["number", $c1064]);
-const $c1052 = $made(Entry, $c872, ["residual_noise", $c1063, false, "", "", "residual_noise", ""]);
-const $c1066 = $made(Limit, $c878, ["number", 1.0, Infinity, false, false]);
-const $c1065 = $made(Quantity, $c142, ["number", $c1066]);
-const $c1053 = $made(Entry, $c872, ["coverage_factor", $c1065, false, "", "", "coverage_factor", ""]);
-const $c1067 = $made(Text, $c875, [60, false]);
-const $c1054 = $made(Entry, $c872, ["date", $c1067, false, "", "", "date", ""]);
-const $c1068 = $made(Text, $c875, [500, false]);
-const $c1055 = $made(Entry, $c872, ["method", $c1068, false, "", "", "method", ""]);
-const $c1070 = $made(Text, $c875, [2000, true]);
-const $c1069 = $made(Rows, $c911, [$c1070, 0, 50]);
-const $c1056 = $made(Entry, $c872, ["misfit", $c1069, false, "", "", "misfit", ""]);
-const $c1071 = $made(Text, $c875, [500, false]);
-const $c1057 = $made(Entry, $c872, ["misfit_accepted", $c1071, false, "", "", "misfit_accepted", ""]);
+const $c1044 = $made(Choice, $c899, [$c1045]);
+const $c1027 = $made(Entry, $c876, ["kind", $c1044, true, "", "", "kind", ""]);
+const $c1046 = $made(Name, $c887, [60]);
+const $c1028 = $made(Entry, $c876, ["condition", $c1046, false, "", "", "condition", ""]);
+const $c1029 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1030 = $made(Entry, $c876, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1059 = $made(Name, $c887, [120]);
+const $c1058 = $made(Rows, $c915, [$c1059, 1, 1000]);
+const $c1049 = $made(Entry, $c876, ["parameters", $c1058, true, "", "", "parameters", ""]);
+const $c1060 = $made(Rows, $c915, [$c1003, 1, 1000]);
+const $c1050 = $made(Entry, $c876, ["values", $c1060, true, "", "", "values", ""]);
+const $c1062 = $made(Rows, $c915, [$c1003, 1, 1000]);
+const $c1061 = $made(Rows, $c915, [$c1062, 1, 1000]);
+const $c1051 = $made(Entry, $c876, ["covariance", $c1061, true, "", "", "covariance", ""]);
+const $c1064 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
+const $c1063 = $made(Quantity, $c143, ["number", $c1064]);
+const $c1052 = $made(Entry, $c876, ["residual_noise", $c1063, false, "", "", "residual_noise", ""]);
+const $c1066 = $made(Limit, $c882, ["number", 1.0, Infinity, false, false]);
+const $c1065 = $made(Quantity, $c143, ["number", $c1066]);
+const $c1053 = $made(Entry, $c876, ["coverage_factor", $c1065, false, "", "", "coverage_factor", ""]);
+const $c1067 = $made(Text, $c879, [60, false]);
+const $c1054 = $made(Entry, $c876, ["date", $c1067, false, "", "", "date", ""]);
+const $c1068 = $made(Text, $c879, [500, false]);
+const $c1055 = $made(Entry, $c876, ["method", $c1068, false, "", "", "method", ""]);
+const $c1070 = $made(Text, $c879, [2000, true]);
+const $c1069 = $made(Rows, $c915, [$c1070, 0, 50]);
+const $c1056 = $made(Entry, $c876, ["misfit", $c1069, false, "", "", "misfit", ""]);
+const $c1071 = $made(Text, $c879, [500, false]);
+const $c1057 = $made(Entry, $c876, ["misfit_accepted", $c1071, false, "", "", "misfit_accepted", ""]);
 const $c1047 = [$c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057];
 const $c1048 = new Map([["parameters", $c1049], ["values", $c1050], ["covariance", $c1051], ["residual_noise", $c1052], ["coverage_factor", $c1053], ["date", $c1054], ["method", $c1055], ["misfit", $c1056], ["misfit_accepted", $c1057]]);
-const $c87 = $made(tables$Table, $c857, [Fit, $c1047, $c1048]);
-const $c1031 = $made(Entry, $c872, ["fit", $c87, false, "", "", "fit", ""]);
+const $c88 = $made(tables$Table, $c861, [Fit, $c1047, $c1048]);
+const $c1031 = $made(Entry, $c876, ["fit", $c88, false, "", "", "fit", ""]);
 const $c1074 = ["lagging shear", "cover shear"];
-const $c1073 = $made(Choice, $c895, [$c1074]);
-const $c1072 = $made(Rows, $c911, [$c1073, 0, 2]);
-const $c1032 = $made(Entry, $c872, ["slip_includes", $c1072, false, "", "", "slip_includes", ""]);
-const $c1081 = $made(Limit, $c878, ["speed", 0.0, Infinity, true, false]);
-const $c1080 = $made(Quantity, $c142, ["speed", $c1081]);
-const $c1079 = $made(Rows, $c911, [$c1080, 2, 100]);
-const $c1077 = $made(Entry, $c872, ["slip_speed", $c1079, true, "", "", "at", ""]);
-const $c1082 = $made(Rows, $c911, [$c1015, 2, 100]);
-const $c1078 = $made(Entry, $c872, ["factor", $c1082, true, "", "", "factor", ""]);
+const $c1073 = $made(Choice, $c899, [$c1074]);
+const $c1072 = $made(Rows, $c915, [$c1073, 0, 2]);
+const $c1032 = $made(Entry, $c876, ["slip_includes", $c1072, false, "", "", "slip_includes", ""]);
+const $c1081 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
+const $c1080 = $made(Quantity, $c143, ["speed", $c1081]);
+const $c1079 = $made(Rows, $c915, [$c1080, 2, 100]);
+const $c1077 = $made(Entry, $c876, ["slip_speed", $c1079, true, "", "", "at", ""]);
+const $c1082 = $made(Rows, $c915, [$c1015, 2, 100]);
+const $c1078 = $made(Entry, $c876, ["factor", $c1082, true, "", "", "factor", ""]);
 const $c1075 = [$c1077, $c1078, $c1013];
 const $c1076 = new Map([["slip_speed", $c1077], ["factor", $c1078], ["provenance", $c1013]]);
-const $c85 = $made(tables$Table, $c857, [FrictionFactor, $c1075, $c1076]);
-const $c1033 = $made(Entry, $c872, ["slip_speed_factor", $c85, false, "", "", "slip_speed_factor", ""]);
-const $c1088 = $made(Limit, $c878, ["temperature", 0.0, Infinity, false, false]);
-const $c1087 = $made(Quantity, $c142, ["temperature", $c1088]);
-const $c1086 = $made(Rows, $c911, [$c1087, 2, 100]);
-const $c1085 = $made(Entry, $c872, ["temperature", $c1086, true, "", "", "at", ""]);
+const $c86 = $made(tables$Table, $c861, [FrictionFactor, $c1075, $c1076]);
+const $c1033 = $made(Entry, $c876, ["slip_speed_factor", $c86, false, "", "", "slip_speed_factor", ""]);
+const $c1088 = $made(Limit, $c882, ["temperature", 0.0, Infinity, false, false]);
+const $c1087 = $made(Quantity, $c143, ["temperature", $c1088]);
+const $c1086 = $made(Rows, $c915, [$c1087, 2, 100]);
+const $c1085 = $made(Entry, $c876, ["temperature", $c1086, true, "", "", "at", ""]);
 const $c1083 = [$c1085, $c1078, $c1013];
 const $c1084 = new Map([["temperature", $c1085], ["factor", $c1078], ["provenance", $c1013]]);
-const $c86 = $made(tables$Table, $c857, [FrictionFactor, $c1083, $c1084]);
-const $c1034 = $made(Entry, $c872, ["temperature_factor", $c86, false, "", "", "temperature_factor", ""]);
-const $c1035 = $made(Entry, $c872, ["notes", $c1069, false, "", "", "notes", ""]);
-const $c1091 = $made(Limit, $c878, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c1090 = $made(Quantity, $c142, ["pressure", $c1091]);
-const $c1089 = $made(Rows, $c911, [$c1090, 2, 2]);
-const $c1036 = $made(Entry, $c872, ["tested_pressure", $c1089, false, "", "", "tested_pressure", ""]);
-const $c1093 = $made(Limit, $c878, ["length", 0.0, 1.0, true, false]);
-const $c1092 = $made(Quantity, $c142, ["length", $c1093]);
-const $c1037 = $made(Entry, $c872, ["tested_slip", $c1092, false, "", "", "tested_slip", ""]);
-const $c1095 = $made(Limit, $c878, ["speed", 0.0, Infinity, true, false]);
-const $c1094 = $made(Quantity, $c142, ["speed", $c1095]);
-const $c1038 = $made(Entry, $c872, ["tested_slip_speed", $c1094, false, "", "", "tested_slip_speed", ""]);
-const $c1100 = $made(Entry, $c872, ["pressure", $c1090, true, "", "", "pressure", ""]);
-const $c1106 = $made(Limit, $c878, ["number", 0.0, 5.0, true, false]);
-const $c1105 = $made(Quantity, $c142, ["number", $c1106]);
-const $c1101 = $made(Entry, $c872, ["peak_friction", $c1105, true, "", "", "peak_friction", ""]);
-const $c1102 = $made(Entry, $c872, ["peak_slip", $c1092, true, "", "", "peak_slip", ""]);
-const $c1108 = $made(Limit, $c878, ["per_length", -1000000.0, 0.0, false, false]);
-const $c1107 = $made(Quantity, $c142, ["per_length", $c1108]);
-const $c1103 = $made(Entry, $c872, ["post_peak_slope", $c1107, false, "", "", "post_peak_slope", ""]);
-const $c1104 = $made(Entry, $c872, ["residual_friction", $c1105, false, "", "", "residual_friction", ""]);
+const $c87 = $made(tables$Table, $c861, [FrictionFactor, $c1083, $c1084]);
+const $c1034 = $made(Entry, $c876, ["temperature_factor", $c87, false, "", "", "temperature_factor", ""]);
+const $c1035 = $made(Entry, $c876, ["notes", $c1069, false, "", "", "notes", ""]);
+const $c1091 = $made(Limit, $c882, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1090 = $made(Quantity, $c143, ["pressure", $c1091]);
+const $c1089 = $made(Rows, $c915, [$c1090, 2, 2]);
+const $c1036 = $made(Entry, $c876, ["tested_pressure", $c1089, false, "", "", "tested_pressure", ""]);
+const $c1093 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
+const $c1092 = $made(Quantity, $c143, ["length", $c1093]);
+const $c1037 = $made(Entry, $c876, ["tested_slip", $c1092, false, "", "", "tested_slip", ""]);
+const $c1095 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
+const $c1094 = $made(Quantity, $c143, ["speed", $c1095]);
+const $c1038 = $made(Entry, $c876, ["tested_slip_speed", $c1094, false, "", "", "tested_slip_speed", ""]);
+const $c1100 = $made(Entry, $c876, ["pressure", $c1090, true, "", "", "pressure", ""]);
+const $c1106 = $made(Limit, $c882, ["number", 0.0, 5.0, true, false]);
+const $c1105 = $made(Quantity, $c143, ["number", $c1106]);
+const $c1101 = $made(Entry, $c876, ["peak_friction", $c1105, true, "", "", "peak_friction", ""]);
+const $c1102 = $made(Entry, $c876, ["peak_slip", $c1092, true, "", "", "peak_slip", ""]);
+const $c1108 = $made(Limit, $c882, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1107 = $made(Quantity, $c143, ["per_length", $c1108]);
+const $c1103 = $made(Entry, $c876, ["post_peak_slope", $c1107, false, "", "", "post_peak_slope", ""]);
+const $c1104 = $made(Entry, $c876, ["residual_friction", $c1105, false, "", "", "residual_friction", ""]);
 const $c1098 = [$c1100, $c1101, $c1102, $c1103, $c1104];
 const $c1099 = new Map([["pressure", $c1100], ["peak_friction", $c1101], ["peak_slip", $c1102], ["post_peak_slope", $c1103], ["residual_friction", $c1104]]);
-const $c1097 = $made(tables$Table, $c857, [null, $c1098, $c1099]);
-const $c1096 = $made(Rows, $c911, [$c1097, 1, 200]);
-const $c1039 = $made(Entry, $c872, ["knots", $c1096, false, "", "", "knots", ""]);
-const $c1113 = $made(Entry, $c872, ["from", $c1090, true, "", "", "from", ""]);
-const $c1114 = $made(Entry, $c872, ["to", $c1090, true, "", "", "to", ""]);
-const $c1119 = $made(Text, $c875, [300, false]);
-const $c1115 = $made(Entry, $c872, ["A", $c1119, true, "", "", "A", ""]);
-const $c1116 = $made(Entry, $c872, ["b", $c1119, true, "", "", "b", ""]);
-const $c1117 = $made(Entry, $c872, ["post_peak_slope", $c1119, false, "", "", "post_peak_slope", ""]);
-const $c1118 = $made(Entry, $c872, ["residual_friction", $c1119, false, "", "", "residual_friction", ""]);
+const $c1097 = $made(tables$Table, $c861, [null, $c1098, $c1099]);
+const $c1096 = $made(Rows, $c915, [$c1097, 1, 200]);
+const $c1039 = $made(Entry, $c876, ["knots", $c1096, false, "", "", "knots", ""]);
+const $c1113 = $made(Entry, $c876, ["from", $c1090, true, "", "", "from", ""]);
+const $c1114 = $made(Entry, $c876, ["to", $c1090, true, "", "", "to", ""]);
+const $c1119 = $made(Text, $c879, [300, false]);
+const $c1115 = $made(Entry, $c876, ["A", $c1119, true, "", "", "A", ""]);
+const $c1116 = $made(Entry, $c876, ["b", $c1119, true, "", "", "b", ""]);
+const $c1117 = $made(Entry, $c876, ["post_peak_slope", $c1119, false, "", "", "post_peak_slope", ""]);
+const $c1118 = $made(Entry, $c876, ["residual_friction", $c1119, false, "", "", "residual_friction", ""]);
 const $c1111 = [$c1113, $c1114, $c1115, $c1116, $c1117, $c1118];
 const $c1112 = new Map([["from", $c1113], ["to", $c1114], ["A", $c1115], ["b", $c1116], ["post_peak_slope", $c1117], ["residual_friction", $c1118]]);
-const $c1110 = $made(tables$Table, $c857, [null, $c1111, $c1112]);
-const $c1109 = $made(Rows, $c911, [$c1110, 1, 50]);
-const $c1040 = $made(Entry, $c872, ["pieces", $c1109, false, "", "", "pieces", ""]);
-const $c1120 = $made(Text, $c875, [20, false]);
-const $c1041 = $made(Entry, $c872, ["slip_unit", $c1120, false, "", "", "slip_unit", ""]);
-const $c1121 = $made(Text, $c875, [20, false]);
-const $c1042 = $made(Entry, $c872, ["pressure_unit", $c1121, false, "", "", "pressure_unit", ""]);
-const $c1123 = $made(Limit, $c878, ["number", 0.0, 0.5, false, false]);
-const $c1122 = $made(Quantity, $c142, ["number", $c1123]);
-const $c1043 = $made(Entry, $c872, ["continuity", $c1122, false, "", "", "continuity", ""]);
+const $c1110 = $made(tables$Table, $c861, [null, $c1111, $c1112]);
+const $c1109 = $made(Rows, $c915, [$c1110, 1, 50]);
+const $c1040 = $made(Entry, $c876, ["pieces", $c1109, false, "", "", "pieces", ""]);
+const $c1120 = $made(Text, $c879, [20, false]);
+const $c1041 = $made(Entry, $c876, ["slip_unit", $c1120, false, "", "", "slip_unit", ""]);
+const $c1121 = $made(Text, $c879, [20, false]);
+const $c1042 = $made(Entry, $c876, ["pressure_unit", $c1121, false, "", "", "pressure_unit", ""]);
+const $c1123 = $made(Limit, $c882, ["number", 0.0, 0.5, false, false]);
+const $c1122 = $made(Quantity, $c143, ["number", $c1123]);
+const $c1043 = $made(Entry, $c876, ["continuity", $c1122, false, "", "", "continuity", ""]);
 const $c1025 = [$c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042, $c1043];
 const $c1026 = new Map([["kind", $c1027], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["knots", $c1039], ["pieces", $c1040], ["slip_unit", $c1041], ["pressure_unit", $c1042], ["continuity", $c1043]]);
-const $c1020 = $made(tables$Table, $c857, [IntegralLog, $c1025, $c1026]);
+const $c1020 = $made(tables$Table, $c861, [IntegralLog, $c1025, $c1026]);
 const $c1129 = ["constant"];
-const $c1128 = $made(Choice, $c895, [$c1129]);
-const $c1126 = $made(Entry, $c872, ["kind", $c1128, true, "", "", "kind", ""]);
-const $c1127 = $made(Entry, $c872, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
+const $c1128 = $made(Choice, $c899, [$c1129]);
+const $c1126 = $made(Entry, $c876, ["kind", $c1128, true, "", "", "kind", ""]);
+const $c1127 = $made(Entry, $c876, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
 const $c1124 = [$c1126, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1127];
 const $c1125 = new Map([["kind", $c1126], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["friction", $c1127]]);
-const $c1021 = $made(tables$Table, $c857, [Constant, $c1124, $c1125]);
+const $c1021 = $made(tables$Table, $c861, [Constant, $c1124, $c1125]);
 const $c1135 = ["elastic-plastic"];
-const $c1134 = $made(Choice, $c895, [$c1135]);
-const $c1132 = $made(Entry, $c872, ["kind", $c1134, true, "", "", "kind", ""]);
-const $c1137 = $made(Limit, $c878, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1136 = $made(Quantity, $c142, ["pressure_per_length", $c1137]);
-const $c1133 = $made(Entry, $c872, ["stiffness", $c1136, true, "", "", "stiffness", ""]);
+const $c1134 = $made(Choice, $c899, [$c1135]);
+const $c1132 = $made(Entry, $c876, ["kind", $c1134, true, "", "", "kind", ""]);
+const $c1137 = $made(Limit, $c882, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1136 = $made(Quantity, $c143, ["pressure_per_length", $c1137]);
+const $c1133 = $made(Entry, $c876, ["stiffness", $c1136, true, "", "", "stiffness", ""]);
 const $c1130 = [$c1132, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1133, $c1127];
 const $c1131 = new Map([["kind", $c1132], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["stiffness", $c1133], ["friction", $c1127]]);
-const $c1022 = $made(tables$Table, $c857, [ElasticPlastic, $c1130, $c1131]);
+const $c1022 = $made(tables$Table, $c861, [ElasticPlastic, $c1130, $c1131]);
 const $c1145 = ["power"];
-const $c1144 = $made(Choice, $c895, [$c1145]);
-const $c1140 = $made(Entry, $c872, ["kind", $c1144, true, "", "", "kind", ""]);
-const $c1141 = $made(Entry, $c872, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
-const $c1142 = $made(Entry, $c872, ["reference_pressure", $c1090, true, "", "", "reference_pressure", ""]);
-const $c1143 = $made(Entry, $c872, ["exponent", $c1003, true, "", "", "exponent", ""]);
+const $c1144 = $made(Choice, $c899, [$c1145]);
+const $c1140 = $made(Entry, $c876, ["kind", $c1144, true, "", "", "kind", ""]);
+const $c1141 = $made(Entry, $c876, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
+const $c1142 = $made(Entry, $c876, ["reference_pressure", $c1090, true, "", "", "reference_pressure", ""]);
+const $c1143 = $made(Entry, $c876, ["exponent", $c1003, true, "", "", "exponent", ""]);
 const $c1138 = [$c1140, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1141, $c1142, $c1143];
 const $c1139 = new Map([["kind", $c1140], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["friction", $c1141], ["reference_pressure", $c1142], ["exponent", $c1143]]);
-const $c1023 = $made(tables$Table, $c857, [PressurePower, $c1138, $c1139]);
+const $c1023 = $made(tables$Table, $c861, [PressurePower, $c1138, $c1139]);
 const $c1152 = ["table"];
-const $c1151 = $made(Choice, $c895, [$c1152]);
-const $c1148 = $made(Entry, $c872, ["kind", $c1151, true, "", "", "kind", ""]);
-const $c1155 = $made(Limit, $c878, ["length", 0.0, 1.0, false, false]);
-const $c1154 = $made(Quantity, $c142, ["length", $c1155]);
-const $c1153 = $made(Rows, $c911, [$c1154, 2, 1000]);
-const $c1149 = $made(Entry, $c872, ["slip", $c1153, true, "", "", "slip", ""]);
-const $c1160 = $made(Entry, $c872, ["pressure", $c1090, true, "", "", "pressure", ""]);
-const $c1164 = $made(Limit, $c878, ["number", 0.0, 5.0, false, false]);
-const $c1163 = $made(Quantity, $c142, ["number", $c1164]);
-const $c1162 = $made(Rows, $c911, [$c1163, 2, 1000]);
-const $c1161 = $made(Entry, $c872, ["friction", $c1162, true, "", "", "values", ""]);
+const $c1151 = $made(Choice, $c899, [$c1152]);
+const $c1148 = $made(Entry, $c876, ["kind", $c1151, true, "", "", "kind", ""]);
+const $c1155 = $made(Limit, $c882, ["length", 0.0, 1.0, false, false]);
+const $c1154 = $made(Quantity, $c143, ["length", $c1155]);
+const $c1153 = $made(Rows, $c915, [$c1154, 2, 1000]);
+const $c1149 = $made(Entry, $c876, ["slip", $c1153, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
+const $c1160 = $made(Entry, $c876, ["pressure", $c1090, true, "", "", "pressure", ""]);
+const $c1164 = $made(Limit, $c882, ["number", 0.0, 5.0, false, false]);
+const $c1163 = $made(Quantity, $c143, ["number", $c1164]);
+const $c1162 = $made(Rows, $c915, [$c1163, 2, 1000]);
+const $c1161 = $made(Entry, $c876, ["friction", $c1162, true, "", "", "values", ""]);
 const $c1158 = [$c1160, $c1161];
 const $c1159 = new Map([["pressure", $c1160], ["friction", $c1161]]);
-const $c1157 = $made(tables$Table, $c857, [null, $c1158, $c1159]);
-const $c1156 = $made(Rows, $c911, [$c1157, 1, 200]);
-const $c1150 = $made(Entry, $c872, ["rows", $c1156, true, "", "", "rows", ""]);
+const $c1157 = $made(tables$Table, $c861, [null, $c1158, $c1159]);
+const $c1156 = $made(Rows, $c915, [$c1157, 1, 200]);
+const $c1150 = $made(Entry, $c876, ["rows", $c1156, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
 const $c1146 = [$c1148, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1149, $c1150];
 const $c1147 = new Map([["kind", $c1148], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["slip", $c1149], ["rows", $c1150]]);
-const $c1024 = $made(tables$Table, $c857, [MeasuredTable, $c1146, $c1147]);
+const $c1024 = $made(tables$Table, $c861, [MeasuredTable, $c1146, $c1147]);
 const $c1019 = new Map([["integral-log", $c1020], ["constant", $c1021], ["elastic-plastic", $c1022], ["power", $c1023], ["table", $c1024]]);
-const $c83 = $made(Variant, $c1018, ["kind", $c1019]);
-const $c1017 = $made(OneOrMore, $c880, [$c83, 50]);
-const $c955 = $made(Entry, $c872, ["law", $c1017, false, "", "", "law", ""]);
-const $c956 = $made(Entry, $c872, ["notes", $c1069, false, "", "", "notes", ""]);
-const $c935 = [$c937, $c938, $c939, $c940, $c941, $c942, $c943, $c944, $c945, $c946, $c947, $c948, $c949, $c950, $c951, $c952, $c953, $c954, $c955, $c135, $c136, $c956];
-const $c936 = new Map([["preset", $c937], ["name", $c938], ["title", $c939], ["description", $c940], ["surface", $c941], ["thickness", $c942], ["elastic_modulus", $c943], ["shear_modulus", $c944], ["compression_modulus", $c945], ["block", $c946], ["wear_coefficient", $c947], ["belt_energy_share", $c948], ["bond_strength", $c949], ["fatigue_limit", $c950], ["cost", $c951], ["slip_speed", $c952], ["temperature", $c953], ["condition_factor", $c954], ["law", $c955], ["provenance", $c135], ["sources", $c136], ["notes", $c956]]);
-const $c934 = $made(tables$Table, $c857, [Lagging, $c935, $c936]);
-const $c202 = $made(TextOr, $c881, [$c933, $c934]);
-const $c182 = $made(Entry, $c872, ["lagging", $c202, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c183 = $made(Entry, $c872, ["condition", $c203, false, "", "", "condition", ""]);
-const $c205 = $made(Limit, $c878, ["force", 0.1, 1000000000.0, false, false]);
-const $c204 = $made(Quantity, $c142, ["force", $c205]);
-const $c184 = $made(Entry, $c872, ["entry_tension", $c204, false, "", "", "entry_tension", ""]);
-const $c185 = $made(Entry, $c872, ["exit_tension", $c204, false, "", "", "exit_tension", ""]);
-const $c206 = $made(Quantity, $c142, ["force", null]);
-const $c186 = $made(Entry, $c872, ["effective_tension", $c206, false, "", "", "effective_tension", ""]);
-const $c207 = $made(Quantity, $c142, ["torque", null]);
-const $c187 = $made(Entry, $c872, ["torque", $c207, false, "", "", "torque", ""]);
-const $c208 = $made(Quantity, $c142, ["power", null]);
-const $c188 = $made(Entry, $c872, ["power", $c208, false, "", "", "power", ""]);
-const $c211 = $made(Limit, $c878, ["length", -1.0, 1.0, false, false]);
-const $c210 = $made(Quantity, $c142, ["length", $c211]);
-const $c209 = $made(WordOr, $c909, ["formula", $c210, null]);
-const $c189 = $made(Entry, $c872, ["overrun", $c209, false, "", "", "overrun", ""]);
-const $c212 = $made(Flag, [], []);
-const $c190 = $made(Entry, $c872, ["recovery", $c212, false, "", "", "recovery", ""]);
-const $c214 = $made(Limit, $c878, ["length", 0.0, 1.0, true, false]);
-const $c213 = $made(Quantity, $c142, ["length", $c214]);
-const $c191 = $made(Entry, $c872, ["creep_limit", $c213, false, "", "", "creep_limit", ""]);
-const $c842 = ["pulley", "carry"];
-const $c215 = $made(Choice, $c895, [$c842]);
-const $c192 = $made(Entry, $c872, ["side", $c215, false, "", "", "side", ""]);
-const $c217 = $made(Limit, $c878, ["mass", 0.0, 1000000.0, true, false]);
-const $c216 = $made(Quantity, $c142, ["mass", $c217]);
-const $c193 = $made(Entry, $c872, ["mass", $c216, false, "", "", "mass", ""]);
-const $c1499 = ["dimension", "diameters", "rows", "within"];
-const $c1503 = ["kinds"];
-const $c1505 = $made(Quantity, $c142, ["length", null]);
-const $c1506 = $made(Quantity, $c142, ["length", null]);
-const $c1504 = [$c1505, $c1506];
-const $c1502 = $made(_Pair, $c1503, [$c1504]);
-const $c1500 = $made(Rows, $c911, [$c1502, 0, 500]);
-const $c1510 = $made(Entry, $c872, ["rows", $c1500, false, "", "", "rows", ""]);
-const $c1515 = $made(Quantity, $c142, ["length", null]);
-const $c1511 = $made(Entry, $c872, ["crown", $c1515, false, "", "", "crown", ""]);
-const $c1517 = $made(Limit, $c878, ["number", 0.0, 100.0, false, false]);
-const $c1516 = $made(Quantity, $c142, ["number", $c1517]);
-const $c1512 = $made(Entry, $c872, ["factor", $c1516, false, "", "", "factor", ""]);
-const $c1519 = $made(Limit, $c878, ["length", 0.0, Infinity, false, false]);
-const $c1518 = $made(Quantity, $c142, ["length", $c1519]);
-const $c1513 = $made(Entry, $c872, ["uncertainty", $c1518, false, "", "", "uncertainty", ""]);
-const $c1521 = ["radius", "diameter"];
-const $c1520 = $made(Choice, $c895, [$c1521]);
-const $c1514 = $made(Entry, $c872, ["on", $c1520, false, "", "", "on", ""]);
-const $c1508 = [$c1510, $c1511, $c1512, $c1513, $c1514];
-const $c1509 = new Map([["rows", $c1510], ["crown", $c1511], ["factor", $c1512], ["uncertainty", $c1513], ["on", $c1514]]);
-const $c1507 = $made(tables$Table, $c857, [null, $c1508, $c1509]);
-const $c1501 = $made(TextOr, $c881, [$c1500, $c1507]);
-const $c1176 = $made(Profile, $c1499, ["length", true, $c1500, $c1501]);
-const $c1167 = $made(Entry, $c872, ["shell_profile", $c1176, false, "", "", "shell_profile", ""]);
-const $c1526 = $made(Quantity, $c142, ["length", null]);
-const $c1527 = $made(Quantity, $c142, ["length", null]);
-const $c1525 = [$c1526, $c1527];
-const $c1524 = $made(_Pair, $c1503, [$c1525]);
-const $c1522 = $made(Rows, $c911, [$c1524, 0, 500]);
-const $c1531 = $made(Entry, $c872, ["rows", $c1522, false, "", "", "rows", ""]);
-const $c1536 = $made(Quantity, $c142, ["length", null]);
-const $c1532 = $made(Entry, $c872, ["crown", $c1536, false, "", "", "crown", ""]);
-const $c1538 = $made(Limit, $c878, ["number", 0.0, 100.0, false, false]);
-const $c1537 = $made(Quantity, $c142, ["number", $c1538]);
-const $c1533 = $made(Entry, $c872, ["factor", $c1537, false, "", "", "factor", ""]);
-const $c1540 = $made(Limit, $c878, ["length", 0.0, Infinity, false, false]);
-const $c1539 = $made(Quantity, $c142, ["length", $c1540]);
-const $c1534 = $made(Entry, $c872, ["uncertainty", $c1539, false, "", "", "uncertainty", ""]);
-const $c1541 = $made(Choice, $c895, [$c1521]);
-const $c1535 = $made(Entry, $c872, ["on", $c1541, false, "", "", "on", ""]);
-const $c1529 = [$c1531, $c1532, $c1533, $c1534, $c1535];
-const $c1530 = new Map([["rows", $c1531], ["crown", $c1532], ["factor", $c1533], ["uncertainty", $c1534], ["on", $c1535]]);
-const $c1528 = $made(tables$Table, $c857, [null, $c1529, $c1530]);
-const $c1523 = $made(TextOr, $c881, [$c1522, $c1528]);
-const $c1177 = $made(Profile, $c1499, ["length", true, $c1522, $c1523]);
-const $c1168 = $made(Entry, $c872, ["worn_depth", $c1177, false, "", "", "worn_depth", ""]);
-const $c1546 = $made(Quantity, $c142, ["length", null]);
-const $c1547 = $made(Quantity, $c142, ["length", null]);
-const $c1545 = [$c1546, $c1547];
-const $c1544 = $made(_Pair, $c1503, [$c1545]);
-const $c1542 = $made(Rows, $c911, [$c1544, 0, 500]);
-const $c1551 = $made(Entry, $c872, ["rows", $c1542, false, "", "", "rows", ""]);
-const $c1556 = $made(Quantity, $c142, ["length", null]);
-const $c1552 = $made(Entry, $c872, ["crown", $c1556, false, "", "", "crown", ""]);
-const $c1558 = $made(Limit, $c878, ["number", 0.0, 100.0, false, false]);
-const $c1557 = $made(Quantity, $c142, ["number", $c1558]);
-const $c1553 = $made(Entry, $c872, ["factor", $c1557, false, "", "", "factor", ""]);
-const $c1560 = $made(Limit, $c878, ["length", 0.0, Infinity, false, false]);
-const $c1559 = $made(Quantity, $c142, ["length", $c1560]);
-const $c1554 = $made(Entry, $c872, ["uncertainty", $c1559, false, "", "", "uncertainty", ""]);
-const $c1561 = $made(Choice, $c895, [$c1521]);
-const $c1555 = $made(Entry, $c872, ["on", $c1561, false, "", "", "on", ""]);
-const $c1549 = [$c1551, $c1552, $c1553, $c1554, $c1555];
-const $c1550 = new Map([["rows", $c1551], ["crown", $c1552], ["factor", $c1553], ["uncertainty", $c1554], ["on", $c1555]]);
-const $c1548 = $made(tables$Table, $c857, [null, $c1549, $c1550]);
-const $c1543 = $made(TextOr, $c881, [$c1542, $c1548]);
-const $c1178 = $made(Profile, $c1499, ["length", true, $c1542, $c1543]);
-const $c1169 = $made(Entry, $c872, ["build_up", $c1178, false, "", "", "build_up", ""]);
-const $c1180 = $made(Limit, $c878, ["number", -0.1, 0.1, false, false]);
-const $c1179 = $made(Quantity, $c142, ["number", $c1180]);
-const $c1170 = $made(Entry, $c872, ["misalignment", $c1179, false, "", "", "misalignment", ""]);
-const $c1182 = $made(Limit, $c878, ["length", -0.1, 0.1, false, false]);
-const $c1181 = $made(Quantity, $c142, ["length", $c1182]);
-const $c1171 = $made(Entry, $c872, ["deflection", $c1181, false, "", "", "deflection", ""]);
-const $c1566 = $made(Quantity, $c142, ["length", null]);
-const $c1567 = $made(Quantity, $c142, ["force_per_width", null]);
-const $c1565 = [$c1566, $c1567];
-const $c1564 = $made(_Pair, $c1503, [$c1565]);
-const $c1562 = $made(Rows, $c911, [$c1564, 0, 500]);
-const $c1571 = $made(Entry, $c872, ["rows", $c1562, false, "", "", "rows", ""]);
-const $c1575 = $made(Quantity, $c142, ["force_per_width", null]);
-const $c1572 = $made(Entry, $c872, ["crown", $c1575, false, "", "", "crown", ""]);
-const $c1577 = $made(Limit, $c878, ["number", 0.0, 100.0, false, false]);
-const $c1576 = $made(Quantity, $c142, ["number", $c1577]);
-const $c1573 = $made(Entry, $c872, ["factor", $c1576, false, "", "", "factor", ""]);
-const $c1579 = $made(Limit, $c878, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1578 = $made(Quantity, $c142, ["force_per_width", $c1579]);
-const $c1574 = $made(Entry, $c872, ["uncertainty", $c1578, false, "", "", "uncertainty", ""]);
-const $c1569 = [$c1571, $c1572, $c1573, $c1574];
-const $c1570 = new Map([["rows", $c1571], ["crown", $c1572], ["factor", $c1573], ["uncertainty", $c1574]]);
-const $c1568 = $made(tables$Table, $c857, [null, $c1569, $c1570]);
-const $c1563 = $made(TextOr, $c881, [$c1562, $c1568]);
-const $c1183 = $made(Profile, $c1499, ["force_per_width", false, $c1562, $c1563]);
-const $c1172 = $made(Entry, $c872, ["entry_profile", $c1183, false, "", "", "entry_profile", ""]);
-const $c1193 = ["pulley"];
-const $c1192 = $made(Choice, $c895, [$c1193]);
-const $c1190 = $made(Entry, $c872, ["kind", $c1192, true, "", "", "kind", ""]);
-const $c1195 = $made(Limit, $c878, ["length", 0.0, 100000.0, true, false]);
-const $c1194 = $made(Quantity, $c142, ["length", $c1195]);
-const $c1191 = $made(Entry, $c872, ["distance", $c1194, true, "", "", "distance", ""]);
-const $c1188 = [$c1190, $c1191];
-const $c1189 = new Map([["kind", $c1190], ["distance", $c1191]]);
-const $c1186 = $made(tables$Table, $c857, [GrippingPulley, $c1188, $c1189]);
-const $c1204 = ["transition"];
-const $c1203 = $made(Choice, $c895, [$c1204]);
-const $c1198 = $made(Entry, $c872, ["kind", $c1203, true, "", "", "kind", ""]);
-const $c1206 = $made(Limit, $c878, ["length", 0.0, 1000.0, true, false]);
-const $c1205 = $made(Quantity, $c142, ["length", $c1206]);
-const $c1199 = $made(Entry, $c872, ["length", $c1205, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1208 = $made(Limit, $c878, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1207 = $made(Quantity, $c142, ["angle", $c1208]);
-const $c1200 = $made(Entry, $c872, ["trough_angle", $c1207, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1210 = $made(Limit, $c878, ["length", 0.0, 100.0, false, false]);
-const $c1209 = $made(Quantity, $c142, ["length", $c1210]);
-const $c1201 = $made(Entry, $c872, ["centre_roll", $c1209, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1212 = ["full", "half"];
-const $c1211 = $made(Choice, $c895, [$c1212]);
-const $c1202 = $made(Entry, $c872, ["depth", $c1211, false, "", "", "depth", ""]);
-const $c1196 = [$c1198, $c1199, $c1200, $c1201, $c1202];
-const $c1197 = new Map([["kind", $c1198], ["length", $c1199], ["trough_angle", $c1200], ["centre_roll", $c1201], ["depth", $c1202]]);
-const $c1187 = $made(tables$Table, $c857, [Transition, $c1196, $c1197]);
-const $c1185 = new Map([["pulley", $c1186], ["transition", $c1187]]);
-const $c28 = $made(Variant, $c1018, ["kind", $c1185]);
-const $c1184 = $made(WordOr, $c909, ["far", $c28, null]);
-const $c1173 = $made(Entry, $c872, ["before", $c1184, false, "", "", "before", ""]);
-const $c1220 = ["pulley"];
-const $c1219 = $made(Choice, $c895, [$c1220]);
-const $c1218 = $made(Entry, $c872, ["kind", $c1219, true, "", "", "kind", ""]);
-const $c1216 = [$c1218, $c1191];
-const $c1217 = new Map([["kind", $c1218], ["distance", $c1191]]);
-const $c1215 = $made(tables$Table, $c857, [GrippingPulley, $c1216, $c1217]);
-const $c1214 = new Map([["pulley", $c1215]]);
-const $c29 = $made(Variant, $c1018, ["kind", $c1214]);
-const $c1213 = $made(WordOr, $c909, ["far", $c29, null]);
-const $c1174 = $made(Entry, $c872, ["after", $c1213, false, "", "", "after", ""]);
-const $c1222 = ["least", "most"];
-const $c1221 = $made(Count, $c1222, [4, 128]);
-const $c1175 = $made(Entry, $c872, ["strips", $c1221, false, "", "", "strips", ""]);
+const $c84 = $made(Variant, $c1018, ["kind", $c1019]);
+const $c1017 = $made(OneOrMore, $c884, [$c84, 50]);
+const $c959 = $made(Entry, $c876, ["law", $c1017, false, "", "", "law", ""]);
+const $c960 = $made(Entry, $c876, ["notes", $c1069, false, "", "", "notes", ""]);
+const $c939 = [$c941, $c942, $c943, $c944, $c945, $c946, $c947, $c948, $c949, $c950, $c951, $c952, $c953, $c954, $c955, $c956, $c957, $c958, $c959, $c136, $c137, $c960];
+const $c940 = new Map([["preset", $c941], ["name", $c942], ["title", $c943], ["description", $c944], ["surface", $c945], ["thickness", $c946], ["elastic_modulus", $c947], ["shear_modulus", $c948], ["compression_modulus", $c949], ["block", $c950], ["wear_coefficient", $c951], ["belt_energy_share", $c952], ["bond_strength", $c953], ["fatigue_limit", $c954], ["cost", $c955], ["slip_speed", $c956], ["temperature", $c957], ["condition_factor", $c958], ["law", $c959], ["provenance", $c136], ["sources", $c137], ["notes", $c960]]);
+const $c938 = $made(tables$Table, $c861, [Lagging, $c939, $c940]);
+const $c203 = $made(TextOr, $c885, [$c937, $c938]);
+const $c183 = $made(Entry, $c876, ["lagging", $c203, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c184 = $made(Entry, $c876, ["condition", $c204, false, "", "", "condition", ""]);
+const $c206 = $made(Limit, $c882, ["force", 0.1, 1000000000.0, false, false]);
+const $c205 = $made(Quantity, $c143, ["force", $c206]);
+const $c185 = $made(Entry, $c876, ["entry_tension", $c205, false, "", "", "entry_tension", ""]);
+const $c186 = $made(Entry, $c876, ["exit_tension", $c205, false, "", "", "exit_tension", ""]);
+const $c207 = $made(Quantity, $c143, ["force", null]);
+const $c187 = $made(Entry, $c876, ["effective_tension", $c207, false, "", "", "effective_tension", ""]);
+const $c208 = $made(Quantity, $c143, ["torque", null]);
+const $c188 = $made(Entry, $c876, ["torque", $c208, false, "", "", "torque", ""]);
+const $c209 = $made(Quantity, $c143, ["power", null]);
+const $c189 = $made(Entry, $c876, ["power", $c209, false, "", "", "power", ""]);
+const $c212 = $made(Limit, $c882, ["length", -1.0, 1.0, false, false]);
+const $c211 = $made(Quantity, $c143, ["length", $c212]);
+const $c210 = $made(WordOr, $c913, ["formula", $c211, null]);
+const $c190 = $made(Entry, $c876, ["overrun", $c210, false, "", "", "overrun", ""]);
+const $c213 = $made(Flag, [], []);
+const $c191 = $made(Entry, $c876, ["recovery", $c213, false, "", "", "recovery", ""]);
+const $c215 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
+const $c214 = $made(Quantity, $c143, ["length", $c215]);
+const $c192 = $made(Entry, $c876, ["creep_limit", $c214, false, "", "", "creep_limit", ""]);
+const $c847 = ["pulley", "carry"];
+const $c216 = $made(Choice, $c899, [$c847]);
+const $c193 = $made(Entry, $c876, ["side", $c216, false, "", "", "side", ""]);
+const $c218 = $made(Limit, $c882, ["mass", 0.0, 1000000.0, true, false]);
+const $c217 = $made(Quantity, $c143, ["mass", $c218]);
+const $c194 = $made(Entry, $c876, ["mass", $c217, false, "", "", "mass", ""]);
+const $c1500 = ["dimension", "diameters", "rows", "within"];
+const $c1504 = ["kinds"];
+const $c1506 = $made(Quantity, $c143, ["length", null]);
+const $c1507 = $made(Quantity, $c143, ["length", null]);
+const $c1505 = [$c1506, $c1507];
+const $c1503 = $made(_Pair, $c1504, [$c1505]);
+const $c1501 = $made(Rows, $c915, [$c1503, 0, 500]);
+const $c1511 = $made(Entry, $c876, ["rows", $c1501, false, "", "", "rows", ""]);
+const $c1516 = $made(Quantity, $c143, ["length", null]);
+const $c1512 = $made(Entry, $c876, ["crown", $c1516, false, "", "", "crown", ""]);
+const $c1518 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
+const $c1517 = $made(Quantity, $c143, ["number", $c1518]);
+const $c1513 = $made(Entry, $c876, ["factor", $c1517, false, "", "", "factor", ""]);
+const $c1520 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
+const $c1519 = $made(Quantity, $c143, ["length", $c1520]);
+const $c1514 = $made(Entry, $c876, ["uncertainty", $c1519, false, "", "", "uncertainty", ""]);
+const $c1522 = ["radius", "diameter"];
+const $c1521 = $made(Choice, $c899, [$c1522]);
+const $c1515 = $made(Entry, $c876, ["on", $c1521, false, "", "", "on", ""]);
+const $c1509 = [$c1511, $c1512, $c1513, $c1514, $c1515];
+const $c1510 = new Map([["rows", $c1511], ["crown", $c1512], ["factor", $c1513], ["uncertainty", $c1514], ["on", $c1515]]);
+const $c1508 = $made(tables$Table, $c861, [null, $c1509, $c1510]);
+const $c1502 = $made(TextOr, $c885, [$c1501, $c1508]);
+const $c1176 = $made(Profile, $c1500, ["length", true, $c1501, $c1502]);
+const $c1167 = $made(Entry, $c876, ["shell_profile", $c1176, false, "", "", "shell_profile", ""]);
+const $c1527 = $made(Quantity, $c143, ["length", null]);
+const $c1528 = $made(Quantity, $c143, ["length", null]);
+const $c1526 = [$c1527, $c1528];
+const $c1525 = $made(_Pair, $c1504, [$c1526]);
+const $c1523 = $made(Rows, $c915, [$c1525, 0, 500]);
+const $c1532 = $made(Entry, $c876, ["rows", $c1523, false, "", "", "rows", ""]);
+const $c1537 = $made(Quantity, $c143, ["length", null]);
+const $c1533 = $made(Entry, $c876, ["crown", $c1537, false, "", "", "crown", ""]);
+const $c1539 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
+const $c1538 = $made(Quantity, $c143, ["number", $c1539]);
+const $c1534 = $made(Entry, $c876, ["factor", $c1538, false, "", "", "factor", ""]);
+const $c1541 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
+const $c1540 = $made(Quantity, $c143, ["length", $c1541]);
+const $c1535 = $made(Entry, $c876, ["uncertainty", $c1540, false, "", "", "uncertainty", ""]);
+const $c1542 = $made(Choice, $c899, [$c1522]);
+const $c1536 = $made(Entry, $c876, ["on", $c1542, false, "", "", "on", ""]);
+const $c1530 = [$c1532, $c1533, $c1534, $c1535, $c1536];
+const $c1531 = new Map([["rows", $c1532], ["crown", $c1533], ["factor", $c1534], ["uncertainty", $c1535], ["on", $c1536]]);
+const $c1529 = $made(tables$Table, $c861, [null, $c1530, $c1531]);
+const $c1524 = $made(TextOr, $c885, [$c1523, $c1529]);
+const $c1178 = $made(Profile, $c1500, ["length", true, $c1523, $c1524]);
+const $c1168 = $made(Entry, $c876, ["worn_depth", $c1178, false, "", "", "worn_depth", ""]);
+const $c1547 = $made(Quantity, $c143, ["length", null]);
+const $c1548 = $made(Quantity, $c143, ["length", null]);
+const $c1546 = [$c1547, $c1548];
+const $c1545 = $made(_Pair, $c1504, [$c1546]);
+const $c1543 = $made(Rows, $c915, [$c1545, 0, 500]);
+const $c1552 = $made(Entry, $c876, ["rows", $c1543, false, "", "", "rows", ""]);
+const $c1557 = $made(Quantity, $c143, ["length", null]);
+const $c1553 = $made(Entry, $c876, ["crown", $c1557, false, "", "", "crown", ""]);
+const $c1559 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
+const $c1558 = $made(Quantity, $c143, ["number", $c1559]);
+const $c1554 = $made(Entry, $c876, ["factor", $c1558, false, "", "", "factor", ""]);
+const $c1561 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
+const $c1560 = $made(Quantity, $c143, ["length", $c1561]);
+const $c1555 = $made(Entry, $c876, ["uncertainty", $c1560, false, "", "", "uncertainty", ""]);
+const $c1562 = $made(Choice, $c899, [$c1522]);
+const $c1556 = $made(Entry, $c876, ["on", $c1562, false, "", "", "on", ""]);
+const $c1550 = [$c1552, $c1553, $c1554, $c1555, $c1556];
+const $c1551 = new Map([["rows", $c1552], ["crown", $c1553], ["factor", $c1554], ["uncertainty", $c1555], ["on", $c1556]]);
+const $c1549 = $made(tables$Table, $c861, [null, $c1550, $c1551]);
+const $c1544 = $made(TextOr, $c885, [$c1543, $c1549]);
+const $c1179 = $made(Profile, $c1500, ["length", true, $c1543, $c1544]);
+const $c1169 = $made(Entry, $c876, ["build_up", $c1179, false, "", "", "build_up", ""]);
+const $c1181 = $made(Limit, $c882, ["number", -0.1, 0.1, false, false]);
+const $c1180 = $made(Quantity, $c143, ["number", $c1181]);
+const $c1170 = $made(Entry, $c876, ["misalignment", $c1180, false, "", "", "misalignment", ""]);
+const $c1183 = $made(Limit, $c882, ["length", -0.1, 0.1, false, false]);
+const $c1182 = $made(Quantity, $c143, ["length", $c1183]);
+const $c1171 = $made(Entry, $c876, ["deflection", $c1182, false, "", "", "deflection", ""]);
+const $c1567 = $made(Quantity, $c143, ["length", null]);
+const $c1568 = $made(Quantity, $c143, ["force_per_width", null]);
+const $c1566 = [$c1567, $c1568];
+const $c1565 = $made(_Pair, $c1504, [$c1566]);
+const $c1563 = $made(Rows, $c915, [$c1565, 0, 500]);
+const $c1572 = $made(Entry, $c876, ["rows", $c1563, false, "", "", "rows", ""]);
+const $c1576 = $made(Quantity, $c143, ["force_per_width", null]);
+const $c1573 = $made(Entry, $c876, ["crown", $c1576, false, "", "", "crown", ""]);
+const $c1578 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
+const $c1577 = $made(Quantity, $c143, ["number", $c1578]);
+const $c1574 = $made(Entry, $c876, ["factor", $c1577, false, "", "", "factor", ""]);
+const $c1580 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1579 = $made(Quantity, $c143, ["force_per_width", $c1580]);
+const $c1575 = $made(Entry, $c876, ["uncertainty", $c1579, false, "", "", "uncertainty", ""]);
+const $c1570 = [$c1572, $c1573, $c1574, $c1575];
+const $c1571 = new Map([["rows", $c1572], ["crown", $c1573], ["factor", $c1574], ["uncertainty", $c1575]]);
+const $c1569 = $made(tables$Table, $c861, [null, $c1570, $c1571]);
+const $c1564 = $made(TextOr, $c885, [$c1563, $c1569]);
+const $c1184 = $made(Profile, $c1500, ["force_per_width", false, $c1563, $c1564]);
+const $c1172 = $made(Entry, $c876, ["entry_profile", $c1184, false, "", "", "entry_profile", ""]);
+const $c1194 = ["pulley"];
+const $c1193 = $made(Choice, $c899, [$c1194]);
+const $c1191 = $made(Entry, $c876, ["kind", $c1193, true, "", "", "kind", ""]);
+const $c1196 = $made(Limit, $c882, ["length", 0.0, 100000.0, true, false]);
+const $c1195 = $made(Quantity, $c143, ["length", $c1196]);
+const $c1192 = $made(Entry, $c876, ["distance", $c1195, true, "", "", "distance", ""]);
+const $c1189 = [$c1191, $c1192];
+const $c1190 = new Map([["kind", $c1191], ["distance", $c1192]]);
+const $c1187 = $made(tables$Table, $c861, [GrippingPulley, $c1189, $c1190]);
+const $c1205 = ["transition"];
+const $c1204 = $made(Choice, $c899, [$c1205]);
+const $c1199 = $made(Entry, $c876, ["kind", $c1204, true, "", "", "kind", ""]);
+const $c1207 = $made(Limit, $c882, ["length", 0.0, 1000.0, true, false]);
+const $c1206 = $made(Quantity, $c143, ["length", $c1207]);
+const $c1200 = $made(Entry, $c876, ["length", $c1206, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1209 = $made(Limit, $c882, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1208 = $made(Quantity, $c143, ["angle", $c1209]);
+const $c1201 = $made(Entry, $c876, ["trough_angle", $c1208, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1211 = $made(Limit, $c882, ["length", 0.0, 100.0, false, false]);
+const $c1210 = $made(Quantity, $c143, ["length", $c1211]);
+const $c1202 = $made(Entry, $c876, ["centre_roll", $c1210, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1213 = ["full", "half"];
+const $c1212 = $made(Choice, $c899, [$c1213]);
+const $c1203 = $made(Entry, $c876, ["depth", $c1212, false, "", "", "depth", ""]);
+const $c1197 = [$c1199, $c1200, $c1201, $c1202, $c1203];
+const $c1198 = new Map([["kind", $c1199], ["length", $c1200], ["trough_angle", $c1201], ["centre_roll", $c1202], ["depth", $c1203]]);
+const $c1188 = $made(tables$Table, $c861, [Transition, $c1197, $c1198]);
+const $c1186 = new Map([["pulley", $c1187], ["transition", $c1188]]);
+const $c28 = $made(Variant, $c1018, ["kind", $c1186]);
+const $c1185 = $made(WordOr, $c913, ["far", $c28, null]);
+const $c1173 = $made(Entry, $c876, ["before", $c1185, false, "", "", "before", ""]);
+const $c1221 = ["pulley"];
+const $c1220 = $made(Choice, $c899, [$c1221]);
+const $c1219 = $made(Entry, $c876, ["kind", $c1220, true, "", "", "kind", ""]);
+const $c1217 = [$c1219, $c1192];
+const $c1218 = new Map([["kind", $c1219], ["distance", $c1192]]);
+const $c1216 = $made(tables$Table, $c861, [GrippingPulley, $c1217, $c1218]);
+const $c1215 = new Map([["pulley", $c1216]]);
+const $c29 = $made(Variant, $c1018, ["kind", $c1215]);
+const $c1214 = $made(WordOr, $c913, ["far", $c29, null]);
+const $c1174 = $made(Entry, $c876, ["after", $c1214, false, "", "", "after", ""]);
+const $c1223 = ["least", "most"];
+const $c1222 = $made(Count, $c1223, [4, 128]);
+const $c1175 = $made(Entry, $c876, ["strips", $c1222, false, "", "", "strips", ""]);
 const $c1165 = [$c1167, $c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1174, $c1175];
 const $c1166 = new Map([["shell_profile", $c1167], ["worn_depth", $c1168], ["build_up", $c1169], ["misalignment", $c1170], ["deflection", $c1171], ["entry_profile", $c1172], ["before", $c1173], ["after", $c1174], ["strips", $c1175]]);
-const $c30 = $made(tables$Table, $c857, [Across, $c1165, $c1166]);
-const $c194 = $made(Entry, $c872, ["across", $c30, false, "", "", "across", ""]);
-const $c218 = $made(ByName, $c880, [$c2, 200]);
-const $c195 = $made(Entry, $c872, ["sources", $c218, false, "", "", "sources", ""]);
-const $c9 = [$c178, $c179, $c180, $c181, $c182, $c183, $c184, $c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195];
-const $c912 = new Map([["name", $c178], ["diameter", $c179], ["wrap_angle", $c180], ["belt_path", $c181], ["lagging", $c182], ["condition", $c183], ["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188], ["overrun", $c189], ["recovery", $c190], ["creep_limit", $c191], ["side", $c192], ["mass", $c193], ["across", $c194], ["sources", $c195]]);
-const $c31 = $made(tables$Table, $c857, [Pulley, $c9, $c912]);
-const $c910 = $made(Rows, $c911, [$c31, 1, 10]);
-const $c866 = $made(Entry, $c872, ["pulley", $c910, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1223 = $made(ByName, $c880, [$c934, 200]);
-const $c867 = $made(Entry, $c872, ["lagging", $c1223, false, "", "", "lagging", ""]);
-const $c1234 = $made(Name, $c883, [60]);
-const $c1228 = $made(Entry, $c872, ["name", $c1234, true, "", "name = \"start\"", "name", ""]);
-const $c1235 = $made(Text, $c875, [1000, true]);
-const $c1229 = $made(Entry, $c872, ["description", $c1235, false, "", "", "description", ""]);
-const $c92 = ["running", "starting", "braking"];
-const $c1236 = $made(Choice, $c895, [$c92]);
-const $c1230 = $made(Entry, $c872, ["kind", $c1236, false, "", "", "kind", ""]);
-const $c1231 = $made(Entry, $c872, ["condition", $c203, false, "", "", "condition", ""]);
-const $c1239 = [$c184, $c185, $c186, $c187, $c188];
-const $c1240 = new Map([["entry_tension", $c184], ["exit_tension", $c185], ["effective_tension", $c186], ["torque", $c187], ["power", $c188]]);
-const $c1238 = $made(tables$Table, $c857, [null, $c1239, $c1240]);
-const $c1237 = $made(ByName, $c880, [$c1238, 200]);
-const $c1232 = $made(Entry, $c872, ["pulley", $c1237, false, "", "", "pulley", ""]);
-const $c1241 = $made(Elsewhere, [], []);
-const $c1233 = $made(Entry, $c872, ["train", $c1241, false, "", "", "train", ""]);
-const $c1226 = [$c1228, $c1229, $c1230, $c1231, $c1232, $c1233];
-const $c1227 = new Map([["name", $c1228], ["description", $c1229], ["kind", $c1230], ["condition", $c1231], ["pulley", $c1232], ["train", $c1233]]);
-const $c1225 = $made(tables$Table, $c857, [null, $c1226, $c1227]);
-const $c1224 = $made(Rows, $c911, [$c1225, 1, 1000]);
-const $c868 = $made(Entry, $c872, ["load_case", $c1224, false, "", "", "load_case", ""]);
-const $c750 = $made(Limit, $c878, ["length", 0.0, 100000.0, true, false]);
-const $c1263 = $made(Quantity, $c142, ["length", $c750]);
-const $c1244 = $made(Entry, $c872, ["length", $c1263, true, "", "length = \"600 m\"", "length", ""]);
-const $c751 = $made(Limit, $c878, ["length", -5000.0, 5000.0, false, false]);
-const $c1264 = $made(Quantity, $c142, ["length", $c751]);
-const $c1245 = $made(Entry, $c872, ["lift", $c1264, false, "", "", "lift", ""]);
-const $c752 = $made(Limit, $c878, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1265 = $made(Quantity, $c142, ["mass_per_length", $c752]);
-const $c1246 = $made(Entry, $c872, ["belt_mass", $c1265, true, "", "", "belt_mass", ""]);
-const $c753 = $made(Limit, $c878, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1266 = $made(Quantity, $c142, ["mass_per_length", $c753]);
-const $c1247 = $made(Entry, $c872, ["carry_idler_mass", $c1266, true, "", "", "carry_idler_mass", ""]);
-const $c754 = $made(Limit, $c878, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1267 = $made(Quantity, $c142, ["mass_per_length", $c754]);
-const $c1248 = $made(Entry, $c872, ["return_idler_mass", $c1267, true, "", "", "return_idler_mass", ""]);
-const $c1268 = $made(Quantity, $c142, ["mass_per_length", $c752]);
-const $c1249 = $made(Entry, $c872, ["material_mass", $c1268, false, "", "", "material_mass", ""]);
-const $c755 = $made(Limit, $c878, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1269 = $made(Quantity, $c142, ["mass_flow", $c755]);
-const $c1250 = $made(Entry, $c872, ["capacity", $c1269, false, "", "", "capacity", ""]);
-const $c756 = $made(Limit, $c878, ["number", 0.005, 0.1, false, false]);
-const $c1270 = $made(Quantity, $c142, ["number", $c756]);
-const $c1251 = $made(Entry, $c872, ["friction_factor", $c1270, false, "", "", "friction_factor", ""]);
-const $c757 = $made(Limit, $c878, ["number", 1.0, 10.0, false, false]);
-const $c1271 = $made(Quantity, $c142, ["number", $c757]);
-const $c1252 = $made(Entry, $c872, ["length_coefficient", $c1271, false, "", "", "length_coefficient", ""]);
-const $c758 = $made(Limit, $c878, ["force", 0.0, 100000000.0, false, false]);
-const $c1272 = $made(Quantity, $c142, ["force", $c758]);
-const $c1253 = $made(Entry, $c872, ["secondary_resistance", $c1272, false, "", "", "secondary_resistance", ""]);
-const $c1273 = $made(Quantity, $c142, ["force", $c758]);
-const $c1254 = $made(Entry, $c872, ["special_resistance", $c1273, false, "", "", "special_resistance", ""]);
-const $c759 = $made(Limit, $c878, ["number", 0.0, 1.0, false, false]);
-const $c1274 = $made(Quantity, $c142, ["number", $c759]);
-const $c1255 = $made(Entry, $c872, ["return_share", $c1274, false, "", "", "return_share", ""]);
-const $c760 = $made(Limit, $c878, ["number", 1.0, 5.0, false, false]);
-const $c1275 = $made(Quantity, $c142, ["number", $c760]);
-const $c1256 = $made(Entry, $c872, ["start_factor", $c1275, false, "", "", "start_factor", ""]);
-const $c761 = $made(Limit, $c878, ["time", 0.0, 3600.0, true, false]);
-const $c1276 = $made(Quantity, $c142, ["time", $c761]);
-const $c1257 = $made(Entry, $c872, ["start_time", $c1276, false, "", "", "start_time", ""]);
-const $c1277 = $made(Quantity, $c142, ["time", $c761]);
-const $c1258 = $made(Entry, $c872, ["stop_time", $c1277, false, "", "", "stop_time", ""]);
-const $c762 = $made(Limit, $c878, ["force", 0.0, 100000000.0, true, false]);
-const $c1278 = $made(Quantity, $c142, ["force", $c762]);
-const $c1259 = $made(Entry, $c872, ["take_up_tension", $c1278, false, "", "", "take_up_tension", ""]);
-const $c763 = $made(Limit, $c878, ["mass", 0.0, 10000000.0, true, false]);
-const $c1279 = $made(Quantity, $c142, ["mass", $c763]);
-const $c1260 = $made(Entry, $c872, ["counterweight", $c1279, false, "", "", "counterweight", ""]);
-const $c764 = $made(Limit, $c878, ["length", 0.0, 100000.0, false, false]);
-const $c1280 = $made(Quantity, $c142, ["length", $c764]);
-const $c1261 = $made(Entry, $c872, ["take_up_distance", $c1280, false, "", "", "take_up_distance", ""]);
-const $c843 = ["head", "tail"];
-const $c1281 = $made(Choice, $c895, [$c843]);
-const $c1262 = $made(Entry, $c872, ["drive_at", $c1281, false, "", "", "drive_at", ""]);
-const $c1242 = [$c1244, $c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262];
-const $c1243 = new Map([["length", $c1244], ["lift", $c1245], ["belt_mass", $c1246], ["carry_idler_mass", $c1247], ["return_idler_mass", $c1248], ["material_mass", $c1249], ["capacity", $c1250], ["friction_factor", $c1251], ["length_coefficient", $c1252], ["secondary_resistance", $c1253], ["special_resistance", $c1254], ["return_share", $c1255], ["start_factor", $c1256], ["start_time", $c1257], ["stop_time", $c1258], ["take_up_tension", $c1259], ["counterweight", $c1260], ["take_up_distance", $c1261], ["drive_at", $c1262]]);
-const $c35 = $made(tables$Table, $c857, [Conveyor, $c1242, $c1243]);
-const $c869 = $made(Entry, $c872, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c836 = ["gravity", "winch", "fixed"];
-const $c1287 = $made(Choice, $c895, [$c836]);
-const $c1284 = $made(Entry, $c872, ["kind", $c1287, false, "", "", "kind", ""]);
-const $c827 = $made(Limit, $c878, ["number", 0.01, 100.0, false, false]);
-const $c1288 = $made(Quantity, $c142, ["number", $c827]);
-const $c1285 = $made(Entry, $c872, ["sheave_ratio", $c1288, false, "", "", "sheave_ratio", ""]);
-const $c1289 = $made(Name, $c883, [60]);
-const $c1286 = $made(Entry, $c872, ["after", $c1289, false, "", "", "after", ""]);
-const $c1282 = [$c1284, $c1285, $c1286];
-const $c1283 = new Map([["kind", $c1284], ["sheave_ratio", $c1285], ["after", $c1286]]);
-const $c548 = $made(tables$Table, $c857, [TakeUp, $c1282, $c1283]);
-const $c544 = $made(Entry, $c872, ["take_up", $c548, false, "", "", "take_up", ""]);
-const $c837 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1297 = $made(Choice, $c895, [$c837]);
-const $c1292 = $made(Entry, $c872, ["name", $c1297, false, "", "", "name", ""]);
-const $c838 = ["dry", "wet", "wet and dirty"];
-const $c1298 = $made(Choice, $c895, [$c838]);
-const $c1293 = $made(Entry, $c872, ["condition", $c1298, false, "", "", "condition", ""]);
-const $c828 = $made(Limit, $c878, ["number", 0.01, 2.0, false, false]);
-const $c1299 = $made(Quantity, $c142, ["number", $c828]);
-const $c1294 = $made(Entry, $c872, ["friction", $c1299, false, "", "", "friction", ""]);
-const $c829 = $made(Limit, $c878, ["number", 1.0, 10.0, false, false]);
-const $c1300 = $made(Quantity, $c142, ["number", $c829]);
-const $c1295 = $made(Entry, $c872, ["start_factor", $c1300, false, "", "", "start_factor", ""]);
-const $c1301 = $made(Flag, [], []);
-const $c1296 = $made(Entry, $c872, ["binding", $c1301, false, "", "", "binding", ""]);
-const $c1290 = [$c1292, $c1293, $c1294, $c1295, $c1296];
-const $c1291 = new Map([["name", $c1292], ["condition", $c1293], ["friction", $c1294], ["start_factor", $c1295], ["binding", $c1296]]);
-const $c549 = $made(tables$Table, $c857, [DesignStandard, $c1290, $c1291]);
-const $c545 = $made(Entry, $c872, ["design_standard", $c549, false, "", "", "standard", ""]);
-const $c1308 = $made(Quantity, $c142, ["number", $c829]);
-const $c1304 = $made(Entry, $c872, ["running", $c1308, false, "", "", "running", ""]);
-const $c1309 = $made(Quantity, $c142, ["number", $c829]);
-const $c1305 = $made(Entry, $c872, ["starting", $c1309, false, "", "", "starting", ""]);
-const $c1310 = $made(Quantity, $c142, ["number", $c829]);
-const $c1306 = $made(Entry, $c872, ["braking", $c1310, false, "", "", "braking", ""]);
-const $c1311 = $made(Text, $c875, [500, false]);
-const $c1307 = $made(Entry, $c872, ["source", $c1311, false, "", "", "source", ""]);
-const $c1302 = [$c1304, $c1305, $c1306, $c1307];
-const $c1303 = new Map([["running", $c1304], ["starting", $c1305], ["braking", $c1306], ["source", $c1307]]);
-const $c550 = $made(tables$Table, $c857, [SafetyFactors, $c1302, $c1303]);
-const $c546 = $made(Entry, $c872, ["safety_factor", $c550, false, "", "", "safety", ""]);
-const $c1318 = $made(Limit, $c878, ["length", 0.0, 100.0, true, false]);
-const $c1317 = $made(Quantity, $c142, ["length", $c1318]);
-const $c1314 = $made(Entry, $c872, ["idler_spacing", $c1317, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1320 = $made(Limit, $c878, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1319 = $made(Quantity, $c142, ["mass_per_length", $c1320]);
-const $c1315 = $made(Entry, $c872, ["line_mass", $c1319, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1322 = $made(Limit, $c878, ["number", 0.0, 0.1, true, false]);
-const $c1321 = $made(Quantity, $c142, ["number", $c1322]);
-const $c1316 = $made(Entry, $c872, ["share", $c1321, false, "", "", "share", ""]);
-const $c1312 = [$c1314, $c1315, $c1316];
-const $c1313 = new Map([["idler_spacing", $c1314], ["line_mass", $c1315], ["share", $c1316]]);
-const $c551 = $made(tables$Table, $c857, [Sag, $c1312, $c1313]);
-const $c547 = $made(Entry, $c872, ["sag", $c551, false, "", "", "sag", ""]);
-const $c1323 = $made(Elsewhere, [], []);
-const $c870 = $made(Entry, $c872, ["train", $c1323, false, "", "", "train", ""]);
+const $c30 = $made(tables$Table, $c861, [Across, $c1165, $c1166]);
+const $c195 = $made(Entry, $c876, ["across", $c30, false, "", "", "across", ""]);
+const $c219 = $made(ByName, $c884, [$c2, 200]);
+const $c196 = $made(Entry, $c876, ["sources", $c219, false, "", "", "sources", ""]);
+const $c9 = [$c179, $c180, $c181, $c182, $c183, $c184, $c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196];
+const $c916 = new Map([["name", $c179], ["diameter", $c180], ["wrap_angle", $c181], ["belt_path", $c182], ["lagging", $c183], ["condition", $c184], ["entry_tension", $c185], ["exit_tension", $c186], ["effective_tension", $c187], ["torque", $c188], ["power", $c189], ["overrun", $c190], ["recovery", $c191], ["creep_limit", $c192], ["side", $c193], ["mass", $c194], ["across", $c195], ["sources", $c196]]);
+const $c31 = $made(tables$Table, $c861, [Pulley, $c9, $c916]);
+const $c914 = $made(Rows, $c915, [$c31, 1, 10]);
+const $c870 = $made(Entry, $c876, ["pulley", $c914, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1224 = $made(ByName, $c884, [$c938, 200]);
+const $c871 = $made(Entry, $c876, ["lagging", $c1224, false, "", "", "lagging", ""]);
+const $c1235 = $made(Name, $c887, [60]);
+const $c1229 = $made(Entry, $c876, ["name", $c1235, true, "", "name = \"start\"", "name", ""]);
+const $c1236 = $made(Text, $c879, [1000, true]);
+const $c1230 = $made(Entry, $c876, ["description", $c1236, false, "", "", "description", ""]);
+const $c93 = ["running", "starting", "braking"];
+const $c1237 = $made(Choice, $c899, [$c93]);
+const $c1231 = $made(Entry, $c876, ["kind", $c1237, false, "", "", "kind", ""]);
+const $c1232 = $made(Entry, $c876, ["condition", $c204, false, "", "", "condition", ""]);
+const $c1240 = [$c185, $c186, $c187, $c188, $c189];
+const $c1241 = new Map([["entry_tension", $c185], ["exit_tension", $c186], ["effective_tension", $c187], ["torque", $c188], ["power", $c189]]);
+const $c1239 = $made(tables$Table, $c861, [null, $c1240, $c1241]);
+const $c1238 = $made(ByName, $c884, [$c1239, 200]);
+const $c1233 = $made(Entry, $c876, ["pulley", $c1238, false, "", "", "pulley", ""]);
+const $c1242 = $made(Elsewhere, [], []);
+const $c1234 = $made(Entry, $c876, ["train", $c1242, false, "", "", "train", ""]);
+const $c1227 = [$c1229, $c1230, $c1231, $c1232, $c1233, $c1234];
+const $c1228 = new Map([["name", $c1229], ["description", $c1230], ["kind", $c1231], ["condition", $c1232], ["pulley", $c1233], ["train", $c1234]]);
+const $c1226 = $made(tables$Table, $c861, [null, $c1227, $c1228]);
+const $c1225 = $made(Rows, $c915, [$c1226, 1, 1000]);
+const $c872 = $made(Entry, $c876, ["load_case", $c1225, false, "", "", "load_case", ""]);
+const $c751 = $made(Limit, $c882, ["length", 0.0, 100000.0, true, false]);
+const $c1264 = $made(Quantity, $c143, ["length", $c751]);
+const $c1245 = $made(Entry, $c876, ["length", $c1264, true, "", "length = \"600 m\"", "length", ""]);
+const $c752 = $made(Limit, $c882, ["length", -5000.0, 5000.0, false, false]);
+const $c1265 = $made(Quantity, $c143, ["length", $c752]);
+const $c1246 = $made(Entry, $c876, ["lift", $c1265, false, "", "", "lift", ""]);
+const $c753 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1266 = $made(Quantity, $c143, ["mass_per_length", $c753]);
+const $c1247 = $made(Entry, $c876, ["belt_mass", $c1266, true, "", "", "belt_mass", ""]);
+const $c754 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1267 = $made(Quantity, $c143, ["mass_per_length", $c754]);
+const $c1248 = $made(Entry, $c876, ["carry_idler_mass", $c1267, true, "", "", "carry_idler_mass", ""]);
+const $c755 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1268 = $made(Quantity, $c143, ["mass_per_length", $c755]);
+const $c1249 = $made(Entry, $c876, ["return_idler_mass", $c1268, true, "", "", "return_idler_mass", ""]);
+const $c1269 = $made(Quantity, $c143, ["mass_per_length", $c753]);
+const $c1250 = $made(Entry, $c876, ["material_mass", $c1269, false, "", "", "material_mass", ""]);
+const $c756 = $made(Limit, $c882, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1270 = $made(Quantity, $c143, ["mass_flow", $c756]);
+const $c1251 = $made(Entry, $c876, ["capacity", $c1270, false, "", "", "capacity", ""]);
+const $c757 = $made(Limit, $c882, ["number", 0.005, 0.1, false, false]);
+const $c1271 = $made(Quantity, $c143, ["number", $c757]);
+const $c1252 = $made(Entry, $c876, ["friction_factor", $c1271, false, "", "", "friction_factor", ""]);
+const $c758 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
+const $c1272 = $made(Quantity, $c143, ["number", $c758]);
+const $c1253 = $made(Entry, $c876, ["length_coefficient", $c1272, false, "", "", "length_coefficient", ""]);
+const $c759 = $made(Limit, $c882, ["force", 0.0, 100000000.0, false, false]);
+const $c1273 = $made(Quantity, $c143, ["force", $c759]);
+const $c1254 = $made(Entry, $c876, ["secondary_resistance", $c1273, false, "", "", "secondary_resistance", ""]);
+const $c1274 = $made(Quantity, $c143, ["force", $c759]);
+const $c1255 = $made(Entry, $c876, ["special_resistance", $c1274, false, "", "", "special_resistance", ""]);
+const $c760 = $made(Limit, $c882, ["number", 0.0, 1.0, false, false]);
+const $c1275 = $made(Quantity, $c143, ["number", $c760]);
+const $c1256 = $made(Entry, $c876, ["return_share", $c1275, false, "", "", "return_share", ""]);
+const $c761 = $made(Limit, $c882, ["number", 1.0, 5.0, false, false]);
+const $c1276 = $made(Quantity, $c143, ["number", $c761]);
+const $c1257 = $made(Entry, $c876, ["start_factor", $c1276, false, "", "", "start_factor", ""]);
+const $c762 = $made(Limit, $c882, ["time", 0.0, 3600.0, true, false]);
+const $c1277 = $made(Quantity, $c143, ["time", $c762]);
+const $c1258 = $made(Entry, $c876, ["start_time", $c1277, false, "", "", "start_time", ""]);
+const $c1278 = $made(Quantity, $c143, ["time", $c762]);
+const $c1259 = $made(Entry, $c876, ["stop_time", $c1278, false, "", "", "stop_time", ""]);
+const $c763 = $made(Limit, $c882, ["force", 0.0, 100000000.0, true, false]);
+const $c1279 = $made(Quantity, $c143, ["force", $c763]);
+const $c1260 = $made(Entry, $c876, ["take_up_tension", $c1279, false, "", "", "take_up_tension", ""]);
+const $c764 = $made(Limit, $c882, ["mass", 0.0, 10000000.0, true, false]);
+const $c1280 = $made(Quantity, $c143, ["mass", $c764]);
+const $c1261 = $made(Entry, $c876, ["counterweight", $c1280, false, "", "", "counterweight", ""]);
+const $c765 = $made(Limit, $c882, ["length", 0.0, 100000.0, false, false]);
+const $c1281 = $made(Quantity, $c143, ["length", $c765]);
+const $c1262 = $made(Entry, $c876, ["take_up_distance", $c1281, false, "", "", "take_up_distance", ""]);
+const $c848 = ["head", "tail"];
+const $c1282 = $made(Choice, $c899, [$c848]);
+const $c1263 = $made(Entry, $c876, ["drive_at", $c1282, false, "", "", "drive_at", ""]);
+const $c1243 = [$c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263];
+const $c1244 = new Map([["length", $c1245], ["lift", $c1246], ["belt_mass", $c1247], ["carry_idler_mass", $c1248], ["return_idler_mass", $c1249], ["material_mass", $c1250], ["capacity", $c1251], ["friction_factor", $c1252], ["length_coefficient", $c1253], ["secondary_resistance", $c1254], ["special_resistance", $c1255], ["return_share", $c1256], ["start_factor", $c1257], ["start_time", $c1258], ["stop_time", $c1259], ["take_up_tension", $c1260], ["counterweight", $c1261], ["take_up_distance", $c1262], ["drive_at", $c1263]]);
+const $c35 = $made(tables$Table, $c861, [Conveyor, $c1243, $c1244]);
+const $c873 = $made(Entry, $c876, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c841 = ["gravity", "winch", "fixed"];
+const $c1288 = $made(Choice, $c899, [$c841]);
+const $c1285 = $made(Entry, $c876, ["kind", $c1288, false, "", "", "kind", ""]);
+const $c832 = $made(Limit, $c882, ["number", 0.01, 100.0, false, false]);
+const $c1289 = $made(Quantity, $c143, ["number", $c832]);
+const $c1286 = $made(Entry, $c876, ["sheave_ratio", $c1289, false, "", "", "sheave_ratio", ""]);
+const $c1290 = $made(Name, $c887, [60]);
+const $c1287 = $made(Entry, $c876, ["after", $c1290, false, "", "", "after", ""]);
+const $c1283 = [$c1285, $c1286, $c1287];
+const $c1284 = new Map([["kind", $c1285], ["sheave_ratio", $c1286], ["after", $c1287]]);
+const $c549 = $made(tables$Table, $c861, [TakeUp, $c1283, $c1284]);
+const $c545 = $made(Entry, $c876, ["take_up", $c549, false, "", "", "take_up", ""]);
+const $c842 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1298 = $made(Choice, $c899, [$c842]);
+const $c1293 = $made(Entry, $c876, ["name", $c1298, false, "", "", "name", ""]);
+const $c843 = ["dry", "wet", "wet and dirty"];
+const $c1299 = $made(Choice, $c899, [$c843]);
+const $c1294 = $made(Entry, $c876, ["condition", $c1299, false, "", "", "condition", ""]);
+const $c833 = $made(Limit, $c882, ["number", 0.01, 2.0, false, false]);
+const $c1300 = $made(Quantity, $c143, ["number", $c833]);
+const $c1295 = $made(Entry, $c876, ["friction", $c1300, false, "", "", "friction", ""]);
+const $c834 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
+const $c1301 = $made(Quantity, $c143, ["number", $c834]);
+const $c1296 = $made(Entry, $c876, ["start_factor", $c1301, false, "", "", "start_factor", ""]);
+const $c1302 = $made(Flag, [], []);
+const $c1297 = $made(Entry, $c876, ["binding", $c1302, false, "", "", "binding", ""]);
+const $c1291 = [$c1293, $c1294, $c1295, $c1296, $c1297];
+const $c1292 = new Map([["name", $c1293], ["condition", $c1294], ["friction", $c1295], ["start_factor", $c1296], ["binding", $c1297]]);
+const $c550 = $made(tables$Table, $c861, [DesignStandard, $c1291, $c1292]);
+const $c546 = $made(Entry, $c876, ["design_standard", $c550, false, "", "", "standard", ""]);
+const $c1309 = $made(Quantity, $c143, ["number", $c834]);
+const $c1305 = $made(Entry, $c876, ["running", $c1309, false, "", "", "running", ""]);
+const $c1310 = $made(Quantity, $c143, ["number", $c834]);
+const $c1306 = $made(Entry, $c876, ["starting", $c1310, false, "", "", "starting", ""]);
+const $c1311 = $made(Quantity, $c143, ["number", $c834]);
+const $c1307 = $made(Entry, $c876, ["braking", $c1311, false, "", "", "braking", ""]);
+const $c1312 = $made(Text, $c879, [500, false]);
+const $c1308 = $made(Entry, $c876, ["source", $c1312, false, "", "", "source", ""]);
+const $c1303 = [$c1305, $c1306, $c1307, $c1308];
+const $c1304 = new Map([["running", $c1305], ["starting", $c1306], ["braking", $c1307], ["source", $c1308]]);
+const $c551 = $made(tables$Table, $c861, [SafetyFactors, $c1303, $c1304]);
+const $c547 = $made(Entry, $c876, ["safety_factor", $c551, false, "", "", "safety", ""]);
+const $c1319 = $made(Limit, $c882, ["length", 0.0, 100.0, true, false]);
+const $c1318 = $made(Quantity, $c143, ["length", $c1319]);
+const $c1315 = $made(Entry, $c876, ["idler_spacing", $c1318, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1321 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1320 = $made(Quantity, $c143, ["mass_per_length", $c1321]);
+const $c1316 = $made(Entry, $c876, ["line_mass", $c1320, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1323 = $made(Limit, $c882, ["number", 0.0, 0.1, true, false]);
+const $c1322 = $made(Quantity, $c143, ["number", $c1323]);
+const $c1317 = $made(Entry, $c876, ["share", $c1322, false, "", "", "share", ""]);
+const $c1313 = [$c1315, $c1316, $c1317];
+const $c1314 = new Map([["idler_spacing", $c1315], ["line_mass", $c1316], ["share", $c1317]]);
+const $c552 = $made(tables$Table, $c861, [Sag, $c1313, $c1314]);
+const $c548 = $made(Entry, $c876, ["sag", $c552, false, "", "", "sag", ""]);
 const $c1324 = $made(Elsewhere, [], []);
-const $c871 = $made(Entry, $c872, ["motion", $c1324, false, "", "", "motion", ""]);
-const $c858 = [$c860, $c861, $c862, $c863, $c864, $c865, $c866, $c867, $c868, $c869, $c544, $c545, $c546, $c547, $c870, $c871];
-const $c859 = new Map([["format", $c860], ["title", $c861], ["description", $c862], ["creep_limit", $c863], ["condition", $c864], ["belt", $c865], ["pulley", $c866], ["lagging", $c867], ["load_case", $c868], ["conveyor", $c869], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c870], ["motion", $c871]]);
-const $c0 = $made(tables$Table, $c857, [Drive, $c858, $c859]);
+const $c874 = $made(Entry, $c876, ["train", $c1324, false, "", "", "train", ""]);
+const $c1325 = $made(Elsewhere, [], []);
+const $c875 = $made(Entry, $c876, ["motion", $c1325, false, "", "", "motion", ""]);
+const $c862 = [$c864, $c865, $c866, $c867, $c868, $c869, $c870, $c871, $c872, $c873, $c545, $c546, $c547, $c548, $c874, $c875];
+const $c863 = new Map([["format", $c864], ["title", $c865], ["description", $c866], ["creep_limit", $c867], ["condition", $c868], ["belt", $c869], ["pulley", $c870], ["lagging", $c871], ["load_case", $c872], ["conveyor", $c873], ["take_up", $c545], ["design_standard", $c546], ["safety_factor", $c547], ["sag", $c548], ["train", $c874], ["motion", $c875]]);
+const $c0 = $made(tables$Table, $c861, [Drive, $c862, $c863]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c143], ["modulus", $c148], ["rating", $c150], ["strength", $c152], ["speed", $c154], ["momentary_factor", $c156], ["least_pulley_diameter", $c158], ["largest_wrap_pressure", $c160], ["in_plane_shear_stiffness", $c162], ["pulley_cover", $c164], ["carry_cover", $c166], ["carcass", $c168], ["thickness", $c170], ["cover_shear_modulus", $c173], ["mass", $c175]]);
+const $c4 = new Map([["width", $c144], ["modulus", $c149], ["rating", $c151], ["strength", $c153], ["speed", $c155], ["momentary_factor", $c157], ["least_pulley_diameter", $c159], ["largest_wrap_pressure", $c161], ["in_plane_shear_stiffness", $c163], ["pulley_cover", $c165], ["carry_cover", $c167], ["carcass", $c169], ["thickness", $c171], ["cover_shear_modulus", $c174], ["mass", $c176]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c244 = [10000, "m"];
-const $c243 = [$c244];
-const $c221 = ["mm", $c243];
-const $c222 = ["kN", []];
-const $c223 = ["kN/m", []];
-const $c246 = [10000, "MPa"];
-const $c245 = [$c246];
-const $c224 = ["kPa", $c245];
-const $c225 = ["kPa/mm", []];
-const $c226 = ["m/s", []];
-const $c227 = ["deg", []];
-const $c228 = ["kW", []];
-const $c229 = ["kN m", []];
-const $c230 = ["m2", []];
-const $c231 = ["s", []];
-const $c232 = ["degC", []];
-const $c233 = ["1/mm", []];
-const $c234 = ["mm3/J", []];
-const $c235 = ["J/m2", []];
-const $c248 = [10000, "kW/m2"];
-const $c247 = [$c248];
-const $c236 = ["W/m2", $c247];
-const $c237 = ["rpm", []];
-const $c238 = ["kg", []];
-const $c239 = ["kg/m", []];
-const $c240 = ["t/h", []];
-const $c241 = ["kg m2", []];
-const $c242 = ["", []];
-const $c219 = new Map([["length", $c221], ["force", $c222], ["force_per_width", $c223], ["spring_rate", $c223], ["pressure", $c224], ["pressure_per_length", $c225], ["speed", $c226], ["angle", $c227], ["power", $c228], ["torque", $c229], ["area", $c230], ["time", $c231], ["temperature", $c232], ["per_length", $c233], ["wear_coefficient", $c234], ["energy_per_area", $c235], ["power_per_area", $c236], ["rotation_speed", $c237], ["mass", $c238], ["mass_per_length", $c239], ["mass_flow", $c240], ["moment_of_inertia", $c241], ["number", $c242]]);
-const $c269 = [400, "ft"];
-const $c268 = [$c269];
-const $c249 = ["in", $c268];
-const $c250 = ["lbf", []];
-const $c251 = ["PIW", []];
-const $c252 = ["lbf/in", []];
-const $c271 = [10000, "ksi"];
-const $c270 = [$c271];
-const $c253 = ["psi", $c270];
-const $c254 = ["psi/in", []];
-const $c255 = ["fpm", []];
-const $c256 = ["hp", []];
-const $c257 = ["lbf ft", []];
-const $c258 = ["in2", []];
-const $c259 = ["degF", []];
-const $c260 = ["1/in", []];
-const $c261 = ["in3/(ft lbf)", []];
-const $c262 = ["ft lbf/ft2", []];
-const $c263 = ["hp/ft2", []];
-const $c264 = ["lbm", []];
-const $c265 = ["lbm/ft", []];
-const $c266 = ["lbm/h", []];
-const $c267 = ["lbm ft2", []];
-const $c220 = new Map([["length", $c249], ["force", $c250], ["force_per_width", $c251], ["spring_rate", $c252], ["pressure", $c253], ["pressure_per_length", $c254], ["speed", $c255], ["angle", $c227], ["power", $c256], ["torque", $c257], ["area", $c258], ["time", $c231], ["temperature", $c259], ["per_length", $c260], ["wear_coefficient", $c261], ["energy_per_area", $c262], ["power_per_area", $c263], ["rotation_speed", $c237], ["mass", $c264], ["mass_per_length", $c265], ["mass_flow", $c266], ["moment_of_inertia", $c267], ["number", $c242]]);
-const $c11 = new Map([["si", $c219], ["us", $c220]]);
-const $c272 = new DimensionText("m", "a length", "1200 mm");
-const $c273 = new DimensionText("N", "a force", "150 kN");
-const $c274 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c275 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c276 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c277 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c278 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c279 = new DimensionText("rad", "an angle", "180 deg");
-const $c280 = new DimensionText("W", "a power", "250 kW");
-const $c281 = new DimensionText("N m", "a torque", "40 kN m");
-const $c282 = new DimensionText("m2", "an area", "2500 mm2");
-const $c283 = new DimensionText("s", "a time", "10 s");
-const $c284 = new DimensionText("K", "a temperature", "20 degC");
-const $c285 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c286 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c287 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c288 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c289 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c290 = new DimensionText("kg", "a mass", "500 kg");
-const $c291 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c292 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c293 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c294 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c272], ["force", $c273], ["force_per_width", $c274], ["spring_rate", $c275], ["pressure", $c276], ["pressure_per_length", $c277], ["speed", $c278], ["angle", $c279], ["power", $c280], ["torque", $c281], ["area", $c282], ["time", $c283], ["temperature", $c284], ["per_length", $c285], ["wear_coefficient", $c286], ["energy_per_area", $c287], ["power_per_area", $c288], ["rotation_speed", $c289], ["mass", $c290], ["mass_per_length", $c291], ["mass_flow", $c292], ["moment_of_inertia", $c293], ["number", $c294]]);
+const $c245 = [10000, "m"];
+const $c244 = [$c245];
+const $c222 = ["mm", $c244];
+const $c223 = ["kN", []];
+const $c224 = ["kN/m", []];
+const $c247 = [10000, "MPa"];
+const $c246 = [$c247];
+const $c225 = ["kPa", $c246];
+const $c226 = ["kPa/mm", []];
+const $c227 = ["m/s", []];
+const $c228 = ["deg", []];
+const $c229 = ["kW", []];
+const $c230 = ["kN m", []];
+const $c231 = ["m2", []];
+const $c232 = ["s", []];
+const $c233 = ["degC", []];
+const $c234 = ["1/mm", []];
+const $c235 = ["mm3/J", []];
+const $c236 = ["J/m2", []];
+const $c249 = [10000, "kW/m2"];
+const $c248 = [$c249];
+const $c237 = ["W/m2", $c248];
+const $c238 = ["rpm", []];
+const $c239 = ["kg", []];
+const $c240 = ["kg/m", []];
+const $c241 = ["t/h", []];
+const $c242 = ["kg m2", []];
+const $c243 = ["", []];
+const $c220 = new Map([["length", $c222], ["force", $c223], ["force_per_width", $c224], ["spring_rate", $c224], ["pressure", $c225], ["pressure_per_length", $c226], ["speed", $c227], ["angle", $c228], ["power", $c229], ["torque", $c230], ["area", $c231], ["time", $c232], ["temperature", $c233], ["per_length", $c234], ["wear_coefficient", $c235], ["energy_per_area", $c236], ["power_per_area", $c237], ["rotation_speed", $c238], ["mass", $c239], ["mass_per_length", $c240], ["mass_flow", $c241], ["moment_of_inertia", $c242], ["number", $c243]]);
+const $c270 = [400, "ft"];
+const $c269 = [$c270];
+const $c250 = ["in", $c269];
+const $c251 = ["lbf", []];
+const $c252 = ["PIW", []];
+const $c253 = ["lbf/in", []];
+const $c272 = [10000, "ksi"];
+const $c271 = [$c272];
+const $c254 = ["psi", $c271];
+const $c255 = ["psi/in", []];
+const $c256 = ["fpm", []];
+const $c257 = ["hp", []];
+const $c258 = ["lbf ft", []];
+const $c259 = ["in2", []];
+const $c260 = ["degF", []];
+const $c261 = ["1/in", []];
+const $c262 = ["in3/(ft lbf)", []];
+const $c263 = ["ft lbf/ft2", []];
+const $c264 = ["hp/ft2", []];
+const $c265 = ["lbm", []];
+const $c266 = ["lbm/ft", []];
+const $c267 = ["lbm/h", []];
+const $c268 = ["lbm ft2", []];
+const $c221 = new Map([["length", $c250], ["force", $c251], ["force_per_width", $c252], ["spring_rate", $c253], ["pressure", $c254], ["pressure_per_length", $c255], ["speed", $c256], ["angle", $c228], ["power", $c257], ["torque", $c258], ["area", $c259], ["time", $c232], ["temperature", $c260], ["per_length", $c261], ["wear_coefficient", $c262], ["energy_per_area", $c263], ["power_per_area", $c264], ["rotation_speed", $c238], ["mass", $c265], ["mass_per_length", $c266], ["mass_flow", $c267], ["moment_of_inertia", $c268], ["number", $c243]]);
+const $c11 = new Map([["si", $c220], ["us", $c221]]);
+const $c273 = new DimensionText("m", "a length", "1200 mm");
+const $c274 = new DimensionText("N", "a force", "150 kN");
+const $c275 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c276 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c277 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c278 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c279 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c280 = new DimensionText("rad", "an angle", "180 deg");
+const $c281 = new DimensionText("W", "a power", "250 kW");
+const $c282 = new DimensionText("N m", "a torque", "40 kN m");
+const $c283 = new DimensionText("m2", "an area", "2500 mm2");
+const $c284 = new DimensionText("s", "a time", "10 s");
+const $c285 = new DimensionText("K", "a temperature", "20 degC");
+const $c286 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c287 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c288 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c289 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c290 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c291 = new DimensionText("kg", "a mass", "500 kg");
+const $c292 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c293 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c294 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c295 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c273], ["force", $c274], ["force_per_width", $c275], ["spring_rate", $c276], ["pressure", $c277], ["pressure_per_length", $c278], ["speed", $c279], ["angle", $c280], ["power", $c281], ["torque", $c282], ["area", $c283], ["time", $c284], ["temperature", $c285], ["per_length", $c286], ["wear_coefficient", $c287], ["energy_per_area", $c288], ["power_per_area", $c289], ["rotation_speed", $c290], ["mass", $c291], ["mass_per_length", $c292], ["mass_flow", $c293], ["moment_of_inertia", $c294], ["number", $c295]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -7708,659 +7802,659 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c357 = ["meter", "meters", "metre", "metres"];
-const $c358 = $Decimal.of("1");
-const $c359 = $Decimal.of("0");
-const $c295 = new Definition($c357, $c358, "m", $c359);
-const $c360 = ["km"];
-const $c361 = $Decimal.of("1000");
-const $c362 = $Decimal.of("0");
-const $c296 = new Definition($c360, $c361, "m", $c362);
-const $c363 = ["dm"];
-const $c364 = $Decimal.of("0.1");
-const $c365 = $Decimal.of("0");
-const $c297 = new Definition($c363, $c364, "m", $c365);
-const $c366 = ["cm"];
-const $c367 = $Decimal.of("0.01");
-const $c368 = $Decimal.of("0");
-const $c298 = new Definition($c366, $c367, "m", $c368);
-const $c369 = ["mm"];
-const $c370 = $Decimal.of("0.001");
-const $c371 = $Decimal.of("0");
-const $c299 = new Definition($c369, $c370, "m", $c371);
-const $c372 = ["um", "micron", "microns"];
-const $c373 = $Decimal.of("0.000001");
-const $c374 = $Decimal.of("0");
-const $c300 = new Definition($c372, $c373, "m", $c374);
-const $c375 = ["in", "inch", "inches", "\""];
-const $c376 = $Decimal.of("0.0254");
-const $c377 = $Decimal.of("0");
-const $c301 = new Definition($c375, $c376, "m", $c377);
-const $c378 = ["ft", "foot", "feet"];
-const $c379 = $Decimal.of("12");
-const $c380 = $Decimal.of("0");
-const $c302 = new Definition($c378, $c379, "in", $c380);
-const $c381 = ["yd"];
-const $c382 = $Decimal.of("3");
-const $c383 = $Decimal.of("0");
-const $c303 = new Definition($c381, $c382, "ft", $c383);
-const $c384 = ["mi", "mile", "miles"];
-const $c385 = $Decimal.of("5280");
-const $c386 = $Decimal.of("0");
-const $c304 = new Definition($c384, $c385, "ft", $c386);
-const $c387 = ["thou"];
-const $c388 = $Decimal.of("0.001");
-const $c389 = $Decimal.of("0");
-const $c305 = new Definition($c387, $c388, "in", $c389);
-const $c390 = ["g"];
-const $c391 = $Decimal.of("0.001");
-const $c392 = $Decimal.of("0");
-const $c306 = new Definition($c390, $c391, "kg", $c392);
-const $c393 = ["t", "tonne", "tonnes"];
-const $c394 = $Decimal.of("1000");
-const $c395 = $Decimal.of("0");
-const $c307 = new Definition($c393, $c394, "kg", $c395);
-const $c396 = ["lbm"];
-const $c397 = $Decimal.of("0.45359237");
-const $c398 = $Decimal.of("0");
-const $c308 = new Definition($c396, $c397, "kg", $c398);
-const $c399 = ["sec", "second", "seconds"];
-const $c400 = $Decimal.of("1");
-const $c401 = $Decimal.of("0");
-const $c309 = new Definition($c399, $c400, "s", $c401);
-const $c402 = ["ms"];
-const $c403 = $Decimal.of("0.001");
-const $c404 = $Decimal.of("0");
-const $c310 = new Definition($c402, $c403, "s", $c404);
-const $c405 = ["min", "minute", "minutes"];
-const $c406 = $Decimal.of("60");
-const $c407 = $Decimal.of("0");
-const $c311 = new Definition($c405, $c406, "s", $c407);
-const $c408 = ["h", "hr", "hour", "hours"];
-const $c409 = $Decimal.of("60");
-const $c410 = $Decimal.of("0");
-const $c312 = new Definition($c408, $c409, "min", $c410);
-const $c411 = ["d", "day", "days"];
-const $c412 = $Decimal.of("24");
-const $c413 = $Decimal.of("0");
-const $c313 = new Definition($c411, $c412, "h", $c413);
-const $c414 = ["N", "newton", "newtons"];
-const $c415 = $Decimal.of("1");
-const $c416 = $Decimal.of("0");
-const $c314 = new Definition($c414, $c415, "kg m/s2", $c416);
-const $c417 = ["mN"];
-const $c418 = $Decimal.of("0.001");
-const $c419 = $Decimal.of("0");
-const $c315 = new Definition($c417, $c418, "N", $c419);
-const $c420 = ["daN"];
-const $c421 = $Decimal.of("10");
-const $c422 = $Decimal.of("0");
-const $c316 = new Definition($c420, $c421, "N", $c422);
-const $c423 = ["kN"];
-const $c424 = $Decimal.of("1000");
-const $c425 = $Decimal.of("0");
-const $c317 = new Definition($c423, $c424, "N", $c425);
-const $c426 = ["MN"];
-const $c427 = $Decimal.of("1E+6");
-const $c428 = $Decimal.of("0");
-const $c318 = new Definition($c426, $c427, "N", $c428);
-const $c429 = ["kgf", "kp"];
-const $c430 = $Decimal.of("9.80665");
-const $c431 = $Decimal.of("0");
-const $c319 = new Definition($c429, $c430, "N", $c431);
-const $c432 = ["gf"];
-const $c433 = $Decimal.of("0.001");
-const $c434 = $Decimal.of("0");
-const $c320 = new Definition($c432, $c433, "kgf", $c434);
-const $c435 = ["tf"];
-const $c436 = $Decimal.of("1000");
-const $c437 = $Decimal.of("0");
-const $c321 = new Definition($c435, $c436, "kgf", $c437);
-const $c438 = ["lbf", "lb", "lbs"];
-const $c439 = $Decimal.of("4.4482216152605");
-const $c440 = $Decimal.of("0");
-const $c322 = new Definition($c438, $c439, "N", $c440);
-const $c441 = ["klbf", "kip", "kips"];
-const $c442 = $Decimal.of("1000");
-const $c443 = $Decimal.of("0");
-const $c323 = new Definition($c441, $c442, "lbf", $c443);
-const $c444 = ["PIW", "piw", "PLI", "pli"];
-const $c445 = $Decimal.of("1");
-const $c446 = $Decimal.of("0");
-const $c324 = new Definition($c444, $c445, "lbf/in", $c446);
-const $c447 = ["Pa"];
-const $c448 = $Decimal.of("1");
-const $c449 = $Decimal.of("0");
-const $c325 = new Definition($c447, $c448, "N/m2", $c449);
-const $c450 = ["hPa"];
-const $c451 = $Decimal.of("100");
-const $c452 = $Decimal.of("0");
-const $c326 = new Definition($c450, $c451, "Pa", $c452);
-const $c453 = ["kPa"];
-const $c454 = $Decimal.of("1000");
-const $c455 = $Decimal.of("0");
-const $c327 = new Definition($c453, $c454, "Pa", $c455);
-const $c456 = ["MPa"];
-const $c457 = $Decimal.of("1E+6");
-const $c458 = $Decimal.of("0");
-const $c328 = new Definition($c456, $c457, "Pa", $c458);
-const $c459 = ["GPa"];
-const $c460 = $Decimal.of("1E+9");
-const $c461 = $Decimal.of("0");
-const $c329 = new Definition($c459, $c460, "Pa", $c461);
-const $c462 = ["bar"];
-const $c463 = $Decimal.of("1E+5");
-const $c464 = $Decimal.of("0");
-const $c330 = new Definition($c462, $c463, "Pa", $c464);
-const $c465 = ["mbar"];
-const $c466 = $Decimal.of("100");
-const $c467 = $Decimal.of("0");
-const $c331 = new Definition($c465, $c466, "Pa", $c467);
-const $c468 = ["psi", "PSI"];
-const $c469 = $Decimal.of("1");
-const $c470 = $Decimal.of("0");
-const $c332 = new Definition($c468, $c469, "lbf/in2", $c470);
-const $c471 = ["ksi"];
-const $c472 = $Decimal.of("1000");
-const $c473 = $Decimal.of("0");
-const $c333 = new Definition($c471, $c472, "psi", $c473);
-const $c474 = ["J", "joule"];
-const $c475 = $Decimal.of("1");
-const $c476 = $Decimal.of("0");
-const $c334 = new Definition($c474, $c475, "N m", $c476);
-const $c477 = ["mJ"];
-const $c478 = $Decimal.of("0.001");
-const $c479 = $Decimal.of("0");
-const $c335 = new Definition($c477, $c478, "J", $c479);
-const $c480 = ["kJ"];
-const $c481 = $Decimal.of("1000");
-const $c482 = $Decimal.of("0");
-const $c336 = new Definition($c480, $c481, "J", $c482);
-const $c483 = ["MJ"];
-const $c484 = $Decimal.of("1E+6");
-const $c485 = $Decimal.of("0");
-const $c337 = new Definition($c483, $c484, "J", $c485);
-const $c486 = ["Nm"];
-const $c487 = $Decimal.of("1");
-const $c488 = $Decimal.of("0");
-const $c338 = new Definition($c486, $c487, "N m", $c488);
-const $c489 = ["kNm"];
-const $c490 = $Decimal.of("1000");
-const $c491 = $Decimal.of("0");
-const $c339 = new Definition($c489, $c490, "N m", $c491);
-const $c492 = ["MNm"];
-const $c493 = $Decimal.of("1E+6");
-const $c494 = $Decimal.of("0");
-const $c340 = new Definition($c492, $c493, "N m", $c494);
-const $c495 = ["W", "watt", "watts"];
-const $c496 = $Decimal.of("1");
-const $c497 = $Decimal.of("0");
-const $c341 = new Definition($c495, $c496, "J/s", $c497);
-const $c498 = ["kW"];
-const $c499 = $Decimal.of("1000");
-const $c500 = $Decimal.of("0");
-const $c342 = new Definition($c498, $c499, "W", $c500);
-const $c501 = ["MW"];
-const $c502 = $Decimal.of("1E+6");
-const $c503 = $Decimal.of("0");
-const $c343 = new Definition($c501, $c502, "W", $c503);
-const $c504 = ["hp", "HP", "bhp", "BHP"];
-const $c505 = $Decimal.of("550");
-const $c506 = $Decimal.of("0");
-const $c344 = new Definition($c504, $c505, "ft lbf/s", $c506);
-const $c507 = ["PS", "cv", "CV", "hp(metric)"];
-const $c508 = $Decimal.of("75");
-const $c509 = $Decimal.of("0");
-const $c345 = new Definition($c507, $c508, "kgf m/s", $c509);
-const $c510 = ["fpm", "FPM"];
-const $c511 = $Decimal.of("1");
-const $c512 = $Decimal.of("0");
-const $c346 = new Definition($c510, $c511, "ft/min", $c512);
-const $c513 = ["fps"];
-const $c514 = $Decimal.of("1");
-const $c515 = $Decimal.of("0");
-const $c347 = new Definition($c513, $c514, "ft/s", $c515);
-const $c516 = ["kph", "kmh"];
-const $c517 = $Decimal.of("1");
-const $c518 = $Decimal.of("0");
-const $c348 = new Definition($c516, $c517, "km/h", $c518);
-const $c519 = ["mph"];
-const $c520 = $Decimal.of("1");
-const $c521 = $Decimal.of("0");
-const $c349 = new Definition($c519, $c520, "mi/h", $c521);
-const $c522 = ["mrad"];
-const $c523 = $Decimal.of("0.001");
-const $c524 = $Decimal.of("0");
-const $c350 = new Definition($c522, $c523, "rad", $c524);
-const $c525 = ["deg", "degree", "degrees", "°"];
-const $c526 = $Decimal.of("0.01745329251994329576923690768");
-const $c527 = $Decimal.of("0");
-const $c351 = new Definition($c525, $c526, "rad", $c527);
-const $c528 = ["rev", "turn", "turns"];
-const $c529 = $Decimal.of("360");
-const $c530 = $Decimal.of("0");
-const $c352 = new Definition($c528, $c529, "deg", $c530);
-const $c531 = ["rpm", "RPM"];
-const $c532 = $Decimal.of("1");
-const $c533 = $Decimal.of("0");
-const $c353 = new Definition($c531, $c532, "rev/min", $c533);
-const $c534 = ["degC", "°C"];
-const $c535 = $Decimal.of("1");
-const $c536 = $Decimal.of("-273.15");
-const $c354 = new Definition($c534, $c535, "K", $c536);
-const $c537 = ["degF", "°F"];
-const $c538 = $Decimal.of("0.5555555555555555555555555556");
-const $c539 = $Decimal.of("-459.67");
-const $c355 = new Definition($c537, $c538, "K", $c539);
-const $c540 = ["%", "percent"];
-const $c541 = $Decimal.of("0.01");
-const $c542 = $Decimal.of("0");
-const $c356 = new Definition($c540, $c541, "", $c542);
-const $c22 = [$c295, $c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356];
+const $c358 = ["meter", "meters", "metre", "metres"];
+const $c359 = $Decimal.of("1");
+const $c360 = $Decimal.of("0");
+const $c296 = new Definition($c358, $c359, "m", $c360);
+const $c361 = ["km"];
+const $c362 = $Decimal.of("1000");
+const $c363 = $Decimal.of("0");
+const $c297 = new Definition($c361, $c362, "m", $c363);
+const $c364 = ["dm"];
+const $c365 = $Decimal.of("0.1");
+const $c366 = $Decimal.of("0");
+const $c298 = new Definition($c364, $c365, "m", $c366);
+const $c367 = ["cm"];
+const $c368 = $Decimal.of("0.01");
+const $c369 = $Decimal.of("0");
+const $c299 = new Definition($c367, $c368, "m", $c369);
+const $c370 = ["mm"];
+const $c371 = $Decimal.of("0.001");
+const $c372 = $Decimal.of("0");
+const $c300 = new Definition($c370, $c371, "m", $c372);
+const $c373 = ["um", "micron", "microns"];
+const $c374 = $Decimal.of("0.000001");
+const $c375 = $Decimal.of("0");
+const $c301 = new Definition($c373, $c374, "m", $c375);
+const $c376 = ["in", "inch", "inches", "\""];
+const $c377 = $Decimal.of("0.0254");
+const $c378 = $Decimal.of("0");
+const $c302 = new Definition($c376, $c377, "m", $c378);
+const $c379 = ["ft", "foot", "feet"];
+const $c380 = $Decimal.of("12");
+const $c381 = $Decimal.of("0");
+const $c303 = new Definition($c379, $c380, "in", $c381);
+const $c382 = ["yd"];
+const $c383 = $Decimal.of("3");
+const $c384 = $Decimal.of("0");
+const $c304 = new Definition($c382, $c383, "ft", $c384);
+const $c385 = ["mi", "mile", "miles"];
+const $c386 = $Decimal.of("5280");
+const $c387 = $Decimal.of("0");
+const $c305 = new Definition($c385, $c386, "ft", $c387);
+const $c388 = ["thou"];
+const $c389 = $Decimal.of("0.001");
+const $c390 = $Decimal.of("0");
+const $c306 = new Definition($c388, $c389, "in", $c390);
+const $c391 = ["g"];
+const $c392 = $Decimal.of("0.001");
+const $c393 = $Decimal.of("0");
+const $c307 = new Definition($c391, $c392, "kg", $c393);
+const $c394 = ["t", "tonne", "tonnes"];
+const $c395 = $Decimal.of("1000");
+const $c396 = $Decimal.of("0");
+const $c308 = new Definition($c394, $c395, "kg", $c396);
+const $c397 = ["lbm"];
+const $c398 = $Decimal.of("0.45359237");
+const $c399 = $Decimal.of("0");
+const $c309 = new Definition($c397, $c398, "kg", $c399);
+const $c400 = ["sec", "second", "seconds"];
+const $c401 = $Decimal.of("1");
+const $c402 = $Decimal.of("0");
+const $c310 = new Definition($c400, $c401, "s", $c402);
+const $c403 = ["ms"];
+const $c404 = $Decimal.of("0.001");
+const $c405 = $Decimal.of("0");
+const $c311 = new Definition($c403, $c404, "s", $c405);
+const $c406 = ["min", "minute", "minutes"];
+const $c407 = $Decimal.of("60");
+const $c408 = $Decimal.of("0");
+const $c312 = new Definition($c406, $c407, "s", $c408);
+const $c409 = ["h", "hr", "hour", "hours"];
+const $c410 = $Decimal.of("60");
+const $c411 = $Decimal.of("0");
+const $c313 = new Definition($c409, $c410, "min", $c411);
+const $c412 = ["d", "day", "days"];
+const $c413 = $Decimal.of("24");
+const $c414 = $Decimal.of("0");
+const $c314 = new Definition($c412, $c413, "h", $c414);
+const $c415 = ["N", "newton", "newtons"];
+const $c416 = $Decimal.of("1");
+const $c417 = $Decimal.of("0");
+const $c315 = new Definition($c415, $c416, "kg m/s2", $c417);
+const $c418 = ["mN"];
+const $c419 = $Decimal.of("0.001");
+const $c420 = $Decimal.of("0");
+const $c316 = new Definition($c418, $c419, "N", $c420);
+const $c421 = ["daN"];
+const $c422 = $Decimal.of("10");
+const $c423 = $Decimal.of("0");
+const $c317 = new Definition($c421, $c422, "N", $c423);
+const $c424 = ["kN"];
+const $c425 = $Decimal.of("1000");
+const $c426 = $Decimal.of("0");
+const $c318 = new Definition($c424, $c425, "N", $c426);
+const $c427 = ["MN"];
+const $c428 = $Decimal.of("1E+6");
+const $c429 = $Decimal.of("0");
+const $c319 = new Definition($c427, $c428, "N", $c429);
+const $c430 = ["kgf", "kp"];
+const $c431 = $Decimal.of("9.80665");
+const $c432 = $Decimal.of("0");
+const $c320 = new Definition($c430, $c431, "N", $c432);
+const $c433 = ["gf"];
+const $c434 = $Decimal.of("0.001");
+const $c435 = $Decimal.of("0");
+const $c321 = new Definition($c433, $c434, "kgf", $c435);
+const $c436 = ["tf"];
+const $c437 = $Decimal.of("1000");
+const $c438 = $Decimal.of("0");
+const $c322 = new Definition($c436, $c437, "kgf", $c438);
+const $c439 = ["lbf", "lb", "lbs"];
+const $c440 = $Decimal.of("4.4482216152605");
+const $c441 = $Decimal.of("0");
+const $c323 = new Definition($c439, $c440, "N", $c441);
+const $c442 = ["klbf", "kip", "kips"];
+const $c443 = $Decimal.of("1000");
+const $c444 = $Decimal.of("0");
+const $c324 = new Definition($c442, $c443, "lbf", $c444);
+const $c445 = ["PIW", "piw", "PLI", "pli"];
+const $c446 = $Decimal.of("1");
+const $c447 = $Decimal.of("0");
+const $c325 = new Definition($c445, $c446, "lbf/in", $c447);
+const $c448 = ["Pa"];
+const $c449 = $Decimal.of("1");
+const $c450 = $Decimal.of("0");
+const $c326 = new Definition($c448, $c449, "N/m2", $c450);
+const $c451 = ["hPa"];
+const $c452 = $Decimal.of("100");
+const $c453 = $Decimal.of("0");
+const $c327 = new Definition($c451, $c452, "Pa", $c453);
+const $c454 = ["kPa"];
+const $c455 = $Decimal.of("1000");
+const $c456 = $Decimal.of("0");
+const $c328 = new Definition($c454, $c455, "Pa", $c456);
+const $c457 = ["MPa"];
+const $c458 = $Decimal.of("1E+6");
+const $c459 = $Decimal.of("0");
+const $c329 = new Definition($c457, $c458, "Pa", $c459);
+const $c460 = ["GPa"];
+const $c461 = $Decimal.of("1E+9");
+const $c462 = $Decimal.of("0");
+const $c330 = new Definition($c460, $c461, "Pa", $c462);
+const $c463 = ["bar"];
+const $c464 = $Decimal.of("1E+5");
+const $c465 = $Decimal.of("0");
+const $c331 = new Definition($c463, $c464, "Pa", $c465);
+const $c466 = ["mbar"];
+const $c467 = $Decimal.of("100");
+const $c468 = $Decimal.of("0");
+const $c332 = new Definition($c466, $c467, "Pa", $c468);
+const $c469 = ["psi", "PSI"];
+const $c470 = $Decimal.of("1");
+const $c471 = $Decimal.of("0");
+const $c333 = new Definition($c469, $c470, "lbf/in2", $c471);
+const $c472 = ["ksi"];
+const $c473 = $Decimal.of("1000");
+const $c474 = $Decimal.of("0");
+const $c334 = new Definition($c472, $c473, "psi", $c474);
+const $c475 = ["J", "joule"];
+const $c476 = $Decimal.of("1");
+const $c477 = $Decimal.of("0");
+const $c335 = new Definition($c475, $c476, "N m", $c477);
+const $c478 = ["mJ"];
+const $c479 = $Decimal.of("0.001");
+const $c480 = $Decimal.of("0");
+const $c336 = new Definition($c478, $c479, "J", $c480);
+const $c481 = ["kJ"];
+const $c482 = $Decimal.of("1000");
+const $c483 = $Decimal.of("0");
+const $c337 = new Definition($c481, $c482, "J", $c483);
+const $c484 = ["MJ"];
+const $c485 = $Decimal.of("1E+6");
+const $c486 = $Decimal.of("0");
+const $c338 = new Definition($c484, $c485, "J", $c486);
+const $c487 = ["Nm"];
+const $c488 = $Decimal.of("1");
+const $c489 = $Decimal.of("0");
+const $c339 = new Definition($c487, $c488, "N m", $c489);
+const $c490 = ["kNm"];
+const $c491 = $Decimal.of("1000");
+const $c492 = $Decimal.of("0");
+const $c340 = new Definition($c490, $c491, "N m", $c492);
+const $c493 = ["MNm"];
+const $c494 = $Decimal.of("1E+6");
+const $c495 = $Decimal.of("0");
+const $c341 = new Definition($c493, $c494, "N m", $c495);
+const $c496 = ["W", "watt", "watts"];
+const $c497 = $Decimal.of("1");
+const $c498 = $Decimal.of("0");
+const $c342 = new Definition($c496, $c497, "J/s", $c498);
+const $c499 = ["kW"];
+const $c500 = $Decimal.of("1000");
+const $c501 = $Decimal.of("0");
+const $c343 = new Definition($c499, $c500, "W", $c501);
+const $c502 = ["MW"];
+const $c503 = $Decimal.of("1E+6");
+const $c504 = $Decimal.of("0");
+const $c344 = new Definition($c502, $c503, "W", $c504);
+const $c505 = ["hp", "HP", "bhp", "BHP"];
+const $c506 = $Decimal.of("550");
+const $c507 = $Decimal.of("0");
+const $c345 = new Definition($c505, $c506, "ft lbf/s", $c507);
+const $c508 = ["PS", "cv", "CV", "hp(metric)"];
+const $c509 = $Decimal.of("75");
+const $c510 = $Decimal.of("0");
+const $c346 = new Definition($c508, $c509, "kgf m/s", $c510);
+const $c511 = ["fpm", "FPM"];
+const $c512 = $Decimal.of("1");
+const $c513 = $Decimal.of("0");
+const $c347 = new Definition($c511, $c512, "ft/min", $c513);
+const $c514 = ["fps"];
+const $c515 = $Decimal.of("1");
+const $c516 = $Decimal.of("0");
+const $c348 = new Definition($c514, $c515, "ft/s", $c516);
+const $c517 = ["kph", "kmh"];
+const $c518 = $Decimal.of("1");
+const $c519 = $Decimal.of("0");
+const $c349 = new Definition($c517, $c518, "km/h", $c519);
+const $c520 = ["mph"];
+const $c521 = $Decimal.of("1");
+const $c522 = $Decimal.of("0");
+const $c350 = new Definition($c520, $c521, "mi/h", $c522);
+const $c523 = ["mrad"];
+const $c524 = $Decimal.of("0.001");
+const $c525 = $Decimal.of("0");
+const $c351 = new Definition($c523, $c524, "rad", $c525);
+const $c526 = ["deg", "degree", "degrees", "°"];
+const $c527 = $Decimal.of("0.01745329251994329576923690768");
+const $c528 = $Decimal.of("0");
+const $c352 = new Definition($c526, $c527, "rad", $c528);
+const $c529 = ["rev", "turn", "turns"];
+const $c530 = $Decimal.of("360");
+const $c531 = $Decimal.of("0");
+const $c353 = new Definition($c529, $c530, "deg", $c531);
+const $c532 = ["rpm", "RPM"];
+const $c533 = $Decimal.of("1");
+const $c534 = $Decimal.of("0");
+const $c354 = new Definition($c532, $c533, "rev/min", $c534);
+const $c535 = ["degC", "°C"];
+const $c536 = $Decimal.of("1");
+const $c537 = $Decimal.of("-273.15");
+const $c355 = new Definition($c535, $c536, "K", $c537);
+const $c538 = ["degF", "°F"];
+const $c539 = $Decimal.of("0.5555555555555555555555555556");
+const $c540 = $Decimal.of("-459.67");
+const $c356 = new Definition($c538, $c539, "K", $c540);
+const $c541 = ["%", "percent"];
+const $c542 = $Decimal.of("0.01");
+const $c543 = $Decimal.of("0");
+const $c357 = new Definition($c541, $c542, "", $c543);
+const $c22 = [$c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c543 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c543, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c544, $c545, $c546, $c547];
+const $c544 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c544, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c545, $c546, $c547, $c548];
 const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c552 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c553 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c554 = ["length_coefficient", "secondary_resistance", ""];
-const $c555 = ["start_factor", "start_time", ""];
-const $c36 = [$c552, $c553, $c554, $c555];
+const $c553 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c554 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c555 = ["length_coefficient", "secondary_resistance", ""];
+const $c556 = ["start_factor", "start_time", ""];
+const $c36 = [$c553, $c554, $c555, $c556];
 const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1344 = $made(Quantity, $c142, ["force", $c205]);
-const $c1337 = $made(Entry, $c872, ["entry_tension", $c1344, false, "", "", "entry_tension", ""]);
-const $c1338 = $made(Entry, $c872, ["exit_tension", $c1344, false, "", "", "exit_tension", ""]);
-const $c1345 = $made(Quantity, $c142, ["force", null]);
-const $c1339 = $made(Entry, $c872, ["effective_tension", $c1345, false, "", "", "effective_tension", ""]);
-const $c1346 = $made(Quantity, $c142, ["power", null]);
-const $c1340 = $made(Entry, $c872, ["power", $c1346, false, "", "", "power", ""]);
-const $c1348 = $made(Quantity, $c142, ["force", null]);
-const $c1347 = $made(ByName, $c880, [$c1348, 200]);
-const $c1341 = $made(Entry, $c872, ["run", $c1347, false, "", "", "run", ""]);
-const $c1580 = ["first", "second", "words"];
-const $c1583 = $made(Limit, $c878, ["number", -100.0, 100.0, false, false]);
-const $c1581 = $made(Quantity, $c142, ["number", $c1583]);
-const $c1582 = $made(Quantity, $c142, ["power", null]);
-const $c1350 = $made(Either, $c1580, [$c1581, $c1582, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1349 = $made(Rows, $c911, [$c1350, 1, 10]);
-const $c1342 = $made(Entry, $c872, ["share", $c1349, false, "", "", "share", ""]);
-const $c1352 = $made(SpeedList, [], []);
-const $c1343 = $made(Entry, $c872, ["speeds", $c1352, false, "", "", "speeds", ""]);
-const $c1335 = [$c1337, $c1338, $c1339, $c1340, $c1341, $c1342, $c1343];
-const $c1336 = new Map([["entry_tension", $c1337], ["exit_tension", $c1338], ["effective_tension", $c1339], ["power", $c1340], ["run", $c1341], ["share", $c1342], ["speeds", $c1343]]);
-const $c1334 = $made(tables$Table, $c857, [null, $c1335, $c1336]);
-const $c1333 = $made(Entry, $c872, ["train", $c1334, false, "", "", "train", ""]);
-const $c1331 = [$c1228, $c1229, $c1230, $c1231, $c1232, $c1333];
-const $c1332 = new Map([["name", $c1228], ["description", $c1229], ["kind", $c1230], ["condition", $c1231], ["pulley", $c1232], ["train", $c1333]]);
-const $c1330 = $made(tables$Table, $c857, [null, $c1331, $c1332]);
-const $c1329 = $made(Rows, $c911, [$c1330, 1, 1000]);
-const $c1327 = $made(Entry, $c872, ["load_case", $c1329, false, "", "", "load_case", ""]);
-const $c1359 = $made(Quantity, $c142, ["length", $c198]);
-const $c1358 = $made(Rows, $c911, [$c1359, 1, 10]);
-const $c1356 = $made(Entry, $c872, ["diameters", $c1358, false, "", "", "diameters", ""]);
-const $c1375 = ["converter"];
-const $c1374 = $made(Choice, $c895, [$c1375]);
-const $c1363 = $made(Entry, $c872, ["kind", $c1374, true, "", "", "kind", ""]);
-const $c809 = $made(Limit, $c878, ["power", 0.0, 1000000000.0, true, false]);
-const $c1376 = $made(Quantity, $c142, ["power", $c809]);
-const $c1364 = $made(Entry, $c872, ["rated_power", $c1376, true, "", "", "rated_power", ""]);
-const $c810 = $made(Limit, $c878, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1377 = $made(Quantity, $c142, ["rotation_speed", $c810]);
-const $c1365 = $made(Entry, $c872, ["rated_speed", $c1377, true, "", "", "rated_speed", ""]);
-const $c811 = $made(Limit, $c878, ["number", 0.0, 10000.0, true, false]);
-const $c1378 = $made(Quantity, $c142, ["number", $c811]);
-const $c1366 = $made(Entry, $c872, ["gear_ratio", $c1378, false, "", "", "gear_ratio", ""]);
-const $c812 = $made(Limit, $c878, ["number", 0.05, 1.0, false, false]);
-const $c1379 = $made(Quantity, $c142, ["number", $c812]);
-const $c1367 = $made(Entry, $c872, ["gear_efficiency", $c1379, false, "", "", "gear_efficiency", ""]);
-const $c813 = $made(Limit, $c878, ["number", 0.05, 1.0, false, false]);
-const $c1380 = $made(Quantity, $c142, ["number", $c813]);
-const $c1368 = $made(Entry, $c872, ["motor_efficiency", $c1380, false, "", "", "motor_efficiency", ""]);
-const $c1381 = $made(Count, $c1222, [1, 8]);
-const $c1369 = $made(Entry, $c872, ["count", $c1381, false, "", "", "count", ""]);
-const $c1382 = $made(Flag, [], []);
-const $c1370 = $made(Entry, $c872, ["brakes", $c1382, false, "", "", "brakes", ""]);
-const $c815 = $made(Limit, $c878, ["number", 0.01, 3.0, false, false]);
-const $c1383 = $made(Quantity, $c142, ["number", $c815]);
-const $c1371 = $made(Entry, $c872, ["setting", $c1383, false, "", "", "setting", ""]);
-const $c816 = $made(Limit, $c878, ["number", 0.0, 0.5, false, false]);
-const $c1384 = $made(Quantity, $c142, ["number", $c816]);
-const $c1372 = $made(Entry, $c872, ["droop", $c1384, false, "", "", "droop", ""]);
-const $c817 = $made(Limit, $c878, ["number", 0.0, Infinity, true, true]);
-const $c1386 = $made(Quantity, $c142, ["number", $c817]);
-const $c1385 = $made(WordOr, $c909, ["rigid", $c1386, Infinity]);
-const $c1373 = $made(Entry, $c872, ["torque_limit", $c1385, false, "", "", "torque_limit", ""]);
-const $c1361 = [$c1363, $c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372, $c1373];
-const $c1362 = new Map([["kind", $c1363], ["rated_power", $c1364], ["rated_speed", $c1365], ["gear_ratio", $c1366], ["gear_efficiency", $c1367], ["motor_efficiency", $c1368], ["count", $c1369], ["brakes", $c1370], ["setting", $c1371], ["droop", $c1372], ["torque_limit", $c1373]]);
-const $c796 = $made(tables$Table, $c857, [VariableSpeed, $c1361, $c1362]);
-const $c1399 = ["induction"];
-const $c1398 = $made(Choice, $c895, [$c1399]);
-const $c1389 = $made(Entry, $c872, ["kind", $c1398, true, "", "", "kind", ""]);
-const $c1400 = $made(Quantity, $c142, ["power", $c809]);
-const $c1390 = $made(Entry, $c872, ["rated_power", $c1400, true, "", "", "rated_power", ""]);
-const $c1401 = $made(Quantity, $c142, ["rotation_speed", $c810]);
-const $c1391 = $made(Entry, $c872, ["rated_speed", $c1401, true, "", "", "rated_speed", ""]);
-const $c1402 = $made(Quantity, $c142, ["number", $c811]);
-const $c1392 = $made(Entry, $c872, ["gear_ratio", $c1402, false, "", "", "gear_ratio", ""]);
-const $c1403 = $made(Quantity, $c142, ["number", $c812]);
-const $c1393 = $made(Entry, $c872, ["gear_efficiency", $c1403, false, "", "", "gear_efficiency", ""]);
-const $c1404 = $made(Quantity, $c142, ["number", $c813]);
-const $c1394 = $made(Entry, $c872, ["motor_efficiency", $c1404, false, "", "", "motor_efficiency", ""]);
-const $c1405 = $made(Flag, [], []);
-const $c1395 = $made(Entry, $c872, ["brakes", $c1405, false, "", "", "brakes", ""]);
-const $c1407 = $made(Limit, $c878, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1406 = $made(Quantity, $c142, ["rotation_speed", $c1407]);
-const $c1396 = $made(Entry, $c872, ["synchronous_speed", $c1406, true, "", "", "synchronous_speed", ""]);
-const $c1409 = $made(Limit, $c878, ["number", 1.1, 10.0, false, false]);
-const $c1408 = $made(Quantity, $c142, ["number", $c1409]);
-const $c1397 = $made(Entry, $c872, ["breakdown_ratio", $c1408, false, "", "", "breakdown_ratio", ""]);
-const $c1387 = [$c1389, $c1390, $c1391, $c1392, $c1393, $c1394, $c1369, $c1395, $c1396, $c1397];
-const $c1388 = new Map([["kind", $c1389], ["rated_power", $c1390], ["rated_speed", $c1391], ["gear_ratio", $c1392], ["gear_efficiency", $c1393], ["motor_efficiency", $c1394], ["count", $c1369], ["brakes", $c1395], ["synchronous_speed", $c1396], ["breakdown_ratio", $c1397]]);
-const $c797 = $made(tables$Table, $c857, [Induction, $c1387, $c1388]);
-const $c1424 = ["fluid-coupling"];
-const $c1423 = $made(Choice, $c895, [$c1424]);
-const $c1412 = $made(Entry, $c872, ["kind", $c1423, true, "", "", "kind", ""]);
-const $c1425 = $made(Quantity, $c142, ["power", $c809]);
-const $c1413 = $made(Entry, $c872, ["rated_power", $c1425, true, "", "", "rated_power", ""]);
-const $c1426 = $made(Quantity, $c142, ["rotation_speed", $c810]);
-const $c1414 = $made(Entry, $c872, ["rated_speed", $c1426, true, "", "", "rated_speed", ""]);
-const $c1427 = $made(Quantity, $c142, ["number", $c811]);
-const $c1415 = $made(Entry, $c872, ["gear_ratio", $c1427, false, "", "", "gear_ratio", ""]);
-const $c1428 = $made(Quantity, $c142, ["number", $c812]);
-const $c1416 = $made(Entry, $c872, ["gear_efficiency", $c1428, false, "", "", "gear_efficiency", ""]);
-const $c1429 = $made(Quantity, $c142, ["number", $c813]);
-const $c1417 = $made(Entry, $c872, ["motor_efficiency", $c1429, false, "", "", "motor_efficiency", ""]);
-const $c1430 = $made(Flag, [], []);
-const $c1418 = $made(Entry, $c872, ["brakes", $c1430, false, "", "", "brakes", ""]);
-const $c1431 = $made(Quantity, $c142, ["rotation_speed", $c1407]);
-const $c1419 = $made(Entry, $c872, ["synchronous_speed", $c1431, true, "", "", "synchronous_speed", ""]);
-const $c1432 = $made(Quantity, $c142, ["number", $c1409]);
-const $c1420 = $made(Entry, $c872, ["breakdown_ratio", $c1432, false, "", "", "breakdown_ratio", ""]);
-const $c1435 = $made(Limit, $c878, ["number", 0.0, 10.0, false, false]);
-const $c1434 = $made(Quantity, $c142, ["number", $c1435]);
-const $c1433 = $made(Rows, $c911, [$c1434, 2, 200]);
-const $c1421 = $made(Entry, $c872, ["coupling_load", $c1433, true, "", "", "coupling_load", ""]);
-const $c1422 = $made(Entry, $c872, ["coupling_slip", $c1433, true, "", "", "coupling_slip", ""]);
-const $c1410 = [$c1412, $c1413, $c1414, $c1415, $c1416, $c1417, $c1369, $c1418, $c1419, $c1420, $c1421, $c1422];
-const $c1411 = new Map([["kind", $c1412], ["rated_power", $c1413], ["rated_speed", $c1414], ["gear_ratio", $c1415], ["gear_efficiency", $c1416], ["motor_efficiency", $c1417], ["count", $c1369], ["brakes", $c1418], ["synchronous_speed", $c1419], ["breakdown_ratio", $c1420], ["coupling_load", $c1421], ["coupling_slip", $c1422]]);
-const $c798 = $made(tables$Table, $c857, [FluidCoupling, $c1410, $c1411]);
-const $c1442 = ["follower"];
-const $c1441 = $made(Choice, $c895, [$c1442]);
-const $c1438 = $made(Entry, $c872, ["kind", $c1441, true, "", "", "kind", ""]);
-const $c1443 = $made(Name, $c883, [60]);
-const $c1439 = $made(Entry, $c872, ["master", $c1443, true, "", "", "master", ""]);
-const $c826 = $made(Limit, $c878, ["number", -10.0, 10.0, false, false]);
-const $c1444 = $made(Quantity, $c142, ["number", $c826]);
-const $c1440 = $made(Entry, $c872, ["ratio", $c1444, false, "", "", "ratio", ""]);
-const $c1436 = [$c1438, $c1439, $c1440];
-const $c1437 = new Map([["kind", $c1438], ["master", $c1439], ["ratio", $c1440]]);
-const $c799 = $made(tables$Table, $c857, [TorqueFollower, $c1436, $c1437]);
-const $c95 = new Map([["converter", $c796], ["induction", $c797], ["fluid-coupling", $c798], ["follower", $c799]]);
-const $c96 = $made(Variant, $c1018, ["kind", $c95]);
-const $c1360 = $made(ByName, $c880, [$c96, 200]);
-const $c1357 = $made(Entry, $c872, ["motor", $c1360, false, "", "", "motor", ""]);
-const $c1354 = [$c1337, $c1338, $c1339, $c1340, $c1341, $c1342, $c1343, $c1356, $c1357];
-const $c1355 = new Map([["entry_tension", $c1337], ["exit_tension", $c1338], ["effective_tension", $c1339], ["power", $c1340], ["run", $c1341], ["share", $c1342], ["speeds", $c1343], ["diameters", $c1356], ["motor", $c1357]]);
-const $c1353 = $made(tables$Table, $c857, [null, $c1354, $c1355]);
-const $c1328 = $made(Entry, $c872, ["train", $c1353, false, "", "", "train", ""]);
-const $c1325 = [$c860, $c861, $c862, $c863, $c864, $c865, $c866, $c867, $c1327, $c869, $c544, $c545, $c546, $c547, $c1328, $c871];
-const $c1326 = new Map([["format", $c860], ["title", $c861], ["description", $c862], ["creep_limit", $c863], ["condition", $c864], ["belt", $c865], ["pulley", $c866], ["lagging", $c867], ["load_case", $c1327], ["conveyor", $c869], ["take_up", $c544], ["design_standard", $c545], ["safety_factor", $c546], ["sag", $c547], ["train", $c1328], ["motion", $c871]]);
-const $c38 = $made(tables$Table, $c857, [Drive, $c1325, $c1326]);
+const $c1345 = $made(Quantity, $c143, ["force", $c206]);
+const $c1338 = $made(Entry, $c876, ["entry_tension", $c1345, false, "", "", "entry_tension", ""]);
+const $c1339 = $made(Entry, $c876, ["exit_tension", $c1345, false, "", "", "exit_tension", ""]);
+const $c1346 = $made(Quantity, $c143, ["force", null]);
+const $c1340 = $made(Entry, $c876, ["effective_tension", $c1346, false, "", "", "effective_tension", ""]);
+const $c1347 = $made(Quantity, $c143, ["power", null]);
+const $c1341 = $made(Entry, $c876, ["power", $c1347, false, "", "", "power", ""]);
+const $c1349 = $made(Quantity, $c143, ["force", null]);
+const $c1348 = $made(ByName, $c884, [$c1349, 200]);
+const $c1342 = $made(Entry, $c876, ["run", $c1348, false, "", "", "run", ""]);
+const $c1581 = ["first", "second", "words"];
+const $c1584 = $made(Limit, $c882, ["number", -100.0, 100.0, false, false]);
+const $c1582 = $made(Quantity, $c143, ["number", $c1584]);
+const $c1583 = $made(Quantity, $c143, ["power", null]);
+const $c1351 = $made(Either, $c1581, [$c1582, $c1583, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1350 = $made(Rows, $c915, [$c1351, 1, 10]);
+const $c1343 = $made(Entry, $c876, ["share", $c1350, false, "", "", "share", ""]);
+const $c1353 = $made(SpeedList, [], []);
+const $c1344 = $made(Entry, $c876, ["speeds", $c1353, false, "", "", "speeds", ""]);
+const $c1336 = [$c1338, $c1339, $c1340, $c1341, $c1342, $c1343, $c1344];
+const $c1337 = new Map([["entry_tension", $c1338], ["exit_tension", $c1339], ["effective_tension", $c1340], ["power", $c1341], ["run", $c1342], ["share", $c1343], ["speeds", $c1344]]);
+const $c1335 = $made(tables$Table, $c861, [null, $c1336, $c1337]);
+const $c1334 = $made(Entry, $c876, ["train", $c1335, false, "", "", "train", ""]);
+const $c1332 = [$c1229, $c1230, $c1231, $c1232, $c1233, $c1334];
+const $c1333 = new Map([["name", $c1229], ["description", $c1230], ["kind", $c1231], ["condition", $c1232], ["pulley", $c1233], ["train", $c1334]]);
+const $c1331 = $made(tables$Table, $c861, [null, $c1332, $c1333]);
+const $c1330 = $made(Rows, $c915, [$c1331, 1, 1000]);
+const $c1328 = $made(Entry, $c876, ["load_case", $c1330, false, "", "", "load_case", ""]);
+const $c1360 = $made(Quantity, $c143, ["length", $c199]);
+const $c1359 = $made(Rows, $c915, [$c1360, 1, 10]);
+const $c1357 = $made(Entry, $c876, ["diameters", $c1359, false, "", "", "diameters", ""]);
+const $c1376 = ["converter"];
+const $c1375 = $made(Choice, $c899, [$c1376]);
+const $c1364 = $made(Entry, $c876, ["kind", $c1375, true, "", "", "kind", ""]);
+const $c814 = $made(Limit, $c882, ["power", 0.0, 1000000000.0, true, false]);
+const $c1377 = $made(Quantity, $c143, ["power", $c814]);
+const $c1365 = $made(Entry, $c876, ["rated_power", $c1377, true, "", "", "rated_power", ""]);
+const $c815 = $made(Limit, $c882, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1378 = $made(Quantity, $c143, ["rotation_speed", $c815]);
+const $c1366 = $made(Entry, $c876, ["rated_speed", $c1378, true, "", "", "rated_speed", ""]);
+const $c816 = $made(Limit, $c882, ["number", 0.0, 10000.0, true, false]);
+const $c1379 = $made(Quantity, $c143, ["number", $c816]);
+const $c1367 = $made(Entry, $c876, ["gear_ratio", $c1379, false, "", "", "gear_ratio", ""]);
+const $c817 = $made(Limit, $c882, ["number", 0.05, 1.0, false, false]);
+const $c1380 = $made(Quantity, $c143, ["number", $c817]);
+const $c1368 = $made(Entry, $c876, ["gear_efficiency", $c1380, false, "", "", "gear_efficiency", ""]);
+const $c818 = $made(Limit, $c882, ["number", 0.05, 1.0, false, false]);
+const $c1381 = $made(Quantity, $c143, ["number", $c818]);
+const $c1369 = $made(Entry, $c876, ["motor_efficiency", $c1381, false, "", "", "motor_efficiency", ""]);
+const $c1382 = $made(Count, $c1223, [1, 8]);
+const $c1370 = $made(Entry, $c876, ["count", $c1382, false, "", "", "count", ""]);
+const $c1383 = $made(Flag, [], []);
+const $c1371 = $made(Entry, $c876, ["brakes", $c1383, false, "", "", "brakes", ""]);
+const $c820 = $made(Limit, $c882, ["number", 0.01, 3.0, false, false]);
+const $c1384 = $made(Quantity, $c143, ["number", $c820]);
+const $c1372 = $made(Entry, $c876, ["setting", $c1384, false, "", "", "setting", ""]);
+const $c821 = $made(Limit, $c882, ["number", 0.0, 0.5, false, false]);
+const $c1385 = $made(Quantity, $c143, ["number", $c821]);
+const $c1373 = $made(Entry, $c876, ["droop", $c1385, false, "", "", "droop", ""]);
+const $c822 = $made(Limit, $c882, ["number", 0.0, Infinity, true, true]);
+const $c1387 = $made(Quantity, $c143, ["number", $c822]);
+const $c1386 = $made(WordOr, $c913, ["rigid", $c1387, Infinity]);
+const $c1374 = $made(Entry, $c876, ["torque_limit", $c1386, false, "", "", "torque_limit", ""]);
+const $c1362 = [$c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372, $c1373, $c1374];
+const $c1363 = new Map([["kind", $c1364], ["rated_power", $c1365], ["rated_speed", $c1366], ["gear_ratio", $c1367], ["gear_efficiency", $c1368], ["motor_efficiency", $c1369], ["count", $c1370], ["brakes", $c1371], ["setting", $c1372], ["droop", $c1373], ["torque_limit", $c1374]]);
+const $c801 = $made(tables$Table, $c861, [VariableSpeed, $c1362, $c1363]);
+const $c1400 = ["induction"];
+const $c1399 = $made(Choice, $c899, [$c1400]);
+const $c1390 = $made(Entry, $c876, ["kind", $c1399, true, "", "", "kind", ""]);
+const $c1401 = $made(Quantity, $c143, ["power", $c814]);
+const $c1391 = $made(Entry, $c876, ["rated_power", $c1401, true, "", "", "rated_power", ""]);
+const $c1402 = $made(Quantity, $c143, ["rotation_speed", $c815]);
+const $c1392 = $made(Entry, $c876, ["rated_speed", $c1402, true, "", "", "rated_speed", ""]);
+const $c1403 = $made(Quantity, $c143, ["number", $c816]);
+const $c1393 = $made(Entry, $c876, ["gear_ratio", $c1403, false, "", "", "gear_ratio", ""]);
+const $c1404 = $made(Quantity, $c143, ["number", $c817]);
+const $c1394 = $made(Entry, $c876, ["gear_efficiency", $c1404, false, "", "", "gear_efficiency", ""]);
+const $c1405 = $made(Quantity, $c143, ["number", $c818]);
+const $c1395 = $made(Entry, $c876, ["motor_efficiency", $c1405, false, "", "", "motor_efficiency", ""]);
+const $c1406 = $made(Flag, [], []);
+const $c1396 = $made(Entry, $c876, ["brakes", $c1406, false, "", "", "brakes", ""]);
+const $c1408 = $made(Limit, $c882, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1407 = $made(Quantity, $c143, ["rotation_speed", $c1408]);
+const $c1397 = $made(Entry, $c876, ["synchronous_speed", $c1407, true, "", "", "synchronous_speed", ""]);
+const $c1410 = $made(Limit, $c882, ["number", 1.1, 10.0, false, false]);
+const $c1409 = $made(Quantity, $c143, ["number", $c1410]);
+const $c1398 = $made(Entry, $c876, ["breakdown_ratio", $c1409, false, "", "", "breakdown_ratio", ""]);
+const $c1388 = [$c1390, $c1391, $c1392, $c1393, $c1394, $c1395, $c1370, $c1396, $c1397, $c1398];
+const $c1389 = new Map([["kind", $c1390], ["rated_power", $c1391], ["rated_speed", $c1392], ["gear_ratio", $c1393], ["gear_efficiency", $c1394], ["motor_efficiency", $c1395], ["count", $c1370], ["brakes", $c1396], ["synchronous_speed", $c1397], ["breakdown_ratio", $c1398]]);
+const $c802 = $made(tables$Table, $c861, [Induction, $c1388, $c1389]);
+const $c1425 = ["fluid-coupling"];
+const $c1424 = $made(Choice, $c899, [$c1425]);
+const $c1413 = $made(Entry, $c876, ["kind", $c1424, true, "", "", "kind", ""]);
+const $c1426 = $made(Quantity, $c143, ["power", $c814]);
+const $c1414 = $made(Entry, $c876, ["rated_power", $c1426, true, "", "", "rated_power", ""]);
+const $c1427 = $made(Quantity, $c143, ["rotation_speed", $c815]);
+const $c1415 = $made(Entry, $c876, ["rated_speed", $c1427, true, "", "", "rated_speed", ""]);
+const $c1428 = $made(Quantity, $c143, ["number", $c816]);
+const $c1416 = $made(Entry, $c876, ["gear_ratio", $c1428, false, "", "", "gear_ratio", ""]);
+const $c1429 = $made(Quantity, $c143, ["number", $c817]);
+const $c1417 = $made(Entry, $c876, ["gear_efficiency", $c1429, false, "", "", "gear_efficiency", ""]);
+const $c1430 = $made(Quantity, $c143, ["number", $c818]);
+const $c1418 = $made(Entry, $c876, ["motor_efficiency", $c1430, false, "", "", "motor_efficiency", ""]);
+const $c1431 = $made(Flag, [], []);
+const $c1419 = $made(Entry, $c876, ["brakes", $c1431, false, "", "", "brakes", ""]);
+const $c1432 = $made(Quantity, $c143, ["rotation_speed", $c1408]);
+const $c1420 = $made(Entry, $c876, ["synchronous_speed", $c1432, true, "", "", "synchronous_speed", ""]);
+const $c1433 = $made(Quantity, $c143, ["number", $c1410]);
+const $c1421 = $made(Entry, $c876, ["breakdown_ratio", $c1433, false, "", "", "breakdown_ratio", ""]);
+const $c1436 = $made(Limit, $c882, ["number", 0.0, 10.0, false, false]);
+const $c1435 = $made(Quantity, $c143, ["number", $c1436]);
+const $c1434 = $made(Rows, $c915, [$c1435, 2, 200]);
+const $c1422 = $made(Entry, $c876, ["coupling_load", $c1434, true, "", "", "coupling_load", ""]);
+const $c1423 = $made(Entry, $c876, ["coupling_slip", $c1434, true, "", "", "coupling_slip", ""]);
+const $c1411 = [$c1413, $c1414, $c1415, $c1416, $c1417, $c1418, $c1370, $c1419, $c1420, $c1421, $c1422, $c1423];
+const $c1412 = new Map([["kind", $c1413], ["rated_power", $c1414], ["rated_speed", $c1415], ["gear_ratio", $c1416], ["gear_efficiency", $c1417], ["motor_efficiency", $c1418], ["count", $c1370], ["brakes", $c1419], ["synchronous_speed", $c1420], ["breakdown_ratio", $c1421], ["coupling_load", $c1422], ["coupling_slip", $c1423]]);
+const $c803 = $made(tables$Table, $c861, [FluidCoupling, $c1411, $c1412]);
+const $c1443 = ["follower"];
+const $c1442 = $made(Choice, $c899, [$c1443]);
+const $c1439 = $made(Entry, $c876, ["kind", $c1442, true, "", "", "kind", ""]);
+const $c1444 = $made(Name, $c887, [60]);
+const $c1440 = $made(Entry, $c876, ["master", $c1444, true, "", "", "master", ""]);
+const $c831 = $made(Limit, $c882, ["number", -10.0, 10.0, false, false]);
+const $c1445 = $made(Quantity, $c143, ["number", $c831]);
+const $c1441 = $made(Entry, $c876, ["ratio", $c1445, false, "", "", "ratio", ""]);
+const $c1437 = [$c1439, $c1440, $c1441];
+const $c1438 = new Map([["kind", $c1439], ["master", $c1440], ["ratio", $c1441]]);
+const $c804 = $made(tables$Table, $c861, [TorqueFollower, $c1437, $c1438]);
+const $c96 = new Map([["converter", $c801], ["induction", $c802], ["fluid-coupling", $c803], ["follower", $c804]]);
+const $c97 = $made(Variant, $c1018, ["kind", $c96]);
+const $c1361 = $made(ByName, $c884, [$c97, 200]);
+const $c1358 = $made(Entry, $c876, ["motor", $c1361, false, "", "", "motor", ""]);
+const $c1355 = [$c1338, $c1339, $c1340, $c1341, $c1342, $c1343, $c1344, $c1357, $c1358];
+const $c1356 = new Map([["entry_tension", $c1338], ["exit_tension", $c1339], ["effective_tension", $c1340], ["power", $c1341], ["run", $c1342], ["share", $c1343], ["speeds", $c1344], ["diameters", $c1357], ["motor", $c1358]]);
+const $c1354 = $made(tables$Table, $c861, [null, $c1355, $c1356]);
+const $c1329 = $made(Entry, $c876, ["train", $c1354, false, "", "", "train", ""]);
+const $c1326 = [$c864, $c865, $c866, $c867, $c868, $c869, $c870, $c871, $c1328, $c873, $c545, $c546, $c547, $c548, $c1329, $c875];
+const $c1327 = new Map([["format", $c864], ["title", $c865], ["description", $c866], ["creep_limit", $c867], ["condition", $c868], ["belt", $c869], ["pulley", $c870], ["lagging", $c871], ["load_case", $c1328], ["conveyor", $c873], ["take_up", $c545], ["design_standard", $c546], ["safety_factor", $c547], ["sag", $c548], ["train", $c1329], ["motion", $c875]]);
+const $c38 = $made(tables$Table, $c861, [Drive, $c1326, $c1327]);
 const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c42 = ["illustrative", "calibrated", "estimated"];
 const $c43 = new WeakMap();
-const $c583 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
-const $c556 = $made(Rule, $c583, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
-const $c557 = $made(Rule, $c583, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
-const $c558 = $made(Rule, $c583, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
-const $c559 = $made(Rule, $c583, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
-const $c560 = $made(Rule, $c583, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
-const $c561 = $made(Rule, $c583, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
-const $c562 = $made(Rule, $c583, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
-const $c563 = $made(Rule, $c583, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
-const $c564 = $made(Rule, $c583, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
-const $c565 = $made(Rule, $c583, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c566 = $made(Rule, $c583, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c567 = $made(Rule, $c583, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
-const $c568 = $made(Rule, $c583, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
-const $c569 = $made(Rule, $c583, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
-const $c570 = $made(Rule, $c583, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
-const $c571 = $made(Rule, $c583, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
-const $c572 = $made(Rule, $c583, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
-const $c573 = $made(Rule, $c583, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c574 = $made(Rule, $c583, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
-const $c575 = $made(Rule, $c583, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
-const $c576 = $made(Rule, $c583, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
-const $c577 = $made(Rule, $c583, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
-const $c578 = $made(Rule, $c583, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
-const $c579 = $made(Rule, $c583, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
-const $c580 = $made(Rule, $c583, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
-const $c581 = $made(Rule, $c583, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
-const $c582 = $made(Rule, $c583, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c44 = new Map([["gross_slip", $c556], ["design_standard", $c557], ["creep", $c558], ["cover_creep", $c559], ["creep_interval", $c560], ["belt_tension", $c561], ["momentary_tension", $c562], ["belt_safety", $c563], ["face_pressure", $c564], ["bond_stress", $c565], ["fatigue_stress", $c566], ["tested_pressure_max", $c567], ["tested_pressure_min", $c568], ["condition", $c569], ["fit", $c570], ["tested_slip", $c571], ["tested_slip_speed", $c572], ["balance", $c573], ["sag", $c574], ["taut", $c575], ["pulley_diameter", $c576], ["belt_thickness", $c577], ["usual_sizes", $c578], ["motor_load", $c579], ["momentary_load", $c580], ["motor_heat", $c581], ["train_balance", $c582]]);
+const $c584 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+const $c557 = $made(Rule, $c584, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
+const $c558 = $made(Rule, $c584, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
+const $c559 = $made(Rule, $c584, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
+const $c560 = $made(Rule, $c584, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
+const $c561 = $made(Rule, $c584, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
+const $c562 = $made(Rule, $c584, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
+const $c563 = $made(Rule, $c584, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
+const $c564 = $made(Rule, $c584, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
+const $c565 = $made(Rule, $c584, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
+const $c566 = $made(Rule, $c584, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c567 = $made(Rule, $c584, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c568 = $made(Rule, $c584, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
+const $c569 = $made(Rule, $c584, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
+const $c570 = $made(Rule, $c584, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
+const $c571 = $made(Rule, $c584, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
+const $c572 = $made(Rule, $c584, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
+const $c573 = $made(Rule, $c584, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
+const $c574 = $made(Rule, $c584, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c575 = $made(Rule, $c584, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
+const $c576 = $made(Rule, $c584, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
+const $c577 = $made(Rule, $c584, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
+const $c578 = $made(Rule, $c584, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
+const $c579 = $made(Rule, $c584, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
+const $c580 = $made(Rule, $c584, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
+const $c581 = $made(Rule, $c584, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
+const $c582 = $made(Rule, $c584, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
+const $c583 = $made(Rule, $c584, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c44 = new Map([["gross_slip", $c557], ["design_standard", $c558], ["creep", $c559], ["cover_creep", $c560], ["creep_interval", $c561], ["belt_tension", $c562], ["momentary_tension", $c563], ["belt_safety", $c564], ["face_pressure", $c565], ["bond_stress", $c566], ["fatigue_stress", $c567], ["tested_pressure_max", $c568], ["tested_pressure_min", $c569], ["condition", $c570], ["fit", $c571], ["tested_slip", $c572], ["tested_slip_speed", $c573], ["balance", $c574], ["sag", $c575], ["taut", $c576], ["pulley_diameter", $c577], ["belt_thickness", $c578], ["usual_sizes", $c579], ["motor_load", $c580], ["momentary_load", $c581], ["motor_heat", $c582], ["train_balance", $c583]]);
 const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
 const $c46 = ["Speed"];
 const $c47 = ["Motor"];
-const $c584 = ["by creep", "The belt slides (creep of {slides})"];
-const $c585 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
-const $c586 = ["by the largest friction", "The friction of the whole wrap is used up"];
-const $c48 = new Map([[0, $c584], [1, $c585], [2, $c586]]);
-const $c589 = [180.0, 1.2];
-const $c590 = [200.0, 1.0];
-const $c591 = [210.0, 1.0];
-const $c592 = [220.0, 0.9];
-const $c593 = [240.0, 0.8];
-const $c587 = [$c589, $c590, $c591, $c592, $c593];
-const $c594 = [180.0, 0.8];
-const $c595 = [200.0, 0.7];
-const $c596 = [210.0, 0.7];
-const $c597 = [220.0, 0.6];
-const $c598 = [240.0, 0.6];
-const $c588 = [$c594, $c595, $c596, $c597, $c598];
-const $c49 = new Map([["bare", $c587], ["lagged", $c588]]);
-const $c620 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c621 = [0.25, 0.25];
-const $c622 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c599 = $made(DesignFriction, $c620, ["CEMA", "bare", "", $c621, $c622]);
-const $c623 = [0.35, 0.35];
-const $c624 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c600 = $made(DesignFriction, $c620, ["CEMA", "rubber", "", $c623, $c624]);
-const $c625 = [0.5, 0.5];
-const $c626 = $made(Provenance, $c543, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c601 = $made(DesignFriction, $c620, ["CEMA", "ceramic", "", $c625, $c626]);
-const $c627 = [0.35, 0.4];
-const $c628 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c602 = $made(DesignFriction, $c620, ["DIN 22101", "bare", "dry", $c627, $c628]);
-const $c629 = [0.1, 0.1];
-const $c630 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c603 = $made(DesignFriction, $c620, ["DIN 22101", "bare", "wet", $c629, $c630]);
-const $c631 = [0.05, 0.1];
-const $c632 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c604 = $made(DesignFriction, $c620, ["DIN 22101", "bare", "wet and dirty", $c631, $c632]);
-const $c633 = [0.4, 0.45];
-const $c634 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c605 = $made(DesignFriction, $c620, ["DIN 22101", "rubber", "dry", $c633, $c634]);
-const $c635 = [0.35, 0.35];
-const $c636 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c606 = $made(DesignFriction, $c620, ["DIN 22101", "rubber", "wet", $c635, $c636]);
-const $c637 = [0.25, 0.3];
-const $c638 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c607 = $made(DesignFriction, $c620, ["DIN 22101", "rubber", "wet and dirty", $c637, $c638]);
-const $c639 = [0.35, 0.4];
-const $c640 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c608 = $made(DesignFriction, $c620, ["DIN 22101", "polyurethane", "dry", $c639, $c640]);
-const $c641 = [0.35, 0.35];
-const $c642 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c609 = $made(DesignFriction, $c620, ["DIN 22101", "polyurethane", "wet", $c641, $c642]);
-const $c643 = [0.2, 0.2];
-const $c644 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c610 = $made(DesignFriction, $c620, ["DIN 22101", "polyurethane", "wet and dirty", $c643, $c644]);
-const $c645 = [0.4, 0.45];
-const $c646 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c611 = $made(DesignFriction, $c620, ["DIN 22101", "ceramic", "dry", $c645, $c646]);
-const $c647 = [0.35, 0.4];
-const $c648 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c612 = $made(DesignFriction, $c620, ["DIN 22101", "ceramic", "wet", $c647, $c648]);
-const $c649 = [0.35, 0.35];
-const $c650 = $made(Provenance, $c543, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c613 = $made(DesignFriction, $c620, ["DIN 22101", "ceramic", "wet and dirty", $c649, $c650]);
-const $c651 = [0.35, 0.35];
-const $c652 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c614 = $made(DesignFriction, $c620, ["practice", "rubber", "dry", $c651, $c652]);
-const $c653 = [0.35, 0.35];
-const $c654 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c615 = $made(DesignFriction, $c620, ["practice", "rubber", "wet", $c653, $c654]);
-const $c655 = [0.3, 0.3];
-const $c656 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c616 = $made(DesignFriction, $c620, ["practice", "rubber", "wet and dirty", $c655, $c656]);
-const $c657 = [0.8, 0.8];
-const $c658 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c617 = $made(DesignFriction, $c620, ["practice", "ceramic", "dry", $c657, $c658]);
-const $c659 = [0.45, 0.45];
-const $c660 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c618 = $made(DesignFriction, $c620, ["practice", "ceramic", "wet", $c659, $c660]);
-const $c661 = [0.35, 0.35];
-const $c662 = $made(Provenance, $c543, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c619 = $made(DesignFriction, $c620, ["practice", "ceramic", "wet and dirty", $c661, $c662]);
-const $c50 = [$c599, $c600, $c601, $c602, $c603, $c604, $c605, $c606, $c607, $c608, $c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619];
+const $c585 = ["by creep", "The belt slides (creep of {slides})"];
+const $c586 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c587 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c48 = new Map([[0, $c585], [1, $c586], [2, $c587]]);
+const $c590 = [180.0, 1.2];
+const $c591 = [200.0, 1.0];
+const $c592 = [210.0, 1.0];
+const $c593 = [220.0, 0.9];
+const $c594 = [240.0, 0.8];
+const $c588 = [$c590, $c591, $c592, $c593, $c594];
+const $c595 = [180.0, 0.8];
+const $c596 = [200.0, 0.7];
+const $c597 = [210.0, 0.7];
+const $c598 = [220.0, 0.6];
+const $c599 = [240.0, 0.6];
+const $c589 = [$c595, $c596, $c597, $c598, $c599];
+const $c49 = new Map([["bare", $c588], ["lagged", $c589]]);
+const $c621 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c622 = [0.25, 0.25];
+const $c623 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c600 = $made(DesignFriction, $c621, ["CEMA", "bare", "", $c622, $c623]);
+const $c624 = [0.35, 0.35];
+const $c625 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c601 = $made(DesignFriction, $c621, ["CEMA", "rubber", "", $c624, $c625]);
+const $c626 = [0.5, 0.5];
+const $c627 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c602 = $made(DesignFriction, $c621, ["CEMA", "ceramic", "", $c626, $c627]);
+const $c628 = [0.35, 0.4];
+const $c629 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c603 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "dry", $c628, $c629]);
+const $c630 = [0.1, 0.1];
+const $c631 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c604 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "wet", $c630, $c631]);
+const $c632 = [0.05, 0.1];
+const $c633 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c605 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "wet and dirty", $c632, $c633]);
+const $c634 = [0.4, 0.45];
+const $c635 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c606 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "dry", $c634, $c635]);
+const $c636 = [0.35, 0.35];
+const $c637 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c607 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "wet", $c636, $c637]);
+const $c638 = [0.25, 0.3];
+const $c639 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c608 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "wet and dirty", $c638, $c639]);
+const $c640 = [0.35, 0.4];
+const $c641 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c609 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "dry", $c640, $c641]);
+const $c642 = [0.35, 0.35];
+const $c643 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c610 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "wet", $c642, $c643]);
+const $c644 = [0.2, 0.2];
+const $c645 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c611 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "wet and dirty", $c644, $c645]);
+const $c646 = [0.4, 0.45];
+const $c647 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c612 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "dry", $c646, $c647]);
+const $c648 = [0.35, 0.4];
+const $c649 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c613 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "wet", $c648, $c649]);
+const $c650 = [0.35, 0.35];
+const $c651 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c614 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "wet and dirty", $c650, $c651]);
+const $c652 = [0.35, 0.35];
+const $c653 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c615 = $made(DesignFriction, $c621, ["practice", "rubber", "dry", $c652, $c653]);
+const $c654 = [0.35, 0.35];
+const $c655 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c616 = $made(DesignFriction, $c621, ["practice", "rubber", "wet", $c654, $c655]);
+const $c656 = [0.3, 0.3];
+const $c657 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c617 = $made(DesignFriction, $c621, ["practice", "rubber", "wet and dirty", $c656, $c657]);
+const $c658 = [0.8, 0.8];
+const $c659 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c618 = $made(DesignFriction, $c621, ["practice", "ceramic", "dry", $c658, $c659]);
+const $c660 = [0.45, 0.45];
+const $c661 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c619 = $made(DesignFriction, $c621, ["practice", "ceramic", "wet", $c660, $c661]);
+const $c662 = [0.35, 0.35];
+const $c663 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c620 = $made(DesignFriction, $c621, ["practice", "ceramic", "wet and dirty", $c662, $c663]);
+const $c50 = [$c600, $c601, $c602, $c603, $c604, $c605, $c606, $c607, $c608, $c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620];
 const $c51 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $c52 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
 const $c53 = ["Transition", "GrippingPulley"];
-const $c678 = [1.0, 2.0];
-const $c679 = [5000.0, 5000000.0];
-const $c680 = [0.0004, 0.025];
-const $c681 = [0.0004, 0.035];
-const $c682 = [0.0004, 0.03];
-const $c683 = [0.0015, 0.06];
-const $c684 = [300000.0, 5000000.0];
-const $c663 = new Map([["momentary_factor", $c678], ["in_plane_shear_stiffness", $c679], ["pulley_cover", $c680], ["carry_cover", $c681], ["carcass", $c682], ["thickness", $c683], ["cover_shear_modulus", $c684]]);
-const $c685 = [0.2, 8.0];
-const $c664 = new Map([["sheave_ratio", $c685]]);
-const $c686 = [0.1, 0.9];
-const $c687 = [1.0, 2.5];
-const $c665 = new Map([["friction", $c686], ["start_factor", $c687]]);
-const $c688 = [1.05, 6.0];
-const $c689 = [1.0, 4.0];
-const $c666 = new Map([["running", $c688], ["starting", $c689], ["braking", $c689]]);
-const $c690 = [0.3, 8.0];
-const $c691 = [1.0, 3000.0];
-const $c692 = [0.002, 0.05];
-const $c667 = new Map([["spacing", $c690], ["line_mass", $c691], ["share", $c692]]);
-const $c693 = [1.0, 9.5];
-const $c694 = [1.05, 2.5];
-const $c668 = new Map([["length_coefficient", $c693], ["start_factor", $c694]]);
-const $c695 = [300000.0, 100000000.0];
-const $c696 = [1e-13, 1e-08];
-const $c697 = [0.01, 1.0];
-const $c669 = new Map([["elastic_modulus", $c695], ["wear_coefficient", $c696], ["belt_energy_share", $c697]]);
-const $c698 = [0.002, 0.5];
-const $c699 = [0.0005, 0.06];
-const $c700 = [0.1, 4.0];
-const $c701 = [0.15, 1.0];
-const $c670 = new Map([["width", $c698], ["height", $c699], ["stiffening", $c700], ["contact_fraction", $c701]]);
-const $c702 = [0.05, 200.0];
-const $c671 = new Map([["area", $c702]]);
-const $c703 = [0.05, 1.3];
-const $c672 = new Map([["factor", $c703]]);
-const $c704 = [0.3, 500.0];
-const $c673 = new Map([["distance", $c704]]);
-const $c705 = [0.2, 20.0];
-const $c706 = [0.08726646259971647, 1.2217304763960306];
-const $c707 = [0.05, 2.0];
-const $c674 = new Map([["length", $c705], ["trough_angle", $c706], ["centre_roll", $c707]]);
-const $c708 = [-0.01, 0.01];
-const $c709 = [-0.005, 0.005];
-const $c675 = new Map([["misalignment", $c708], ["deflection", $c709]]);
-const $c710 = [1.0, 250.0];
-const $c711 = [0.6, 1.0];
-const $c712 = [0.5, 1.0];
-const $c713 = [0.001, 0.15];
-const $c714 = [0.8, 4.0];
-const $c715 = [1.5, 5.0];
-const $c676 = new Map([["gear_ratio", $c710], ["gear_efficiency", $c711], ["motor_efficiency", $c712], ["droop", $c713], ["torque_limit", $c714], ["breakdown_ratio", $c715]]);
-const $c716 = [0.1, 5.0];
-const $c677 = new Map([["ratio", $c716]]);
-const $c54 = new Map([["Belt", $c663], ["TakeUp", $c664], ["DesignStandard", $c665], ["SafetyFactors", $c666], ["Sag", $c667], ["Conveyor", $c668], ["Lagging", $c669], ["Block", $c670], ["Cost", $c671], ["ConditionFactor", $c672], ["GrippingPulley", $c673], ["Transition", $c674], ["Across", $c675], ["Motor", $c676], ["TorqueFollower", $c677]]);
-const $c717 = ["mm", "m", "cm", "in", "ft"];
-const $c718 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c719 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c720 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c721 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c722 = ["deg", "rad"];
-const $c723 = ["kW", "W", "hp", "MW"];
-const $c724 = ["t", "kg", "g"];
-const $c725 = ["kg/m", "g/m", "t/m"];
-const $c726 = ["t/h", "kg/s", "kg/h"];
-const $c727 = ["kg m2", "t m2", "kg cm2"];
-const $c728 = ["kN m", "N m", "MN m"];
-const $c729 = ["s", "min", "ms", "h"];
-const $c55 = new Map([["length", $c717], ["force", $c718], ["force_per_width", $c719], ["pressure", $c720], ["speed", $c721], ["angle", $c722], ["power", $c723], ["mass", $c724], ["mass_per_length", $c725], ["mass_flow", $c726], ["moment_of_inertia", $c727], ["torque", $c728], ["time", $c729]]);
+const $c679 = [1.0, 2.0];
+const $c680 = [5000.0, 5000000.0];
+const $c681 = [0.0004, 0.025];
+const $c682 = [0.0004, 0.035];
+const $c683 = [0.0004, 0.03];
+const $c684 = [0.0015, 0.06];
+const $c685 = [300000.0, 5000000.0];
+const $c664 = new Map([["momentary_factor", $c679], ["in_plane_shear_stiffness", $c680], ["pulley_cover", $c681], ["carry_cover", $c682], ["carcass", $c683], ["thickness", $c684], ["cover_shear_modulus", $c685]]);
+const $c686 = [0.2, 8.0];
+const $c665 = new Map([["sheave_ratio", $c686]]);
+const $c687 = [0.1, 0.9];
+const $c688 = [1.0, 2.5];
+const $c666 = new Map([["friction", $c687], ["start_factor", $c688]]);
+const $c689 = [1.05, 6.0];
+const $c690 = [1.0, 4.0];
+const $c667 = new Map([["running", $c689], ["starting", $c690], ["braking", $c690]]);
+const $c691 = [0.3, 8.0];
+const $c692 = [1.0, 3000.0];
+const $c693 = [0.002, 0.05];
+const $c668 = new Map([["spacing", $c691], ["line_mass", $c692], ["share", $c693]]);
+const $c694 = [1.0, 9.5];
+const $c695 = [1.05, 2.5];
+const $c669 = new Map([["length_coefficient", $c694], ["start_factor", $c695]]);
+const $c696 = [300000.0, 100000000.0];
+const $c697 = [1e-14, 1e-10];
+const $c698 = [0.01, 1.0];
+const $c670 = new Map([["elastic_modulus", $c696], ["wear_coefficient", $c697], ["belt_energy_share", $c698]]);
+const $c699 = [0.002, 0.5];
+const $c700 = [0.0005, 0.06];
+const $c701 = [0.1, 4.0];
+const $c702 = [0.15, 1.0];
+const $c671 = new Map([["width", $c699], ["height", $c700], ["stiffening", $c701], ["contact_fraction", $c702]]);
+const $c703 = [0.05, 200.0];
+const $c672 = new Map([["area", $c703]]);
+const $c704 = [0.05, 1.3];
+const $c673 = new Map([["factor", $c704]]);
+const $c705 = [0.3, 500.0];
+const $c674 = new Map([["distance", $c705]]);
+const $c706 = [0.2, 20.0];
+const $c707 = [0.08726646259971647, 1.2217304763960306];
+const $c708 = [0.05, 2.0];
+const $c675 = new Map([["length", $c706], ["trough_angle", $c707], ["centre_roll", $c708]]);
+const $c709 = [-0.01, 0.01];
+const $c710 = [-0.005, 0.005];
+const $c676 = new Map([["misalignment", $c709], ["deflection", $c710]]);
+const $c711 = [1.0, 250.0];
+const $c712 = [0.6, 1.0];
+const $c713 = [0.5, 1.0];
+const $c714 = [0.001, 0.15];
+const $c715 = [0.8, 4.0];
+const $c716 = [1.5, 5.0];
+const $c677 = new Map([["gear_ratio", $c711], ["gear_efficiency", $c712], ["motor_efficiency", $c713], ["droop", $c714], ["torque_limit", $c715], ["breakdown_ratio", $c716]]);
+const $c717 = [0.1, 5.0];
+const $c678 = new Map([["ratio", $c717]]);
+const $c54 = new Map([["Belt", $c664], ["TakeUp", $c665], ["DesignStandard", $c666], ["SafetyFactors", $c667], ["Sag", $c668], ["Conveyor", $c669], ["Lagging", $c670], ["Block", $c671], ["Cost", $c672], ["ConditionFactor", $c673], ["GrippingPulley", $c674], ["Transition", $c675], ["Across", $c676], ["Motor", $c677], ["TorqueFollower", $c678]]);
+const $c718 = ["mm", "m", "cm", "in", "ft"];
+const $c719 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c720 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c721 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c722 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c723 = ["deg", "rad"];
+const $c724 = ["kW", "W", "hp", "MW"];
+const $c725 = ["t", "kg", "g"];
+const $c726 = ["kg/m", "g/m", "t/m"];
+const $c727 = ["t/h", "kg/s", "kg/h"];
+const $c728 = ["kg m2", "t m2", "kg cm2"];
+const $c729 = ["kN m", "N m", "MN m"];
+const $c730 = ["s", "min", "ms", "h"];
+const $c55 = new Map([["length", $c718], ["force", $c719], ["force_per_width", $c720], ["pressure", $c721], ["speed", $c722], ["angle", $c723], ["power", $c724], ["mass", $c725], ["mass_per_length", $c726], ["mass_flow", $c727], ["moment_of_inertia", $c728], ["torque", $c729], ["time", $c730]]);
 const $c56 = new Place("", "", "");
 const $c57 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c730 = ["rated power of the motor", "power"];
-const $c731 = ["rated speed of the motor", "rotation_speed"];
-const $c732 = ["speed of the drum over that of the belt", "number"];
-const $c58 = [$c730, $c731, $c732];
-const $c733 = [250.0, 20000000.0];
-const $c734 = [10.0, 400.0];
-const $c735 = [0.6, 1.7];
-const $c59 = [$c733, $c734, $c735];
-const $c736 = ["length", 3.0, 30000.0];
-const $c737 = ["lift", -1500.0, 1500.0];
-const $c738 = ["belt_mass", 3.0, 100.0];
-const $c739 = ["carry_idler_mass", 2.0, 60.0];
-const $c740 = ["return_idler_mass", 0.7, 30.0];
-const $c741 = ["material_mass", 0.5, 4000.0];
-const $c742 = ["capacity", 0.1, 15000.0];
-const $c743 = ["friction_factor", 0.01, 0.04];
-const $c744 = ["secondary_resistance", 10.0, 500000.0];
-const $c745 = ["special_resistance", 10.0, 200000.0];
-const $c746 = ["start_time", 1.0, 600.0];
-const $c747 = ["stop_time", 1.0, 600.0];
-const $c748 = ["take_up_tension", 300.0, 2000000.0];
-const $c749 = ["counterweight", 30.0, 200000.0];
-const $c60 = [$c736, $c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749];
+const $c731 = ["rated power of the motor", "power"];
+const $c732 = ["rated speed of the motor", "rotation_speed"];
+const $c733 = ["speed of the drum over that of the belt", "number"];
+const $c58 = [$c731, $c732, $c733];
+const $c734 = [250.0, 20000000.0];
+const $c735 = [10.0, 400.0];
+const $c736 = [0.95, 1.05];
+const $c59 = [$c734, $c735, $c736];
+const $c737 = ["length", 3.0, 30000.0];
+const $c738 = ["lift", -1500.0, 1500.0];
+const $c739 = ["belt_mass", 3.0, 100.0];
+const $c740 = ["carry_idler_mass", 2.0, 60.0];
+const $c741 = ["return_idler_mass", 0.7, 30.0];
+const $c742 = ["material_mass", 0.5, 4000.0];
+const $c743 = ["capacity", 0.1, 15000.0];
+const $c744 = ["friction_factor", 0.01, 0.04];
+const $c745 = ["secondary_resistance", 10.0, 500000.0];
+const $c746 = ["special_resistance", 10.0, 200000.0];
+const $c747 = ["start_time", 1.0, 600.0];
+const $c748 = ["stop_time", 1.0, 600.0];
+const $c749 = ["take_up_tension", 300.0, 2000000.0];
+const $c750 = ["counterweight", 30.0, 200000.0];
+const $c60 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750];
 const $c61 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $c765 = $made(Limit, $c878, ["speed", 0.0, Infinity, true, false]);
-const $c766 = $made(Limit, $c878, ["number", 0.01, 100.0, false, false]);
-const $c62 = new Map([["length", $c750], ["lift", $c751], ["belt_mass", $c752], ["carry_idler_mass", $c753], ["return_idler_mass", $c754], ["material_mass", $c752], ["capacity", $c755], ["friction_factor", $c756], ["length_coefficient", $c757], ["secondary_resistance", $c758], ["special_resistance", $c758], ["return_share", $c759], ["start_factor", $c760], ["start_time", $c761], ["stop_time", $c761], ["take_up_tension", $c762], ["counterweight", $c763], ["take_up_distance", $c764], ["speed", $c765], ["sheave_ratio", $c766]]);
-const $c767 = [0.2, 4.0];
-const $c768 = [100000.0, 1000000000.0];
-const $c769 = [0.05, 15.0];
-const $c770 = [0.15, 3.0];
-const $c771 = [0.17453292519943295, 4.71238898038469];
-const $c772 = [2.0943951023931953, 4.71238898038469];
-const $c773 = [5e-05, 0.061];
-const $c774 = [-0.002, 0.002];
-const $c775 = [0.0, 0.06];
-const $c776 = [100000.0, 50000000.0];
-const $c777 = [100000.0, 5000000000.0];
-const $c778 = [5000.0, 2000000.0];
-const $c779 = [10000.0, 50000000.0];
-const $c780 = [50000.0, 10000000.0];
-const $c781 = [0.1, 3.0];
-const $c782 = [500.0, 10000000.0];
-const $c783 = [15.0, 1000.0];
-const $c784 = [3.0, 20.0];
-const $c785 = [0.0, 1600000.0];
-const $c786 = [1.0, 130.0];
-const $c63 = [$c767, $c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c779, $c779, $c780, $c781, $c782, $c783, $c784, $c785, $c782, $c782, $c733, $c786];
-const $c791 = [500.0, 2000000.0];
-const $c787 = ["least tested pressure", "pressure", $c791];
-const $c792 = [10000.0, 10000000.0];
-const $c788 = ["largest tested pressure", "pressure", $c792];
-const $c793 = [5e-05, 0.3];
-const $c789 = ["largest tested slip", "length", $c793];
-const $c794 = [2e-06, 0.3];
-const $c790 = ["tested slip speed", "speed", $c794];
-const $c64 = new Map([["pressure_min", $c787], ["pressure_max", $c788], ["slip_max", $c789], ["slip_speed", $c790]]);
+const $c766 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
+const $c767 = $made(Limit, $c882, ["number", 0.01, 100.0, false, false]);
+const $c62 = new Map([["length", $c751], ["lift", $c752], ["belt_mass", $c753], ["carry_idler_mass", $c754], ["return_idler_mass", $c755], ["material_mass", $c753], ["capacity", $c756], ["friction_factor", $c757], ["length_coefficient", $c758], ["secondary_resistance", $c759], ["special_resistance", $c759], ["return_share", $c760], ["start_factor", $c761], ["start_time", $c762], ["stop_time", $c762], ["take_up_tension", $c763], ["counterweight", $c764], ["take_up_distance", $c765], ["speed", $c766], ["sheave_ratio", $c767]]);
+const $c768 = [0.2, 4.0];
+const $c769 = [100000.0, 1000000000.0];
+const $c770 = [0.05, 15.0];
+const $c771 = [0.15, 3.0];
+const $c772 = [0.17453292519943295, 4.71238898038469];
+const $c773 = [2.0943951023931953, 4.71238898038469];
+const $c774 = [0.0005, 0.061];
+const $c775 = [-0.002, 0.002];
+const $c776 = [0.0, 0.06];
+const $c777 = [100000.0, 50000000.0];
+const $c778 = [100000.0, 5000000000.0];
+const $c779 = [5000.0, 2000000.0];
+const $c780 = [10000.0, 50000000.0];
+const $c781 = [50000.0, 10000000.0];
+const $c782 = [0.1, 3.0];
+const $c783 = [500.0, 10000000.0];
+const $c784 = [4.0, 20.0];
+const $c785 = [15.0, 1000.0];
+const $c786 = [0.0, 1600000.0];
+const $c787 = [1.0, 130.0];
+const $c63 = [$c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c779, $c780, $c780, $c781, $c782, $c783, $c784, $c785, $c786, $c783, $c783, $c734, $c787];
+const $c792 = [500.0, 2000000.0];
+const $c788 = ["least tested pressure", "pressure", $c792];
+const $c793 = [10000.0, 10000000.0];
+const $c789 = ["largest tested pressure", "pressure", $c793];
+const $c794 = [5e-05, 0.3];
+const $c790 = ["largest tested slip", "length", $c794];
+const $c795 = [2e-06, 0.3];
+const $c791 = ["tested slip speed", "speed", $c795];
+const $c64 = new Map([["pressure_min", $c788], ["pressure_max", $c789], ["slip_max", $c790], ["slip_speed", $c791]]);
 const $c65 = [0.03, 1.9];
 const $c66 = ["force", "mass_per_length"];
 const $c67 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
@@ -8369,131 +8463,132 @@ const $c69 = new Set(["cover_creep", "creep", "creep_interval", "design_standard
 const $c70 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c71 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
 const $c72 = new WeakMap();
-const $c73 = $re("\\.?([A-Za-z_][A-Za-z0-9_]*)|\\[(\\d+)\\]", "");
+const $c73 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
 const $c74 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
 const $c75 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
 const $c77 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
 const $c78 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c81 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c82 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c84 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1456 = $made(Name, $c883, [60]);
-const $c1447 = $made(Entry, $c872, ["name", $c1456, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1457 = $made(Quantity, $c142, ["length", $c818]);
-const $c1448 = $made(Entry, $c872, ["thickness", $c1457, false, "", "", "thickness", ""]);
-const $c1458 = $made(Quantity, $c142, ["pressure", $c821]);
-const $c1449 = $made(Entry, $c872, ["elastic_modulus", $c1458, false, "", "", "elastic_modulus", ""]);
-const $c1460 = $made(Quantity, $c142, ["pressure", $c819]);
-const $c1459 = $made(WordOr, $c909, ["rigid", $c1460, Infinity]);
-const $c1450 = $made(Entry, $c872, ["shear_modulus", $c1459, false, "", "", "shear_modulus", ""]);
-const $c1462 = $made(Quantity, $c142, ["pressure", $c820]);
-const $c1461 = $made(WordOr, $c909, ["rigid", $c1462, Infinity]);
-const $c1451 = $made(Entry, $c872, ["compression_modulus", $c1461, false, "", "", "compression_modulus", ""]);
-const $c1463 = $made(Quantity, $c142, ["wear_coefficient", $c822]);
-const $c1452 = $made(Entry, $c872, ["wear_coefficient", $c1463, false, "", "", "wear_coefficient", ""]);
-const $c1464 = $made(Quantity, $c142, ["number", $c823]);
-const $c1453 = $made(Entry, $c872, ["belt_energy_share", $c1464, false, "", "", "belt_energy_share", ""]);
-const $c1465 = $made(Quantity, $c142, ["pressure", $c824]);
-const $c1454 = $made(Entry, $c872, ["bond_strength", $c1465, false, "", "", "bond_strength", ""]);
-const $c1466 = $made(Quantity, $c142, ["pressure", $c825]);
-const $c1455 = $made(Entry, $c872, ["fatigue_limit", $c1466, false, "", "", "fatigue_limit", ""]);
-const $c1445 = [$c860, $c1447, $c939, $c940, $c941, $c1448, $c1449, $c1450, $c1451, $c946, $c1452, $c1453, $c1454, $c1455, $c951, $c952, $c953, $c954, $c955, $c135, $c136, $c956];
-const $c1446 = new Map([["format", $c860], ["name", $c1447], ["title", $c939], ["description", $c940], ["surface", $c941], ["thickness", $c1448], ["elastic_modulus", $c1449], ["shear_modulus", $c1450], ["compression_modulus", $c1451], ["block", $c946], ["wear_coefficient", $c1452], ["belt_energy_share", $c1453], ["bond_strength", $c1454], ["fatigue_limit", $c1455], ["cost", $c951], ["slip_speed", $c952], ["temperature", $c953], ["condition_factor", $c954], ["law", $c955], ["provenance", $c135], ["sources", $c136], ["notes", $c956]]);
-const $c88 = $made(tables$Table, $c857, [Lagging, $c1445, $c1446]);
-const $c795 = ["compression_modulus", "block"];
-const $c89 = [$c795];
-const $c90 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c91 = new RunsGain(0.0, 0.0);
-const $c93 = ["effective_tension", "torque", "power"];
-const $c94 = ["share", "speeds", "motor"];
-const $c97 = ["data", "sense"];
-const $c98 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c99 = $Decimal.of("0");
-const $c100 = [""];
-const $c800 = ["form", "coefficients", "sign"];
-const $c801 = [0.0];
-const $c101 = $made(Trend, $c800, ["polynomial", $c801, 1]);
-const $c802 = [1000000000.0];
-const $c102 = $made(Trend, $c800, ["polynomial", $c802, 1]);
-const $c103 = new Map([["factor", $c803]]);
-const $c104 = new Map([["x", $c804], ["y", $c804], ["diameter", $c805]]);
-const $c806 = $made(Limit, $c878, ["force", 0.1, 1000000000.0, false, false]);
-const $c105 = new Map([["entry", $c205], ["exit", $c806]]);
-const $c106 = new Map([["creep_limit", $c807]]);
-const $c808 = $made(Limit, $c878, ["length", 0.0, Infinity, true, false]);
-const $c107 = new Map([["creep_limit", $c808]]);
-const $c814 = $made(Limit, $c878, ["number", 1, 8, false, false]);
-const $c108 = new Map([["rated_power", $c809], ["rated_speed", $c810], ["gear_ratio", $c811], ["gear_efficiency", $c812], ["motor_efficiency", $c813], ["count", $c814]]);
-const $c109 = new Map([["rated_power", $c809], ["rated_speed", $c810], ["gear_ratio", $c811], ["gear_efficiency", $c812], ["motor_efficiency", $c813], ["count", $c814], ["setting", $c815], ["droop", $c816], ["torque_limit", $c817]]);
-const $c110 = new Map([["thickness", $c818], ["shear_modulus", $c819], ["compression_modulus", $c820], ["elastic_modulus", $c821], ["wear_coefficient", $c822], ["belt_energy_share", $c823], ["bond_strength", $c824], ["fatigue_limit", $c825]]);
-const $c111 = new Map([["ratio", $c826]]);
-const $c112 = new Map([["entry_tension", $c205], ["exit_tension", $c806]]);
-const $c113 = new Map([["sheave_ratio", $c827]]);
-const $c114 = new Map([["friction", $c828], ["start_factor", $c829]]);
-const $c115 = new Map([["running", $c829], ["starting", $c829], ["braking", $c829]]);
-const $c116 = ["of"];
-const $c137 = ["key", "kind", "example", "attribute"];
-const $c144 = ["dimension"];
-const $c146 = ["word", "kind"];
-const $c177 = ["kind"];
-const $c830 = ["balance", "train_balance", "across_balance"];
-const $c831 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c832 = ["gross_slip", "operating_point"];
-const $c833 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1467 = [false, false];
-const $c1468 = [true, false];
-const $c1469 = [true, true];
-const $c1470 = [false, true];
-const $c834 = new Map([["polynomial", $c1467], ["logarithmic", $c1468], ["power", $c1469], ["exponential", $c1470]]);
-const $c839 = $made(_OfClass, [], []);
-const $c840 = new Map([[10, null], [9, null]]);
-const $c841 = $re("ST[ -]?(\\d{3,5})\\b", "");
-const $c1471 = [80.0, 1.92];
-const $c1472 = [90.0, 1.86];
-const $c1473 = [100.0, 1.78];
-const $c1474 = [120.0, 1.7];
-const $c1475 = [140.0, 1.63];
-const $c1476 = [160.0, 1.56];
-const $c1477 = [180.0, 1.5];
-const $c1478 = [200.0, 1.45];
-const $c1479 = [250.0, 1.38];
-const $c1480 = [300.0, 1.31];
-const $c1481 = [350.0, 1.27];
-const $c1482 = [400.0, 1.25];
-const $c1483 = [450.0, 1.22];
-const $c1484 = [500.0, 1.2];
-const $c1485 = [550.0, 1.18];
-const $c1486 = [600.0, 1.17];
-const $c1487 = [700.0, 1.14];
-const $c1488 = [800.0, 1.12];
-const $c1489 = [900.0, 1.1];
-const $c1490 = [1000.0, 1.09];
-const $c1491 = [1500.0, 1.06];
-const $c1492 = [2000.0, 1.05];
-const $c844 = [$c1471, $c1472, $c1473, $c1474, $c1475, $c1476, $c1477, $c1478, $c1479, $c1480, $c1481, $c1482, $c1483, $c1484, $c1485, $c1486, $c1487, $c1488, $c1489, $c1490, $c1491, $c1492];
-const $c1493 = $made(Limit, $c878, ["number", 0.0, Infinity, false, false]);
-const $c1494 = $made(Limit, $c878, ["number", 1.0, Infinity, false, false]);
-const $c846 = new Map([["residual_noise", $c1493], ["coverage_factor", $c1494]]);
-const $c847 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c848 = $Decimal.of("0");
-const $c849 = new Map([["misalignment", $c1180], ["deflection", $c1182]]);
-const $c850 = new Map([["diameter", $c198], ["wrap_angle", $c200], ["overrun", $c211], ["creep_limit", $c214], ["mass", $c217]]);
-const $c851 = new Map([["spacing", $c1318], ["line_mass", $c1320], ["share", $c1322]]);
-const $c852 = new Map([["material", $c996], ["installation", $c998], ["area", $c1001]]);
-const $c853 = new Map([["width", $c977], ["height", $c979], ["stiffening", $c981], ["contact_fraction", $c983]]);
-const $c1495 = $made(Limit, $c878, ["number", 0.0, 10.0, true, false]);
-const $c854 = new Map([["factor", $c1495]]);
-const $c855 = new Map([["rated_power", $c809], ["rated_speed", $c810], ["gear_ratio", $c811], ["gear_efficiency", $c812], ["motor_efficiency", $c813], ["count", $c814], ["synchronous_speed", $c1407], ["breakdown_ratio", $c1409]]);
-const $c856 = new Map([["length", $c1206], ["trough_angle", $c1208], ["centre_roll", $c1210]]);
-const $c1351 = ["words"];
-const $c1496 = [0.016, 0.03];
-const $c1497 = new Map([["distance", $c1195]]);
-const $c1587 = $made(Limit, $c878, ["number", 0.0, 10.0, true, false]);
-const $c1585 = $made(Quantity, $c142, ["number", $c1587]);
-const $c1588 = $made(Limit, $c878, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1586 = $made(Quantity, $c142, ["rotation_speed", $c1588]);
-const $c1584 = $made(Either, $c1580, [$c1585, $c1586, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1498 = $made(Rows, $c911, [$c1584, 1, 10]);
+const $c79 = new Map([["width", $c796], ["height", $c797], ["stiffening", $c798], ["contact_fraction", $c799]]);
+const $c82 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c83 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c85 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1457 = $made(Name, $c887, [60]);
+const $c1448 = $made(Entry, $c876, ["name", $c1457, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1458 = $made(Quantity, $c143, ["length", $c823]);
+const $c1449 = $made(Entry, $c876, ["thickness", $c1458, false, "", "", "thickness", ""]);
+const $c1459 = $made(Quantity, $c143, ["pressure", $c826]);
+const $c1450 = $made(Entry, $c876, ["elastic_modulus", $c1459, false, "", "", "elastic_modulus", ""]);
+const $c1461 = $made(Quantity, $c143, ["pressure", $c824]);
+const $c1460 = $made(WordOr, $c913, ["rigid", $c1461, Infinity]);
+const $c1451 = $made(Entry, $c876, ["shear_modulus", $c1460, false, "", "", "shear_modulus", ""]);
+const $c1463 = $made(Quantity, $c143, ["pressure", $c825]);
+const $c1462 = $made(WordOr, $c913, ["rigid", $c1463, Infinity]);
+const $c1452 = $made(Entry, $c876, ["compression_modulus", $c1462, false, "", "", "compression_modulus", ""]);
+const $c1464 = $made(Quantity, $c143, ["wear_coefficient", $c827]);
+const $c1453 = $made(Entry, $c876, ["wear_coefficient", $c1464, false, "", "", "wear_coefficient", ""]);
+const $c1465 = $made(Quantity, $c143, ["number", $c828]);
+const $c1454 = $made(Entry, $c876, ["belt_energy_share", $c1465, false, "", "", "belt_energy_share", ""]);
+const $c1466 = $made(Quantity, $c143, ["pressure", $c829]);
+const $c1455 = $made(Entry, $c876, ["bond_strength", $c1466, false, "", "", "bond_strength", ""]);
+const $c1467 = $made(Quantity, $c143, ["pressure", $c830]);
+const $c1456 = $made(Entry, $c876, ["fatigue_limit", $c1467, false, "", "", "fatigue_limit", ""]);
+const $c1446 = [$c864, $c1448, $c943, $c944, $c945, $c1449, $c1450, $c1451, $c1452, $c950, $c1453, $c1454, $c1455, $c1456, $c955, $c956, $c957, $c958, $c959, $c136, $c137, $c960];
+const $c1447 = new Map([["format", $c864], ["name", $c1448], ["title", $c943], ["description", $c944], ["surface", $c945], ["thickness", $c1449], ["elastic_modulus", $c1450], ["shear_modulus", $c1451], ["compression_modulus", $c1452], ["block", $c950], ["wear_coefficient", $c1453], ["belt_energy_share", $c1454], ["bond_strength", $c1455], ["fatigue_limit", $c1456], ["cost", $c955], ["slip_speed", $c956], ["temperature", $c957], ["condition_factor", $c958], ["law", $c959], ["provenance", $c136], ["sources", $c137], ["notes", $c960]]);
+const $c89 = $made(tables$Table, $c861, [Lagging, $c1446, $c1447]);
+const $c800 = ["compression_modulus", "block"];
+const $c90 = [$c800];
+const $c91 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c92 = new RunsGain(0.0, 0.0);
+const $c94 = ["effective_tension", "torque", "power"];
+const $c95 = ["share", "speeds", "motor"];
+const $c98 = ["data", "sense"];
+const $c99 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c100 = $Decimal.of("0");
+const $c101 = [""];
+const $c805 = ["form", "coefficients", "sign"];
+const $c806 = [0.0];
+const $c102 = $made(Trend, $c805, ["polynomial", $c806, 1]);
+const $c807 = [1000000000.0];
+const $c103 = $made(Trend, $c805, ["polynomial", $c807, 1]);
+const $c104 = new Map([["factor", $c808]]);
+const $c105 = new Map([["x", $c809], ["y", $c809], ["diameter", $c810]]);
+const $c811 = $made(Limit, $c882, ["force", 0.1, 1000000000.0, false, false]);
+const $c106 = new Map([["entry", $c206], ["exit", $c811]]);
+const $c107 = new Map([["creep_limit", $c812]]);
+const $c813 = $made(Limit, $c882, ["length", 0.0, Infinity, true, false]);
+const $c108 = new Map([["creep_limit", $c813]]);
+const $c819 = $made(Limit, $c882, ["number", 1, 8, false, false]);
+const $c109 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819]]);
+const $c110 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819], ["setting", $c820], ["droop", $c821], ["torque_limit", $c822]]);
+const $c111 = new Map([["thickness", $c823], ["shear_modulus", $c824], ["compression_modulus", $c825], ["elastic_modulus", $c826], ["wear_coefficient", $c827], ["belt_energy_share", $c828], ["bond_strength", $c829], ["fatigue_limit", $c830]]);
+const $c112 = new Map([["ratio", $c831]]);
+const $c113 = new Map([["entry_tension", $c206], ["exit_tension", $c811]]);
+const $c114 = new Map([["sheave_ratio", $c832]]);
+const $c115 = new Map([["friction", $c833], ["start_factor", $c834]]);
+const $c116 = new Map([["running", $c834], ["starting", $c834], ["braking", $c834]]);
+const $c117 = ["of"];
+const $c138 = ["key", "kind", "example", "attribute"];
+const $c145 = ["dimension", "least"];
+const $c147 = ["word", "kind"];
+const $c178 = ["kind"];
+const $c835 = ["balance", "train_balance", "across_balance"];
+const $c836 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c837 = ["gross_slip", "operating_point", "fight"];
+const $c838 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1468 = [false, false];
+const $c1469 = [true, false];
+const $c1470 = [true, true];
+const $c1471 = [false, true];
+const $c839 = new Map([["polynomial", $c1468], ["logarithmic", $c1469], ["power", $c1470], ["exponential", $c1471]]);
+const $c844 = $made(_OfClass, [], []);
+const $c845 = new Map([[10, null], [9, null]]);
+const $c846 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
+const $c1472 = [80.0, 1.92];
+const $c1473 = [90.0, 1.86];
+const $c1474 = [100.0, 1.78];
+const $c1475 = [120.0, 1.7];
+const $c1476 = [140.0, 1.63];
+const $c1477 = [160.0, 1.56];
+const $c1478 = [180.0, 1.5];
+const $c1479 = [200.0, 1.45];
+const $c1480 = [250.0, 1.38];
+const $c1481 = [300.0, 1.31];
+const $c1482 = [350.0, 1.27];
+const $c1483 = [400.0, 1.25];
+const $c1484 = [450.0, 1.22];
+const $c1485 = [500.0, 1.2];
+const $c1486 = [550.0, 1.18];
+const $c1487 = [600.0, 1.17];
+const $c1488 = [700.0, 1.14];
+const $c1489 = [800.0, 1.12];
+const $c1490 = [900.0, 1.1];
+const $c1491 = [1000.0, 1.09];
+const $c1492 = [1500.0, 1.06];
+const $c1493 = [2000.0, 1.05];
+const $c849 = [$c1472, $c1473, $c1474, $c1475, $c1476, $c1477, $c1478, $c1479, $c1480, $c1481, $c1482, $c1483, $c1484, $c1485, $c1486, $c1487, $c1488, $c1489, $c1490, $c1491, $c1492, $c1493];
+const $c1494 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
+const $c1495 = $made(Limit, $c882, ["number", 1.0, Infinity, false, false]);
+const $c851 = new Map([["residual_noise", $c1494], ["coverage_factor", $c1495]]);
+const $c852 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c853 = $Decimal.of("0");
+const $c854 = new Map([["misalignment", $c1181], ["deflection", $c1183]]);
+const $c855 = new Map([["diameter", $c199], ["wrap_angle", $c201], ["overrun", $c212], ["creep_limit", $c215], ["mass", $c218]]);
+const $c856 = new Map([["spacing", $c1319], ["line_mass", $c1321], ["share", $c1323]]);
+const $c857 = new Map([["material", $c996], ["installation", $c998], ["area", $c1001]]);
+const $c1496 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
+const $c858 = new Map([["factor", $c1496]]);
+const $c859 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819], ["synchronous_speed", $c1408], ["breakdown_ratio", $c1410]]);
+const $c860 = new Map([["length", $c1207], ["trough_angle", $c1209], ["centre_roll", $c1211]]);
+const $c1177 = ["dimension"];
+const $c1352 = ["words"];
+const $c1497 = [0.016, 0.03];
+const $c1498 = new Map([["distance", $c1196]]);
+const $c1588 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
+const $c1586 = $made(Quantity, $c143, ["number", $c1588]);
+const $c1589 = $made(Limit, $c882, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1587 = $made(Quantity, $c143, ["rotation_speed", $c1589]);
+const $c1585 = $made(Either, $c1581, [$c1586, $c1587, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1499 = $made(Rows, $c915, [$c1585, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
@@ -8502,10 +8597,10 @@ $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c103;
+Condition.LIMITS = Condition.prototype.LIMITS = $c104;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c104;
+Point.LIMITS = Point.prototype.LIMITS = $c105;
 $sig(_UnitTextError, ["message", "remedy"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
@@ -8516,12 +8611,12 @@ Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c105;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c106;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c106;
+Drive.LIMITS = Drive.prototype.LIMITS = $c107;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c107;
+Train.LIMITS = Train.prototype.LIMITS = $c108;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
@@ -8529,18 +8624,19 @@ in_page$Given.$compared = in_page$Given.$names;
 Rise.$compared = Rise.$names;
 in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
-Check.$compared = Check.$names;
-Miss.$compared = Miss.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c108;
+Motor.LIMITS = Motor.prototype.LIMITS = $c109;
+Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
+Shares.$compared = Shares.$names;
+Miss.$compared = Miss.$names;
 Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
 Asked.$compared = Asked.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c109;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c110;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
 LeastTension.$compared = LeastTension.$names;
@@ -8560,24 +8656,23 @@ IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c110;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c111;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
-Shares.$compared = Shares.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c111;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c112;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c112;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c113;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Description.$compared = Description.$names;
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c113;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c114;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c114;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c115;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c115;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c116;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, ["title", "of", "on_one_line"], false);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
@@ -8585,34 +8680,34 @@ Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c849;
+Across.LIMITS = Across.prototype.LIMITS = $c854;
 DimensionText.$compared = DimensionText.$names;
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c850;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c855;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c851;
+Sag.LIMITS = Sag.prototype.LIMITS = $c856;
 Conveyor.$compared = Conveyor.$names;
 Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c62;
 Rule.$compared = Rule.$names;
 DesignFriction.$compared = DesignFriction.$names;
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c852;
+Cost.LIMITS = Cost.prototype.LIMITS = $c857;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c853;
+Block.LIMITS = Block.prototype.LIMITS = $c79;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c854;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c858;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c855;
+Induction.LIMITS = Induction.prototype.LIMITS = $c859;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c856;
+Transition.LIMITS = Transition.prototype.LIMITS = $c860;
 State.$compared = State.$names;
 Resistance.$compared = Resistance.$names;
 Constant.$compared = Constant.$names;
@@ -8624,10 +8719,10 @@ PressurePower.title = PressurePower.prototype.title = "power of pressure";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1497;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1498;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1498;
+SpeedList.rows = SpeedList.prototype.rows = $c1499;
 CompactLaw.$compared = CompactLaw.$names;
 $sig(_Pair, ["dimension"], false);
 export { drive_file__drive_from_document as readDrive };
