@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from checks.test_least_tension import FROM_ABOVE
-from checks.test_take_up import TANDEM, train_of
+from checks.test_of_trains import TANDEM
+from checks.test_take_up import train_of
 from present.drives import BELT
 from wraparc import (
     Drive,
@@ -102,11 +103,9 @@ def as_told(of: Drive) -> str:
     assert found.counterweight == pytest.approx(2.0 * least / 9.80665)
     table = least_table(result)
     assert table is not None
-    told = [
-        parse_quantity(shown(row, "si").values[0], kind)
-        for row, kind in zip(table.rows, ("force", "mass"), strict=False)
-    ]
-    for tension in (told[0], told[1] * 9.80665 / 2.0):  # as printed: rounded up
+    held, mass, *_ = (shown(row, "si").values[0] for row in table.rows)
+    weight = parse_quantity(mass, "mass") * 9.80665
+    for tension in (parse_quantity(held, "force"), weight / 2.0):  # as printed: rounded up
         assert least <= tension < 1.011 * least
     return found.governing.name
 
@@ -125,7 +124,7 @@ def criteria(rng: np.random.Generator, **take_up: Any) -> Criteria:
 
 def conveyors(count: int) -> list[Drive]:
     """Uphill, level and downhill, the take-up at the head, at the tail and between."""
-    rng, found = np.random.default_rng(11), []
+    rng, found = np.random.default_rng(11), list[Drive]()
     belt = replace(BELT, speed=3.0, rating=400e3)
     while len(found) < count:
         length = float(rng.uniform(100.0, 800.0))
@@ -147,7 +146,7 @@ def conveyors(count: int) -> list[Drive]:
 
 def givens(count: int) -> list[Drive]:
     """One to three pulleys; driving, braking and both; gravity, winch and fixed take-ups."""
-    rng, found = np.random.default_rng(7), []
+    rng, found = np.random.default_rng(7), list[Drive]()
     for number in range(count):
         names = ["a", "b", "c"][: 1 + number % 3]
         kind, after = [("gravity", ""), ("winch", ""), ("fixed", ""), ("", names[0])][number % 4]

@@ -176,8 +176,7 @@ class Drive(Viewable):
             away = any(abs(end - held) > SAME_TENSION * held for end in ends)
             return "at the take-up" if away else ""
         if take_up.fixed:
-            alike = max(ends) - min(ends) <= SAME_TENSION * max(ends)
-            return "" if alike else f"of the slack side in load case {self.load_case().name}"
+            return "" if _alike(ends) else f"of the slack side in load case {self.load_case().name}"
         steady = self._steady_end
         if steady == "entry" and not take_up.after:
             return f"at the take-up ahead of pulley {self.pulleys[0].name}"
@@ -190,13 +189,14 @@ class Drive(Viewable):
         pulls = [_pull(case) for case in self.load_cases]
         entries = [self._ends(case)[0] for case in self.load_cases]
         exits = [self._ends(case)[1] for case in self.load_cases]
-        steadier = min(exits) * max(entries) >= min(entries) * max(exits)
-        end, alike = ("exit", exits) if steadier else ("entry", entries)
-        if min(pulls) >= 0.0 or max(pulls) <= 0.0:
-            slack = "exit" if min(pulls) >= 0.0 else "entry"
-            if end == slack or max(alike) - min(alike) > SAME_TENSION * max(alike):
-                return ""
-        return end
+        if min(pulls) < 0.0 < max(pulls):
+            steadier = min(exits) * max(entries) >= min(entries) * max(exits)
+            return "exit" if steadier else "entry"
+        drives = min(pulls) >= 0.0
+        slack, tight = (exits, entries) if drives else (entries, exits)
+        if _alike(slack) or not _alike(tight):
+            return ""
+        return "entry" if drives else "exit"
 
     def _ends(self, case: LoadCase) -> tuple[float, float]:
         first, last = self.pulleys[0].name, self.pulleys[-1].name
@@ -205,6 +205,10 @@ class Drive(Viewable):
     def creep_limit_of(self, pulley: Pulley) -> float:
         """Return the creep limit that holds for a pulley [m]."""
         return self.creep_limit if pulley.creep_limit is None else pulley.creep_limit
+
+
+def _alike(tensions: Sequence[float]) -> bool:
+    return max(tensions) - min(tensions) <= SAME_TENSION * max(tensions)
 
 
 def _pull(case: LoadCase) -> float:

@@ -71,8 +71,8 @@ def design_name(selection: Selection, design: int, *, slack: bool = True) -> str
     if shape[4] > 1:
         parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design])))
     if slack and shape[5] > 1:
-        slack = named("tension", float(grid.slack[design]))
-        parts.append(f"{slack_words(search)} {slack}")
+        held = named("tension", float(grid.slack[design]))
+        parts.append(f"{slack_words(search)} {held}")
     return ", ".join(parts)
 
 

@@ -3665,6 +3665,9 @@ $m.setdefault(found, [lagging.name, lagging.condition], lagging);
 }
 return $b.tuple($m.values(found));
 }
+function drive___alike(tensions) {
+return ($sub($b.max(tensions), $b.min(tensions)) <= $mul(1e-06, $b.max(tensions)));
+}
 function train___count_problems(key, values, count) {
 let message;
 if (($eq($b.len(values), count))) {
@@ -4606,7 +4609,7 @@ return $at(case_.tensions, take_up.after).exit;
 return (($eq(steady, "")) ? self.slack_end(case_) : (($eq(steady, "exit")) ? leaving : entry));
 }
 get take_up_place() {
-const self = this; let after, alike, away, ends, held, steady, take_up;
+const self = this; let after, away, ends, held, steady, take_up;
 
 (take_up = self.criteria.take_up);
 (ends = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield self.slack_end(case_); } })()]);
@@ -4616,8 +4619,7 @@ if ((self.conveyor != null)) {
 return ($truth(away) ? "at the take-up" : "");
 }
 if ($truth(take_up.fixed)) {
-(alike = ($sub($b.max(ends), $b.min(ends)) <= $mul(1e-06, $b.max(ends))));
-return ($truth(alike) ? "" : ("" + "of the slack side in load case " + $str(self.load_case().name)));
+return ($truth(drive___alike(ends)) ? "" : ("" + "of the slack side in load case " + $str(self.load_case().name)));
 }
 (steady = self._steady_end);
 if ((($eq(steady, "entry")) && !$truth(take_up.after))) {
@@ -4627,20 +4629,21 @@ return ("" + "at the take-up ahead of pulley " + $str($at(self.pulleys, 0).name)
 return ($truth(after) ? ("" + "at the take-up behind pulley " + $str(after)) : "");
 }
 get _steady_end() {
-const self = this; let alike, end, entries, exits, pulls, slack, steadier;
+const self = this; let drives, entries, exits, pulls, slack, steadier, tight;
 
 (pulls = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield drive___pull(case_); } })()]);
 (entries = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield $at(self._ends(case_), 0); } })()]);
 (exits = [...(function* () { for (const case_ of $iter(self.load_cases)) { yield $at(self._ends(case_), 1); } })()]);
+if (($b.min(pulls) < 0.0 && 0.0 < $b.max(pulls))) {
 (steadier = ($mul($b.min(exits), $b.max(entries)) >= $mul($b.min(entries), $b.max(exits))));
-([end, alike] = ($truth(steadier) ? ["exit", exits] : ["entry", entries]));
-if ((($b.min(pulls) >= 0.0) || ($b.max(pulls) <= 0.0))) {
-(slack = (($b.min(pulls) >= 0.0) ? "exit" : "entry"));
-if ((($eq(end, slack)) || ($sub($b.max(alike), $b.min(alike)) > $mul(1e-06, $b.max(alike))))) {
+return ($truth(steadier) ? "exit" : "entry");
+}
+(drives = ($b.min(pulls) >= 0.0));
+([slack, tight] = ($truth(drives) ? [exits, entries] : [entries, exits]));
+if (($truth(drive___alike(slack)) || !$truth(drive___alike(tight)))) {
 return "";
 }
-}
-return end;
+return ($truth(drives) ? "entry" : "exit");
 }
 _ends(case_) {
 const self = this; let first, last;
