@@ -252,8 +252,8 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
     assert re.search(
         r"The belt drives the drum of first at 74 rpm, where its motor ends: it cannot hold back\. "
         r"No operating point: a motor would have to work beyond its curve\. .*Set brakes = true "
-        r"for its motor if its drive can hold back\. Change its set speed or gear, or choose another "
-        r"motor\.",
+        r"for its motor if its drive can hold back\. Change its set speed or gear, or choose "
+        r"another motor\.",
         ran.words,
     )
     ran = wraparc("trim", path, "--load-case", "empty")
