@@ -96,8 +96,8 @@ def holds_and_fails_above(of: Drive, most: float) -> None:
 
 
 FROM_ABOVE = {
-    "belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max", "bond_stress",
-    "fatigue_stress", "pulley_diameter", "usual_sizes",
+    "belt_safety", "belt_tension", "momentary_tension", "face_pressure", "tested_pressure_max",
+    "bond_stress", "fatigue_stress", "pulley_diameter", "usual_sizes",
 }  # fmt: skip
 
 

@@ -250,9 +250,10 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
     ran = wraparc("solve", path, "--load-case", "empty")
     assert ran.code == 1
     assert re.search(
-        r"The belt drives the drum of first at [\d.]+ rpm, faster than its motor allows: "
-        r"74[\d.]* rpm at most, where it cannot hold back\. No operating point: a motor would have "
-        r"to work beyond its curve\. Change its set speed or gear, or choose another motor\.",
+        r"The belt drives the drum of first at 74 rpm, where its motor ends: it cannot hold back\. "
+        r"No operating point: a motor would have to work beyond its curve\. .*Set brakes = true "
+        r"for its motor if its drive can hold back\. Change its set speed or gear, or choose "
+        r"another motor\.",
         ran.words,
     )
     ran = wraparc("trim", path, "--load-case", "empty")

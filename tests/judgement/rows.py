@@ -498,7 +498,7 @@ ROWS = (
         ("0.25 mm, is outside the usual", "0.25 in?"), ("OK",), ("solve", "page"),
         level="ATTENTION"),
     Row("an overrun of half a centimetre", (("diameter", 'overrun = "5 mm"\ndiameter'),),
-        ("overrun", "5 mm", "2 mm"), ("OK", "0.005"), level="ATTENTION"),
+        ("overrun", "5 mm", "2 mm", "0.5 mm?"), ("OK", "0.005 mm"), level="ATTENTION"),
     Row("a creep limit of centimetres", (("diameter", 'creep_limit = "6.35 cm"\ndiameter'),),
         ("creep limit of pulley head, 63.5 mm", "Check the unit: 6.35 mm"), ("OK",),
         level="ATTENTION"),

@@ -55,7 +55,7 @@ USUAL: dict[str, dict[str, Ends]] = {
     # of a conveyor of 3 m C is 9.2, and 1.92 of one of 80 m (DIN 22101:2002-08, ISO 5048)
     "Conveyor": {"length_coefficient": (1.0, 9.5), "start_factor": (1.05, 2.5)},
     "Lagging": {
-        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-14, 1e-10),
+        "elastic_modulus": (0.3e6, 100e6), "wear_coefficient": (1e-13, 1e-10),
         "belt_energy_share": (0.01, 1.0),
     },
     "Block": {
@@ -278,7 +278,8 @@ def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
         if not usual(value, *ends):
             check = unusual(f"{name} of pulley {pulley.name}", dimension, owner.place, value, ends)
             if name == _FITS:
-                more = check.more | {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
+                more: dict[str, tuple[float, Dimension]] = dict(check.more)
+                more |= {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
                 taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt]."
                 says = f"{check.says[:-1]}: {taken}"
                 check = replace(check, says=says, remedy=remedy, more=more)

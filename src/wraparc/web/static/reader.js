@@ -2435,7 +2435,8 @@ for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({st
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
 if (($eq(name, "speed of the drum over that of the belt"))) {
-(more = $merged(check.more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
+(more = $b.dict($bound(check, "more")));
+(more = $merged(more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
 (taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt].");
 (says = ("" + $str($slice(check.says, null, $neg(1))) + ": " + $str(taken)));
 (check = $replaced(check, new Map([["says", says], ["remedy", remedy], ["more", more]])));
@@ -8354,7 +8355,7 @@ const $c694 = [1.0, 9.5];
 const $c695 = [1.05, 2.5];
 const $c669 = new Map([["length_coefficient", $c694], ["start_factor", $c695]]);
 const $c696 = [300000.0, 100000000.0];
-const $c697 = [1e-14, 1e-10];
+const $c697 = [1e-13, 1e-10];
 const $c698 = [0.01, 1.0];
 const $c670 = new Map([["elastic_modulus", $c696], ["wear_coefficient", $c697], ["belt_energy_share", $c698]]);
 const $c699 = [0.002, 0.5];
