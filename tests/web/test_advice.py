@@ -124,7 +124,9 @@ def test_one_load_case_is_raised_alone_where_no_tension_keeps_all(
 
 TANDEM = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8").partition("# The drives in time")[0]
 #: T1 is given, so that T2 follows the pull: the load cases ask for different lifts.
-SLIPS = TANDEM.replace('exit_tension = "45 kN"', 'entry_tension = "105.65 kN"')
+SLIPS = TANDEM.replace('exit_tension = "45 kN"', 'exit_tension = "0.65 kN"')
+#: The entry holds one tension, so the take-up is there: no button promises one of the slack side.
+HELD_AHEAD = TANDEM.replace('exit_tension = "45 kN"', 'entry_tension = "105.65 kN"')
 
 
 def test_the_slack_side_of_a_train_is_raised_in_every_load_case(
@@ -175,4 +177,12 @@ def test_no_button_stands_where_no_number_is_the_advice(visitor: Visitor, tmp_pa
     expect(page.locator("#toast")).to_contain_text("Opened")
     visitor.solved()
     expect(page.locator("#details")).to_contain_text("No button raises it: by speeds or motors")
+    expect(page.locator(".advice")).to_have_count(0)
+    file.write_text(HELD_AHEAD, "utf-8")
+    told = solved(file)["train"]["least_tension"]
+    assert "at the take-up ahead of pulley" in told["sentence"]
+    assert told["given"] < told["tension"]
+    visitor.load(file)
+    visitor.solved()
+    expect(page.locator("#verdict")).to_contain_text("second breaks away")
     expect(page.locator(".advice")).to_have_count(0)

@@ -68,11 +68,14 @@ class LeastTension:
         The same tension of the load case that governs [N].
     counterweight
         Mass of the counterweight for the least tension, where the take-up stands [kg].
+    elsewhere
+        Whether the take-up is not on the slack side in every load case.
     """
 
     figures: tuple[Figure, ...]
     given: float
     counterweight: float
+    elsewhere: bool = False
 
     @cached_property
     def governing(self) -> Figure:
@@ -94,8 +97,12 @@ class LeastTension:
 
     @property
     def raise_to(self) -> float | None:
-        """The tension to raise to [N]; None where none is to be raised, or none is enough."""
-        return None if self.tension <= self.given or math.isinf(self.tension) else self.tension
+        """The tension of the slack side to raise to [N].
+
+        None where none is to be raised, where none is enough, and where the take-up is elsewhere.
+        """
+        none = self.tension <= self.given or math.isinf(self.tension) or self.elsewhere
+        return None if none else self.tension
 
     @cached_property
     def highest(self) -> Figure | None:
@@ -180,7 +187,8 @@ def least_of(result: DriveResult, drive: Drive) -> LeastTension | None:
         given = drive.conveyor.take_up
     else:
         given = drive.take_up_tension(drive.load_case(found.governing.place.load_case))
-    return LeastTension(found.figures, given, drive.criteria.take_up.counterweight(found.tension))
+    weight = drive.criteria.take_up.counterweight(found.tension)
+    return LeastTension(found.figures, given, weight, bool(drive.take_up_place))
 
 
 def _pulls(result: ArcResult) -> bool:

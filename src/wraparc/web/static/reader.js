@@ -2579,7 +2579,7 @@ $put($c68, one, least_tension__least_of(one, $bound(one, "drive")));
 return $at($c68, one);
 }
 function least_tension__least_of(result, drive) {
-let either, figure, found, given, held, worst;
+let either, figure, found, given, held, weight, worst;
 
 if ($truth($b.any((function* () { for (const a of $iter(result)) { yield $and(least_tension___pulls(a), () => $math.isnan($bound(a.capacities, "gross_slip_capacity"))); } })()))) {
 return null;
@@ -2599,7 +2599,8 @@ if ((drive.conveyor != null)) {
 } else {
 (given = drive.take_up_tension(drive.load_case($bound(found.governing.place, "load_case"))));
 }
-return new LeastTension($bound(found, "figures"), given, drive.criteria.take_up.counterweight($bound(found, "tension")));
+(weight = drive.criteria.take_up.counterweight($bound(found, "tension")));
+return new LeastTension($bound(found, "figures"), given, weight, $b.bool($bound(drive, "take_up_place")));
 }
 function least_tension___pulls(result) {
 return !$truth(rules__idle($bound(result, "arc")));
@@ -5418,8 +5419,10 @@ const self = this;
 return ((self.tension <= self.given) ? "OK" : "ATTENTION");
 }
 get raise_to() {
-const self = this; 
-return (((self.tension <= self.given) || $truth($math.isinf($bound(self, "tension")))) ? null : self.tension);
+const self = this; let none;
+
+(none = $or((self.tension <= self.given), () => $or($math.isinf($bound(self, "tension")), () => self.elsewhere)));
+return ($truth(none) ? null : self.tension);
 }
 $find_highest() {
 const self = this; let above;
@@ -5432,7 +5435,7 @@ const self = this;
 return $b.next((function* () { for (const f of $iter(self.figures)) { if (!(($eq(f.name, "design_standard")))) continue; yield f; } })(), null);
 }
 }
-$sig(LeastTension, ["figures", "given", "counterweight"], false, {});
+$sig(LeastTension, ["figures", "given", "counterweight", "elsewhere"], false, {elsewhere: () => false});
 class Verdict extends $Object {
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get listed() { return $kept(this, "listed", this.$find_listed()); }
