@@ -83,7 +83,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "asks for at 2 times the pull",
     ),
     (
-        "creep", lambda: quiet(creep_limit=1e-4), Level.ATTENTION, math.nan, 1e-4, "Creeps",
+        "creep", lambda: quiet(creep_limit=5e-4), Level.ATTENTION, math.nan, 5e-4, "Creeps",
     ),
     ("belt_tension", lambda: quiet(entry=399e3, leaving=300e3), Level.FAILS, 399e3, 210e3, "190 %"),
     (
@@ -154,8 +154,13 @@ def test_a_row_alone_governs(
     verdict = judged(make())
     governing = verdict.governing
     assert governing is not None
-    # what slips farther than was tested has no safety within the tests either
-    others = ["gross_slip"] if name == "tested_slip" else []
+    # what slips farther than was tested has no safety within the tests either, and a belt of known
+    # strength that is pulled beyond its rating too little of it
+    others = {
+        "tested_slip": ["gross_slip"],
+        "belt_tension": ["belt_safety"],
+        "momentary_tension": ["belt_safety"],
+    }.get(name, [])
     assert [c.name for c in verdict.missed] == [name, *others]
     assert (governing.name, governing.level, verdict.level) == (name, level, level)
     assert governing.limit == pytest.approx(limit, rel=1e-9)

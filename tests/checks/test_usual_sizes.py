@@ -23,7 +23,7 @@ def said(**of: Any) -> list[str]:
     [
         ({"pulley": {"wrap_angle": 9.42}}, "Is it the sum of two pulleys?"),  # 540 deg
         ({"pulley": {"wrap_angle": 0.0575958653158129}}, "Check the unit: 3.3 rad?"),  # 3.3 deg
-        ({"creep_limit": 0.25}, "Check the unit: 25 mm or 0.25 mm?"),  # 250 mm
+        ({"creep_limit": 0.25}, "Check the unit: 25 mm or 0.25 cm?"),  # 250 mm
         ({"creep_limit": 0.16129}, "Check the unit: 6.35 mm?"),  # 6.35 in
         ({"pulley": {"diameter": 630.0}}, "Check the unit: 630 mm?"),
         ({"lagging": lagging(thickness=0.12)}, "The thickness of lagging plain, 120 mm"),  # 12 cm

@@ -40,7 +40,8 @@ def test_no_feasible_candidate_names_the_limit_and_the_miss(file: Path) -> None:
     assert ran.code == 0, ran.out
     ran = wraparc("choose", file, "--set", "limits.creep=0.5 mm")
     assert ran.code == 1
-    assert "No candidate keeps every limit. - Limits broken: creep (2 of 2)." in ran.words
+    assert "No candidate keeps every limit. Action: Add candidates against what is" in ran.words
+    assert "- Limits broken: creep (2 of 2)." in ran.words
     assert "Nearest: full-ceramic: creep" in ran.words
     assert "at most 0.5 mm" in ran.words
 
