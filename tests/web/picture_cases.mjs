@@ -133,7 +133,7 @@ const DRAWN = { chart: chartOf, pulley: pulleyOf, budget: budgetOf, spread: spre
 const { readFileSync } = await import("node:fs");
 const cases = JSON.parse(readFileSync(0, "utf-8"));
 const found = cases.map(({ kind, ...asked }) => {
-  if (kind === "train") return flat(chain(asked.load_case));
+  if (kind === "train") return flat(chain(asked.load_case, new Map()));
   if (kind === "steps") return asked.spans.map(([span, most]) => roundStep(span, most));
   if (kind === "ticks") return asked.of.map(([lo, hi, step]) => ticks(lo, hi, step));
   if (kind === "warm") return asked.of.map(warm);

@@ -162,6 +162,7 @@ def test_nothing_moves_while_a_handle_is_dragged(opened: Visitor, name: str) -> 
     opened.solved()
     x, y = middle(page, handle(name))
     before = page.locator(handle(name)).get_attribute("aria-valuetext")
+    page.wait_for_selector(".ways li")  # of the drive as it is again
     page.evaluate(WATCH, STILL)
 
     def listen(request: Request) -> None:
@@ -194,6 +195,7 @@ def test_nothing_moves_while_a_slider_is_dragged(opened: Visitor, name: str) -> 
     value = "(e) => [(e.value - e.min) / (e.max - e.min), e.value]"
     part, before = page.locator(slider).evaluate(value)
     x, y = box["x"] + 8 + part * (box["width"] - 16), box["y"] + box["height"] / 2
+    page.wait_for_selector(".ways li")  # of the drive as it is again
     page.evaluate(WATCH, STILL)
     drag(page, x, y, (box["x"] + box["width"] - 2, y), 60)
     found, _ = page.evaluate(MOVED)
