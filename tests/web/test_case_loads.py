@@ -278,7 +278,7 @@ def test_the_case_that_is_meant_is_looked_at(
     t1.fill("70")
     visitor.solved()
     expect(pressed).to_contain_text("full")
-    wait_for(lambda: page.url.count("/") > 4 and in_the_address(page.url)["c"] == "full")
+    page.wait_for_url(lambda url: url.count("/") > 4 and in_the_address(url)["c"] == "full")
     link = json.dumps({**in_the_address(page.url), "c": "", "d": parse(EMPTY_FIRST)})
     packer = zlib.compressobj(wbits=-15)
     told = base64.urlsafe_b64encode(packer.compress(link.encode()) + packer.flush()).decode()
