@@ -11,7 +11,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
 from web.browser import Calculator, Visitor
-from web.calculators import client, wait_for
+from web.calculators import client
 from web.test_advice import downloaded
 from web.test_api import post
 from web.test_inputs import kept
