@@ -59,6 +59,8 @@ class Cut:
         self.visitor.open("drive")
         wait_for(lambda: self.page.evaluate("1") and any("worker" in url for url in self.asked))
         self.page.evaluate("import('/static/pages/drive/judging.js').then((m) => m.ready)")
+        wait_for(lambda: self.page.evaluate("1") and any("behind" in url for url in self.asked))
+        self.page.evaluate("import('/static/frame/behind.js').then(() => true)")
 
     def cut(self, how: str) -> None:
         self.visitor.context.route("**/*", CUTS[how])
@@ -129,7 +131,7 @@ def _menu(menu: str, name: str) -> Callable[[Cut], None]:
     def pressed(cut: Cut) -> None:
         cut.page.click(f"#{menu} > summary")
         entry = cut.page.locator(f"#{menu}-menu").get_by_role("button", name=name)
-        if entry.count():
+        if menu == "file" or entry.count():  # that of files is there by then
             entry.first.click()
 
     return pressed
