@@ -31,6 +31,8 @@ HELD = 0.1
 #: Tensions that the belt of a conveyor has, over its width: from a light belt that just does not
 #: sag to the strength of the strongest steel cord [N/m].
 USUAL_TENSION = (0.5e3, 1e7)
+#: Strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers) [-].
+USUAL_STRENGTH = (4.0, 20.0)
 #: Sizes that conveyor drives have, least and most, in the order of `compared_sizes` [SI].
 USUAL_SIZES = (
     (0.2, 4.0),  # width
@@ -50,8 +52,7 @@ USUAL_SIZES = (
     (50e3, 10e6),  # largest wrap pressure of the belt
     (0.1, 3.0),  # its least pulley
     USUAL_TENSION,  # tension that keeps the belt from sagging, over the width
-    # strength over rating; 6.7 of steel cord, 8 to 10 of fabric (DIN 22101, makers)
-    (4.0, 20.0),
+    USUAL_STRENGTH,
     # modulus over rating; published are 69 to 119 of fabric, 480 of steel cord (Goodyear 2012)
     (15.0, 1000.0),
     # pressure at the rating; published are up to 1.05 MPa on the least pulley (ST7000, the same)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.checks.check import Level
-from wraparc.checks.numbers import USUAL_SIZES, idles
+from wraparc.checks.numbers import USUAL_STRENGTH, idles
 from wraparc.checks.sliding import SLIDES
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
 
@@ -25,7 +25,7 @@ _Number = TypeVar("_Number", float, NDArray[np.float64])
 #: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
 CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
 #: Strength over rating of any belt, at least: a rating that leaves less is not one to rely on [-].
-LEAST_RATED = USUAL_SIZES[17][0]
+LEAST_RATED = USUAL_STRENGTH[0]
 
 
 @dataclass(frozen=True)
