@@ -34,6 +34,7 @@ from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
     Answer,
+    Bar,
     Data,
     DriveKind,
     Profile,
@@ -44,6 +45,7 @@ from wraparc.web.answers.shown import (
     Tested,
     Text,
     Verdict,
+    bars,
     finite,
     numbers,
     outside,
@@ -95,25 +97,6 @@ class Paper(Answer):
     status: StatusName
     numbers: dict[str, float | None]
     profile: Profile
-
-
-class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value [SI] over the limit.
-
-    `says` is what it says where it is not kept, `source` where its limit came from.
-    """
-
-    name: str
-    title: str
-    level: Level
-    place: str
-    at_most: bool
-    value: float
-    share: float
-    found: Text
-    limit: Text
-    says: Text
-    source: str
 
 
 class WholeArc(Arc):
@@ -280,27 +263,6 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables([conditions_table(result)], ["conditions"])[0]
 
 
-def _bars(checks: Sequence[Check]) -> list[Bar]:
-    """Return the checks that have a value and a limit, in the order of their table."""
-    return [
-        Bar(
-            name=check.name,
-            title=check.title,
-            level=check.level,
-            place=str(check.place),
-            at_most=check.at_most,
-            value=check.value,
-            share=check.share,
-            found=worded(check.texts()[0]),
-            limit=worded(check.bound()),
-            says=worded(check.reason),
-            source=check.source,
-        )
-        for check in checks
-        if not math.isnan(check.share)
-    ]
-
-
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:
     found = least_data(result)
     if found is None:
@@ -345,7 +307,7 @@ def _whole_arc(
     of = Sources()
     judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return WholeArc(
-        bars=_bars(judged.listed),
+        bars=bars(judged.listed),
         status_text=str(result.status),
         short=short(answered, result),
         raise_to=_alone(answered, result),

@@ -298,7 +298,7 @@ export interface ChartLook {
   title: string;
   height?: number;
   xlabel?: string;
-  onpick?: (part: number) => void;
+  onpick?: (part: number, e: PointerEvent) => void;
   /** One of several under each other on one axis: even margins, names at the lines. */
   stacked?: boolean;
   /** Whether the axis has its numbers, as only the lowest of several does. */

@@ -223,14 +223,14 @@ export class Screen extends Component {
     };
     const { open, part: at } = this.state;
     const place = { at: at ?? 0.5, put: (/** @type {number} */ part) => this.setState({ part }) };
-    return h(
-      "details",
-      { id: "details", class: "card", onToggle: toggle, key: "details" },
-      h("summary", {}, "Details"),
-      open && late.details && arc ? h(late.details.Details, { arc, ...place }) : null,
-    );
+    const inside = open && late.details && arc ? h(late.details.Details, { arc, ...place }) : null;
+    return fold("details", toggle, inside);
   }
 }
+/** What is under the fold, closed at first. @param {string} id @param {any} onToggle
+ * @param {Children} inside */
+export const fold = (id, onToggle, inside) =>
+  h("details", { id, class: "card", onToggle, key: id }, h("summary", {}, "Details"), inside);
 const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 
 // The verdict.
@@ -309,7 +309,7 @@ function notComputed(before) {
   return told("These numbers are still needed:", answer.problems.flatMap(asked));
 }
 const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
-const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
+export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
 /** Another load case or pulley that comes off worse, and a way there.
