@@ -1,10 +1,10 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
 import { app, gripped, look, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
-import { percent, words } from "../base/units.js";
+import { percent, show, shown, words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
-import { checked, facts, framed, saying, silent } from "../parts/framed.js";
+import { checked, facts, framed, leadOf, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { picks as casePicks, rank } from "./drive/screen.js";
@@ -107,7 +107,7 @@ export const Page = () => {
         c.reason && h("p", { class: "error", key: "reason" }, c.reason),
         c.drives.every((/** @type {any} */ d) => d.share != null) && shareBar(c),
         c.drives.map((/** @type {any} */ d, /** @type {number} */ i) =>
-          trimStrip(c, i, how === "fresh" ? matchedIn(c, d.pulley) : null, chooser(d.pulley)),
+          trimStrip(c, i, keptIn(c, d.pulley), chooser(d.pulley)),
         ),
       ],
       tall: app.doc.pulley.length > 3,
@@ -123,6 +123,11 @@ export const Page = () => {
 };
 /** @param {any} c @param {string} drive */
 const matchedIn = (c, drive) => state.matched[keyOf(c.load_case, drive)];
+/** @param {any} c @param {string} drive */
+function keptIn(c, drive) {
+  const m = now() === "fresh" && matchedIn(c, drive);
+  return m ? keeping(c, m) : null;
+}
 /** Choose the drive that is explained, where there are several. @param {string} drive */
 const chooser = (drive) =>
   app.doc.pulley.length > 2
@@ -135,10 +140,7 @@ const chooser = (drive) =>
       }
     : null;
 /** The checks of a load case, with their pulleys. @param {any} c */
-const barsOf = (c) =>
-  ((known() ?? answer.full)?.arcs ?? [])
-    .filter((x) => x.load_case === c.load_case)
-    .flatMap((x) => x.bars.map((b) => ({ ...b, pulley: x.pulley })));
+const barsOf = (c) => arcsOf(c).flatMap((x) => x.bars.map((b) => ({ ...b, pulley: x.pulley })));
 /** What to do, where else it is worse, or how the drives turn.
  * @param {any} a @param {any} c @param {any} m */
 function more(a, c, m) {
@@ -146,14 +148,12 @@ function more(a, c, m) {
   const levels = a.judged.map(rank);
   const worst = levels.indexOf(Math.max(...levels));
   const elsewhere = a.load_cases[worst].load_case;
+  const to = () => look({ case: elsewhere });
   if (levels[worst] > levels[at])
     return [
       "Worse elsewhere: ",
-      h(
-        "button",
-        { type: "button", class: "link", onClick: () => look({ case: elsewhere }) },
-        elsewhere,
-      ),
+      h("button", { type: "button", class: "link", onClick: to }, elsewhere),
+      `. ${leadOf(a.judged[worst])[0]}`,
     ];
   return words(a.judged[at].action) || slower(m, c.drives[0]);
 }
@@ -227,17 +227,60 @@ const result = (a) =>
       ),
     ),
   );
+/** The arcs of a load case, solved. @param {any} c */
+const arcsOf = (c) =>
+  ((known() ?? answer.full)?.arcs ?? []).filter((a) => a.load_case === c.load_case);
 /** @param {any} c */
-const loadCase = (c) =>
-  h(
-    "figure",
-    { class: "stage-svg", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
-    chain(c, limitsIn(c)),
+function loadCase(c) {
+  const arcs = arcsOf(c);
+  const most = Math.max(1e-9, ...arcs.flatMap((a) => a.profile.shear_stress.map(Math.abs)));
+  const of = new Map(
+    arcs.map(({ pulley, creep_limit: limit, levels, profile: p }) => [
+      pulley,
+      {
+        ...{ limit, position: p.position, shear: p.shear_stress },
+        level: now() === "fresh" && levels.creep,
+      },
+    ]),
   );
-/** Limits of the creep and how each is kept, by pulley. @param {any} c */
-const limitsIn = (c) =>
-  new Map(
-    ((known() ?? answer.full)?.arcs ?? [])
-      .filter((a) => a.load_case === c.load_case)
-      .map((a) => [a.pulley, { limit: a.creep_limit, level: now() === "fresh" && a.levels.creep }]),
+  const sum = (/** @type {string} */ key) =>
+    arcs.reduce((all, { numbers: n }) => all + (n[key] ?? Number.NaN), 0);
+  /** @type {[string, string][]} */
+  const figures = [
+    ["Pull", "effective_tension"],
+    ["Power", "transmitted_power"],
+    ["Lost to creep", "power_loss"],
+  ];
+  const told = figures.filter(([, key]) => Number.isFinite(sum(key)));
+  return [
+    h(
+      "figure",
+      { class: "stage-svg", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
+      chain(c, of, most),
+    ),
+    h(
+      "dl",
+      { class: "kv sums", key: "sums" },
+      told.map(([name, key]) =>
+        h("div", { key }, h("dt", {}, name), h("dd", {}, h("b", {}, shown(key, sum(key), 3)))),
+      ),
+    ),
+    arcs.length > 0 &&
+      h("p", { class: "legend", key: "legend" }, `colour: shear, to ${show(most, "pressure", 3)}`),
+  ];
+}
+/** Trims with which every drive keeps its creep limit, by what was found over the trim.
+ * @param {any} c @param {any} m */
+function keeping(c, m) {
+  const [curve] = m.curves;
+  const arcs = arcsOf(c);
+  const kept = curve.values.filter((/** @type {number} */ _, /** @type {number} */ k) =>
+    arcs.every((a) => Math.abs(curve.exit_creep[a.pulley][k] ?? Infinity) <= a.creep_limit),
   );
+  if (!kept.length) return null;
+  const step = curve.values[1] - curve.values[0];
+  const marks = curve.marks.filter((/** @type {any} */ k) => k.what === "creep_limit");
+  return [kept[0], kept[kept.length - 1]].map(
+    (end) => marks.find((/** @type {any} */ k) => Math.abs(k.at - end) < step)?.at ?? end,
+  );
+}

@@ -3,7 +3,8 @@
 import { app, redraw } from "../base/design.js";
 import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { checkOf, fold, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
+import { checkOf, fold, foot, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
+import { answer } from "../pages/drive/solving.js";
 import { h } from "../vendor/preact.js";
 import { list } from "./answers.js";
 
@@ -36,6 +37,7 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
       ),
       h("aside", { class: "checks card", "aria-label": "Checks against their limits" }, side),
     ),
+    foot(answer.foreign ? null : answer.quick),
     fold(`${of}-details`, undefined, h("div", { class: "details" }, ...below)),
   );
 
@@ -49,9 +51,13 @@ export function saying(how, v, more, action, problems = []) {
   if (how === "refused") return notComputed("Not computed.", problems);
   if (how !== "fresh")
     return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.");
-  const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
-  const [one, rest] = opening(words(v.headline).replace(/^(Event|Load case) [^:]+: /, ""), place);
+  const [one, rest] = leadOf(v);
   return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
+}
+/** The first sentence of a verdict without its place, and the rest. @param {Verdict} v */
+export function leadOf({ headline }) {
+  const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
+  return opening(words(headline).replace(/^(Event|Load case) [^:]+: /, ""), place);
 }
 /** What is wrong with what is asked. @param {string} head @param {Problem[]} problems
  * @param {Children} [action] */
@@ -74,7 +80,7 @@ export function checked(page, found) {
   if (!found)
     return [
       h("h2", { key: "head" }, "Checks", h("span", {}, "not run")),
-      h("p", { class: "help", key: "none" }, "They come with the answer."),
+      h("p", { class: "why", key: "none" }, "They come with the answer."),
     ];
   const titles = new Set();
   const bars = /** @type {Checked[]} */ (worstFirst(found))

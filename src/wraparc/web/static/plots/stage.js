@@ -56,7 +56,7 @@ export function follow(x, y) {
 /** The colours of a quantity, light for little, as the style gives them. */
 const ramp = { of: "", stops: /** @type {number[][]} */ ([]) };
 /** @param {number} t */
-function colour(t) {
+export function colour(t) {
   const of = ["dark", "light"].find((c) => matchMedia(`(prefers-color-scheme: ${c})`).matches);
   const seen = `${of}${matchMedia("print").matches}`;
   if (ramp.of !== seen) {

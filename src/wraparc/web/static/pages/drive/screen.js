@@ -606,7 +606,7 @@ function sources({ status, numbers: n }) {
   );
 }
 /** What the data is worth. @param {QuickAnswer | null} arc */
-function foot(arc) {
+export function foot(arc) {
   const kinds = [...new Set((answer.full?.sources || []).map((x) => x.kind))];
   const out = arc?.numbers.outside_tested_share;
   const range =

@@ -132,21 +132,15 @@ function trimOf(m, i) {
 }
 /**
  * The trim of a drive: where all drives keep their creep limits, where its share is kept.
- * @param {any} c the load case @param {number} i drive @param {any} matched if it is
+ * @param {any} c the load case @param {number} i drive
+ * @param {number[] | null} keeps trims between which all keep them, where they are found
  * @param {{pressed: boolean, put: () => void} | null} chooser of the drive that is explained
  */
-export function trimStrip(c, i, matched, chooser) {
+export function trimStrip(c, i, keeps, chooser) {
   const m = c.drives[i];
   if (!i || !(m.speed_trim > 0)) return null;
   const half = m.share_sensitivity ? (NEAR * 1e-3) / Math.abs(m.share_sensitivity) : 0;
-  /** @param {string} what @returns {number[]} */
-  const marks = (what) =>
-    (matched?.curves[0]?.marks ?? [])
-      .filter((/** @type {any} */ k) => k.what === what)
-      .map((/** @type {any} */ k) => k.at);
-  const limits = marks("creep_limit");
-  const unloaded = marks("unloaded");
-  const ends = [m.speed_trim - 2 * half, m.speed_trim + 2 * half, 1, ...limits, ...unloaded];
+  const ends = [m.speed_trim - 2 * half, m.speed_trim + 2 * half, 1, ...(keeps ?? [])];
   const [least, most] = [Math.min(...ends) - ROOM, Math.max(...ends) + ROOM];
   const [trim, put] = trimOf(m, i);
   const at = (/** @type {number} */ v) => (v - least) / (most - least);
@@ -166,7 +160,7 @@ export function trimStrip(c, i, matched, chooser) {
     h(
       "div",
       { class: "strip-track" },
-      limits.length > 1 && span("keeps", [Math.min(...limits), Math.max(...limits)]),
+      keeps && span("keeps", keeps),
       half > 0 && span("near", [m.speed_trim - half, m.speed_trim + half]),
       h(
         "s",
