@@ -17,7 +17,7 @@ from web.calculators import PATIENCE, TOKEN, Process, wait_for
 Calculator = tuple[Browser, Process]
 
 #: After this long [ms] what a page was to show is taken to be missing.
-_LONG = 120e3
+_LONG = 15e3
 STUDY = 1e3 * PATIENCE
 #: Most time between two questions of a page, whether its server is there [ms].
 LATER = 30_000
@@ -173,7 +173,9 @@ class Visitor:
             turn(self.page, name)
         self.page.wait_for_selector(READY[name])
         if name in FOLDED and unfold is not False:
-            self.page.evaluate("name => document.getElementById(`${name}-details`).open = true", name)
+            self.page.evaluate(
+                "name => document.getElementById(`${name}-details`).open = true", name
+            )
         return self.page
 
     def unfold(self) -> None:

@@ -340,17 +340,17 @@ def test_reports_of_the_page_are_those_of_the_drive_on_it(visitor: Visitor, tmp_
 def test_train_shares_and_trims(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.example("Tandem head drive, fabric belt")
-    turn(page, "train")
-    page.wait_for_selector("#train svg.chart")
+    visitor.open("train")
+    page.wait_for_selector("#train svg.chain")
     assert "second must turn 0.345 % slower" in page.inner_text("#train .verdict")
     # by hand: 45 kN leave, 105 kN are divided in halves; the wider the line the more tension
-    drawn = page.get_by_label("Load case design", exact=True).locator("svg.chart")
+    drawn = page.get_by_label("Load case design", exact=True).locator("svg.chain")
     told = drawn.locator("text").all_text_contents()
     assert {"carrying strand 150 kN", "97.5 kN", "return strand", "45 kN"} <= set(told)
     assert {"180° wrap", "200° wrap"} <= set(told)
     spans = drawn.locator("path[d*='L'][stroke-width]").all()
     widths = [float(span.get_attribute("stroke-width") or "") for span in spans]
-    assert widths == pytest.approx([8.0, 1.5 + 6.5 * 97.5 / 150, 1.5 + 6.5 * 45 / 150], abs=0.051)
+    assert widths == pytest.approx([12.0, 3.0 + 9.0 * 97.5 / 150, 3.0 + 9.0 * 45 / 150], abs=0.051)
     # one divider: what one drive gives the other takes, by keys and by hand, and one step undoes it
     divider = page.get_by_role("slider", name="Load of first and second")
     divider.focus()
@@ -610,7 +610,7 @@ def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
     low, high = sorted(m["at"] for m in marks if m["what"] == "creep_limit")
     (now,) = (m["at"] for m in marks if m["what"] == "operating")
     box, track = keeps.bounding_box(), page.locator("#train .strip-track").last.bounding_box()
-    place = page.locator("#train .strip .now").bounding_box()
+    place = page.get_by_role("slider", name="Trim of second").bounding_box()
     assert box
     assert track
     assert place

@@ -1,5 +1,5 @@
 // Across the width: an uneven pulley, what it does to the belt, and what comes of it.
-import { app, redraw } from "../base/design.js";
+import { app, gripped, redraw } from "../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
@@ -27,7 +27,7 @@ const state = {
 };
 export function update() {
   const where = `${app.pulley} ${app.case}`;
-  if (state.of === app.doc && state.where === where) return;
+  if ((state.of === app.doc && state.where === where) || gripped()) return;
   Object.assign(state, { of: app.doc, where, waiting: true });
   solve(app.doc, where);
 }

@@ -91,7 +91,7 @@ export const Page = () => {
   return framed(
     {
       of: "events",
-      how: run ? now(run) : "fresh",
+      how: run ? now(run) : undefined,
       form: h(
         "form",
         {

@@ -172,7 +172,7 @@ const toMatch = (c) =>
     {
       type: "button",
       class: "main advice",
-      disabled: Boolean(state.matching),
+      disabled: Boolean(state.matching) || now() !== "fresh",
       onClick: act(() => match(c.load_case, trimmed(), false)),
     },
     state.matching ? "At work …" : "Find the trim limits",

@@ -13,9 +13,9 @@ import { list } from "./answers.js";
 
 /**
  * The three regions, and what is below; `hero` where drawing and curve are one component. A tall
- * frame has more room under the drawing.
+ * frame has more room under the drawing; `how` where there is an answer.
  * @typedef {{of: string, form: Children, say: Children, drawing?: Children, curve?: Children,
- *   hero?: Children, side: Children, how: Standing, tall?: boolean}} Frame
+ *   hero?: Children, side: Children, how?: Standing, tall?: boolean}} Frame
  * @param {Frame} frame @param {...Children} below
  */
 export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall }, ...below) =>
@@ -41,18 +41,19 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
     fold(`${of}-details`, undefined, h("div", { class: "details" }, ...below)),
   );
 
+const idOf = () => `${app.page}-verdict`;
 /** Nothing is answered yet. @param {string} text @param {Children} [more]
  * @param {Children} [action] */
-export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);
+export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, idOf());
 /** The first sentence of a verdict; of a design before it only what becomes of it.
  * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action]
  * @param {Problem[]} [problems] */
 export function saying(how, v, more, action, problems = []) {
   if (how === "refused") return notComputed("Not computed.", problems);
   if (how !== "fresh")
-    return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.");
+    return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.", action);
   const [one, rest] = leadOf(v);
-  return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
+  return said(v.level, one, more ?? rest, action, words(v.headline), null, idOf());
 }
 /** The first sentence of a verdict without its place, and the rest. @param {Verdict} v */
 export function leadOf({ headline }) {
@@ -69,7 +70,7 @@ export const notComputed = (head, problems, action) =>
     null,
     "",
     [h("p", {}, head, " ", action), list(problems.map(sentence), "reasons")],
-    null,
+    idOf(),
   );
 
 const chosen = { check: "" };

@@ -116,10 +116,11 @@ export function solve() {
  * what the page solves itself. */
 let waits = false;
 const moving = () => {
-  waits ||= gripped() && Boolean(answer.quick?.own);
+  waits ||= gripped() && Boolean(answer.quick?.own || app.page !== "drive");
   return waits && gripped();
 };
 function rest() {
+  if (wanted && !busy) quick();
   if (!waits || gripped()) return;
   waits = false;
   confirmed();
@@ -135,7 +136,7 @@ onReturn(() => {
 /** One arc; while it is on its way only the newest change waits. */
 async function quick() {
   wanted = true;
-  if (busy) return;
+  if (busy || (gripped() && app.page !== "drive")) return;
   busy = true;
   while (wanted) {
     wanted = false;

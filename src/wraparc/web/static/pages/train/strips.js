@@ -1,6 +1,6 @@
 // How the load of a train is divided, and the trim of one of its drives: a bar with a divider
 // between neighbours, whose parts always sum to the whole, and a strip with the limits of the trim.
-import { app, change, edit, grasp, release, set } from "../../base/design.js";
+import { app, change, edit, grasp, gripped, release, set } from "../../base/design.js";
 import { percent, shown, split } from "../../base/units.js";
 import { h } from "../../vendor/preact.js";
 
@@ -65,7 +65,7 @@ function knob(label, text, place, [least, now, most], step, put) {
       grasp();
     },
     onPointerMove: (/** @type {any} */ e) =>
-      e.currentTarget.hasPointerCapture(e.pointerId) && at(e),
+      gripped() && e.currentTarget.hasPointerCapture(e.pointerId) && at(e),
     onPointerUp: () => release(),
   });
 }
