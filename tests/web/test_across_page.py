@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, turn
+from web.browser import Visitor
 from wraparc.present.sheet import named, shown
 
 #: Counts what a hand does: presses of the mouse, wherever they land.

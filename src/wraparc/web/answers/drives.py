@@ -1,11 +1,10 @@
 """A drive document to the answer: fast for one arc, or everything there is to say."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Check, Level, judge, least_tension
+from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
 from wraparc.present.checks_table import check_table

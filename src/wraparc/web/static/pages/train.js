@@ -233,12 +233,13 @@ const arcsOf = (c) =>
 /** @param {any} c */
 function loadCase(c) {
   const arcs = arcsOf(c);
-  const most = Math.max(1e-9, ...arcs.flatMap((a) => a.profile.shear_stress.map(Math.abs)));
+  // a page without a server has no course along the wrap
+  const most = Math.max(0, ...arcs.flatMap((a) => a.profile?.shear_stress?.map(Math.abs) ?? []));
   const of = new Map(
     arcs.map(({ pulley, creep_limit: limit, levels, profile: p }) => [
       pulley,
       {
-        ...{ limit, position: p.position, shear: p.shear_stress },
+        ...{ limit, position: p?.position, shear: p?.shear_stress },
         level: now() === "fresh" && levels.creep,
       },
     ]),
@@ -265,7 +266,7 @@ function loadCase(c) {
         h("div", { key }, h("dt", {}, name), h("dd", {}, h("b", {}, shown(key, sum(key), 3)))),
       ),
     ),
-    arcs.length > 0 &&
+    most > 0 &&
       h("p", { class: "legend", key: "legend" }, `colour: shear, to ${show(most, "pressure", 3)}`),
   ];
 }

@@ -47,7 +47,7 @@ function layOut(drives) {
 }
 /**
  * What is known of an arc: the limit of its creep and how it is kept, its shear along the wrap.
- * @typedef {{limit: number, level: any, position: number[], shear: number[]}} Arc
+ * @typedef {{limit: number, level: any, position?: number[], shear?: number[]}} Arc
  */
 /** @param {any} c a load case @param {Map<string, Arc>} arcs by pulley
  * @param {number} most of the shear */
@@ -141,7 +141,7 @@ function shell({ m, centre, from, sense }, id, arc, most) {
   const [x, y] = centre;
   const [r, thick] = [R - 7, 12];
   const wrap = m.wrap_angle ?? PI;
-  const shear = arc && follow(arc.position, arc.shear);
+  const shear = arc?.position && arc.shear && follow(arc.position, arc.shear);
   return h(
     "g",
     { key: `shell ${m.pulley}` },
@@ -156,7 +156,7 @@ function shell({ m, centre, from, sense }, id, arc, most) {
             d: `M${ends[0]}A${r} ${r} 0 0 ${sense > 0 ? 1 : 0} ${ends[1]}`,
             class: `wrapped ${m.share < 0 ? "brakes" : ""}`,
             "stroke-width": thick,
-            stroke: shear && colour(Math.abs(shear((k + 0.5) / PIECES)) / most),
+            stroke: shear ? colour(Math.abs(shear((k + 0.5) / PIECES)) / (most || 1)) : "var(--q2)",
             key: k,
           });
         }),
