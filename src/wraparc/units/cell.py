@@ -169,6 +169,12 @@ def in_unit(dimension: Dimension, told: Callable[[float], str]) -> str:
     return either(*(told(display_unit(dimension, system)[1]) for system in get_args(System)))
 
 
+def per_stress(compliance: float) -> str:
+    """Return a compliance h/G [m/Pa] as it is read in each system of units."""
+    inch, ksi = display_unit("length", "us")[1], 1e3 * display_unit("pressure", "us")[1]
+    return either(f"{1e9 * compliance:.3g} mm/MPa", f"{compliance * ksi / inch:.3g} in/ksi")
+
+
 def distinct(texts: Iterable[str]) -> tuple[str, ...]:
     """Return texts, each once of those that read the same in every system of units."""
     found: dict[tuple[str, ...], str] = {}
