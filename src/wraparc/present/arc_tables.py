@@ -102,8 +102,8 @@ def creep_interval_text(result: ArcResult) -> str:
 
 
 def _pressures(result: ArcResult) -> str:
-    pressure = result.profile.wrap_pressure
-    return between("wrap_pressure", float(pressure[0]), float(pressure[-1]))
+    ends = (result.arc.wrap_pressure(t) for t in (result.entry_tension, result.exit_tension))
+    return between("wrap_pressure", *ends)
 
 
 def _creep_level(result: ArcResult) -> Level | None:

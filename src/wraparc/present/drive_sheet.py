@@ -149,21 +149,40 @@ def arc_sheet(result: ArcResult) -> Sheet:
 
 
 def _arc(result: DriveResult, results: Results, of: Sources) -> list[Table]:
+    found = arc_tables(result, results, of)
+    return [table for key, table in found.items() if key != "loads"]
+
+
+def arc_tables(result: DriveResult, results: Results, of: Sources) -> dict[str, Table]:
+    """Return every table of an arc, by name.
+
+    Parameters
+    ----------
+    result
+        The drive.
+    results
+        The arc by one method or by several; the first is told in full.
+    of
+        Takes up the sources.
+    """
     first, drive = results[0], result.drive
     case = drive.load_case(first.arc.load_case)
     lagging = drive.pulley(first.arc.pulley).lagging_in(case.condition)
-    solved = tuple(result for result in results if result.status.solved)
-    tables = []
-    if solved:
-        tables += [answer_table(solved), creep_table(solved)]
-    tables += [table for table in (capacity_table(first), margins_table(result, first)) if table]
-    tables.append(comparison_table(first, lagging, of))
-    if first.status.solved:
-        tables.append(energy_table(first))
-        found = (wear_table(first, lagging), life_table(first, lagging, of))
-        tables += [table for table in found if table]
-    tables.append(input_table(drive, first.arc, of))
-    return tables
+    solved = tuple(other for other in results if other.status.solved)
+    carried = first.status.solved
+    found = {
+        "answer": answer_table(solved) if solved else None,
+        "creep": creep_table(solved) if solved else None,
+        "capacity": capacity_table(first),
+        "margins": margins_table(result, first),
+        "comparison": comparison_table(first, lagging, of),
+        "energy": energy_table(first) if carried else None,
+        "loads": loads_table(DriveResult(drive, (first,))),
+        "wear": wear_table(first, lagging) if carried else None,
+        "life": life_table(first, lagging, of) if carried else None,
+        "inputs": input_table(drive, first.arc, of),
+    }
+    return {key: table for key, table in found.items() if table is not None}
 
 
 def summary_table(results: Sequence[DriveResult]) -> Table:
