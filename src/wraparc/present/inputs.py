@@ -65,12 +65,12 @@ class Input:
 
     def text(self) -> str:
         """Return the value with its unit."""
-        if isinstance(self.value, float):
-            if math.isinf(self.value):
-                return "rigid"
-            digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
-            return quantity(self.value, self.dimension, digits, self.name)
-        return str(self.value)
+        if self.value is None or isinstance(self.value, str):
+            return str(self.value)
+        if math.isinf(self.value):
+            return "rigid"
+        digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
+        return quantity(self.value, self.dimension, digits, self.name)
 
     def note(self, of: Sources) -> str:
         """Return where it came from, with the number of its source, and its remark."""

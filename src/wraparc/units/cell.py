@@ -142,8 +142,9 @@ def quantity(
 
 def bare(value: float, dimension: Dimension, digits: int = RESULT_DIGITS, name: str = "") -> str:
     """Return the same without a unit, as it stands under `unit_of` its dimension."""
-    shown = quantity(value, dimension, digits, name)
-    return Cell(value, dimension, digits, "bare", name=name) if isinstance(shown, Cell) else shown
+    if not math.isfinite(value):
+        return quantity(value, dimension)
+    return Cell(value, dimension, digits, "bare", name=name)
 
 
 def unit_of(dimension: Dimension) -> str:
