@@ -101,8 +101,9 @@ def creep_interval_text(result: ArcResult) -> str:
 
 
 def _pressures(result: ArcResult) -> str:
-    ends = (result.arc.wrap_pressure(t) for t in (result.entry_tension, result.exit_tension))
-    return between("wrap_pressure", *ends)
+    arc = result.arc
+    first, last = arc.wrap_pressure(result.entry_tension), arc.wrap_pressure(result.exit_tension)
+    return between("wrap_pressure", first, last)
 
 
 def _creep_level(result: ArcResult) -> Level | None:

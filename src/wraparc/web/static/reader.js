@@ -3141,9 +3141,10 @@ return null;
 return ($truth(result.within_creep_limit) ? "OK" : "ATTENTION");
 }
 function arc_tables___pressures(result) {
-let ends;
-(ends = (function* () { for (const t of $iter([result.entry_tension, result.exit_tension])) { yield result.arc.wrap_pressure(t); } })());
-return sheet__between("wrap_pressure", ...$iter(ends));
+let arc, first, last;
+(arc = result.arc);
+([first, last] = [arc.wrap_pressure($bound(result, "entry_tension")), arc.wrap_pressure($bound(result, "exit_tension"))]);
+return sheet__between("wrap_pressure", first, last);
 }
 function arc_tables___values(results, of) {
 return $b.tuple((function* () { for (const result of $iter(results)) { yield of(result); } })());
