@@ -598,7 +598,7 @@ def test_trim_limits_are_those_of_the_command(visitor: Visitor) -> None:
     # trim in which the share is kept within 5 %
     page = visitor.open("drive")
     visitor.example("Tandem head drive, fabric belt")
-    turn(page, "train")
+    visitor.open("train")
     expect(page.locator("#train .strip output")).to_have_text(
         "99.655 % (± 0.076 % keeps the share within 5 %)"
     )
