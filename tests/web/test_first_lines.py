@@ -85,6 +85,52 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
     expect(page.locator("#verdict p")).not_to_contain_text("FAILS")
 
 
+def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.locator("#cases").get_by_role("button", name="start").click()
+    visitor.solved()
+    # does it hold; what is wrong; what do I do; where on the arc; in which case
+    expect(page.locator("#verdict .away")).to_have_text("ATTENTION: ")
+    expect(page.locator("#verdict p")).to_contain_text(
+        "Creeps 11.3 mm, more than the limit of 6.35"
+    )
+    assert page.locator("svg.stage.warn .hub-number tspan").first.text_content() == "11.3"
+    expect(page.locator("#verdict .act button")).to_have_text("Use full ceramic: 6.33 mm")
+    assert page.locator("svg.stage .band-over").get_attribute("d")
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 178 %")
+
+
+def test_what_is_asked_most_takes_one_press(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.wait_for_selector(".ways li")
+    number = page.locator(".hub-number tspan").first
+
+    def undone() -> None:
+        page.click("#undo")
+        expect(number).to_have_text("7.38")
+        page.wait_for_selector(".ways li")
+
+    page.get_by_role("button", name="Raise T2 to 89.4 kN").click()  # the least T2
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
+    undone()
+    page.get_by_role("button", name="Full ceramic").click()  # which lagging
+    expect(number).to_have_text("4.21")
+    undone()
+    page.select_option(".rail > .pick-row .condition select", "wet")  # wet
+    expect(number).not_to_have_text("7.38")
+    undone()
+    page.get_by_role("button", name="start creeps").click()  # the worst case
+    expect(number).to_have_text("11.3")
+    page.locator(".list button").nth(1).click()  # why, and by which source
+    expect(page.locator("#why")).to_contain_text("CEMA")
+    page.locator(".curve").get_by_text("Shear", exact=True).click()  # where on the arc
+    expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
+    page.get_by_label("US", exact=True).check(force=True)
+    expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+
+
 def test_two_numbers_on_the_strands_give_the_verdict(visitor: Visitor) -> None:
     page = new(visitor)
     assert page.locator("#verdict .act button").inner_text() == "Load the example"

@@ -23,6 +23,7 @@ import {
   si,
   split,
   title,
+  trim,
   unit,
   words,
   written,
@@ -343,8 +344,9 @@ const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, more);
 /** @param {string} cls */
 const askNow = (cls) =>
   h("button", { type: "button", class: `main ${cls}`, onClick: askAgain }, "Ask now");
+const cut = () => app.gone && app.page === "drive";
 /** Whether what is asked now waits for a server that is gone: the page solves most by itself. */
-const silent = () => app.gone && !answer.problems.length && stood() !== "fresh";
+const silent = () => cut() && !answer.problems.length && stood() !== "fresh";
 /** What keeps the drive from being solved. @param {boolean} before whether an answer stands */
 function notComputed(before) {
   const { problems, unplaced } = answer;
@@ -684,7 +686,7 @@ function foot(arc) {
       h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
     kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
     h("span", { class: out > 0 ? "mark outside" : "" }, range),
-    app.gone && !silent() ? [gone(" Asked again every 5 s."), askNow("")] : fromExample(),
+    cut() && !silent() ? [gone(" Asked again every 5 s."), askNow("")] : fromExample(),
   );
 }
 
@@ -754,7 +756,7 @@ function stageData(arc, q) {
     hub: hub(arc),
     figures: arc ? FIGURES.map(([label, key]) => [label, figure(key, n)]) : [],
     legend: solved
-      ? `band and colour: ${name.toLowerCase()}, to ${digits(+(most / f).toPrecision(3))} ${u}`.trim()
+      ? `band and colour: ${name.toLowerCase()}, to ${digits(+trim(most / f, 3))} ${u}`.trim()
       : "",
     told: arc
       ? `Pulley with its wrapped arc; ${hub(arc).filter(Boolean).join(" ")}`
