@@ -85,6 +85,19 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
     expect(page.locator("#verdict p")).not_to_contain_text("FAILS")
 
 
+def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visitor) -> None:
+    # expected: CEMA asks for 62.9 kN of this pull; a little more, in two figures
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.fill("#f-pulley-0-entry_tension", "130")
+    page.fill("#f-pulley-0-exit_tension", "4")
+    button = page.locator("#verdict .act button")
+    expect(button).to_have_text("Raise T2 to 64 kN: 11.0 mm")
+    button.click()
+    expect(page.locator(".hub-number tspan").first).to_have_text("11.0")
+    expect(page.locator("#f-pulley-0-entry_tension")).to_have_value("190")
+
+
 def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visitor) -> None:
     page = visitor.open("drive", unfold=False)
     visitor.alone()

@@ -7,7 +7,7 @@ import { arcsOf, judge } from "./judge.js";
 import { alone } from "./judging.js";
 import { movedTo } from "./load.js";
 import { leastWrap } from "./ranges.js";
-import { answer, known, wholeArc } from "./solving.js";
+import { answer, whole, wholeArc } from "./solving.js";
 import { verdictOf } from "./words.js";
 
 /** @import { Design, Level } from "../../types.d.ts" */
@@ -32,7 +32,8 @@ export const ways = () => (same(last.of) || gripped() ? last.all : []);
 export async function find() {
   const of = now();
   const { quick } = answer;
-  if (same(last.of) || gripped() || !quick || answer.quickDoc !== app.doc || !known()) return;
+  const judged = whole() || answer.judgedDoc === app.doc;
+  if (same(last.of) || gripped() || !quick || answer.quickDoc !== app.doc || !judged) return;
   Object.assign(last, { of, all: [] });
   leastWrap.wrap = null;
   if (app.doc.pulley.length > 1 || !(quick.numbers.effective_tension > 0)) return;
