@@ -28,7 +28,15 @@ from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
 from wraparc.friction import MeasuredTable
-from wraparc.present import arc_tables, checks_table, train_sheet, train_words, words
+from wraparc.present import (
+    checks_table,
+    drive_sheet,
+    sources,
+    train_sheet,
+    train_words,
+    wear_table,
+    words,
+)
 from wraparc.present import least_tension as leasts
 from wraparc.present.sheet import term
 from wraparc.provenance import Provenance
@@ -101,8 +109,6 @@ TRAIN_ENTRIES: tuple[Callable[..., object], ...] = (
     train_words.case_sentences,
     train_words.short_sentences,
     train_sheet.case_table,
-    arc_tables.capacity_rows,
-    arc_tables.Carrying,
     CaseResult,
     MemberResult,
     System,
@@ -160,6 +166,9 @@ READER: dict[str, Any] = {
     "shownLeast": leasts.shown_least,
     "checkTable": checks_table.check_table,
     "short": words.short,
+    "summaryTable": drive_sheet.summary_table,
+    "arcTables": drive_sheet.arc_tables,
+    "Sources": sources.Sources,
     "aloneOf": words.alone_of,
 }
 #: Functions of the page in the place of those that solve, and of those that form texts.
@@ -172,6 +181,8 @@ OF_CHECKS: dict[Any, Any] = {
     of_arc.slip_speed: in_page_checks.slip_speed,
     of_arc.creep_interval: in_page_checks.creep_interval,
     _across: in_page_checks.across,
+    leasts.margins_table: in_page_checks.no_table,
+    wear_table.wear_table: in_page_checks.no_table,
 }
 #: What the page reads of verdict, checks and least tension.
 READ = {
@@ -238,7 +249,7 @@ def reader_module() -> str:
     module = whole.Module(
         "wraparc",
         {**OF_FILES, **OF_CHECKS, Cell: "cellOf"},
-        frozen=[catalogue.design_friction],
+        frozen=[catalogue.design_friction, catalogue.lagging_costs],
         without=UNREAD,
         unasked=UNASKED,
         elsewhere={**kernel.exports, **cells},

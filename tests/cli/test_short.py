@@ -15,8 +15,7 @@ from wraparc.cli.solve import TABLES
 from wraparc.present.motion_sheet import work
 from wraparc.present.sheet import Row, Sheet, Table, Verdict
 from wraparc.present.short import short_sheet
-from wraparc.present.what_if_sheet import per_stress
-from wraparc.units import in_units
+from wraparc.units import in_units, per_stress
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 

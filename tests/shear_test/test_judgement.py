@@ -23,6 +23,7 @@ from wraparc.shear_test import (
 )
 from wraparc.shear_test.correlation import noise_kernel
 from wraparc.shear_test.curve_fit import fit_curve
+from wraparc.units import in_units
 
 SCATTERED = {"points": 250, "scatter_friction": 0.02, "scatter_slip": 0.03}
 SMALL = PRESSURES[[0, 2, 4, 6]]
@@ -113,7 +114,7 @@ def test_a_pressure_typed_ten_times_off_is_asked_about(
     name: str, load: float, asked: float
 ) -> None:
     found = shifted(1.0, name, load, seed=2, law=smooth())
-    told = " ".join([str(p) for p in found.left_out] + list(found.conditions[0].misfit))
+    told = in_units(" ".join([*map(str, found.left_out), *found.conditions[0].misfit]))
     if found.left_out:
         assert "if its pressure or normal force were 10 times as large" in told
     else:
@@ -147,12 +148,12 @@ def test_tests_of_different_speeds_are_no_repeats() -> None:
     assert of.separated.by_slip_speed is not None
     assert of.separated.by_slip_speed.factor == pytest.approx((1.0, 1.12), abs=0.05)
     assert not any("share one law" in s for s in found.conditions[0].misfit)
-    assert any("from 10 mm/min to 500 mm/min friction changes by +1" in remark
+    assert any("from 10 mm/min to 500 mm/min friction changes by +1" in in_units(remark)
                for remark in found.conditions[0].remarks)  # fmt: skip
     assert not of.flagged.any()
     said = replace(plan, tests=tuple(replace(test, speed=10e-3 / 60) for test in plan.tests))
     wrong = fitted(said, records).conditions[0].misfit
-    assert sum("time and travel of the file say 500 mm/min" in s for s in wrong) == 4
+    assert sum("time and travel of the file say 500 mm/min" in in_units(s) for s in wrong) == 4
 
 
 def test_a_zero_that_the_record_does_not_show_is_said_and_in_the_interval() -> None:
@@ -197,11 +198,11 @@ def test_half_the_peak_is_not_taken_for_a_zero() -> None:
 def test_what_a_usual_compliance_would_do_is_computed() -> None:
     """Expected: the peak slip of the same laboratory, fitted with that compliance."""
     plan, records = scattered(seed=1, repeats=1, pressures=SMALL[:2])
-    remarks = " ".join(fitted(plan, records).conditions[0].remarks)
+    remarks = in_units(" ".join(fitted(plan, records).conditions[0].remarks))
     given = fitted(replace(plan, rig=replace(plan.rig, compliance=0.05e-6)), records).conditions[0]
     slip = given.tests[-1].fit.parameters.peak_slip * 1e3
     assert f"would put the peak slip at 103 kPa at {slip:.3g} mm instead of" in remarks
-    assert "compliance" not in " ".join(given.remarks)
+    assert "compliance" not in in_units(" ".join(given.remarks))
 
 
 def test_a_remainder_is_judged_by_noise_and_by_size() -> None:

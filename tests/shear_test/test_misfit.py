@@ -33,6 +33,7 @@ from wraparc.shear_test import (
     run_virtual_test,
 )
 from wraparc.shear_test.misfit import JudgedFit, judged_fit
+from wraparc.units import in_units
 
 COMPLIANCE = THICKNESS / SHEAR_MODULUS
 SAMPLE = Sample(area=0.04, shear_compliance=COMPLIANCE)
@@ -48,7 +49,7 @@ def judged(of: MachineRecord, largest_lash: float = 3e-3) -> JudgedFit:
 
 
 def about(of: MachineRecord, largest_lash: float = 3e-3) -> dict[str, str]:
-    return {s.about: s.text for s in judged(of, largest_lash).misfit}
+    return {s.about: in_units(s.text) for s in judged(of, largest_lash).misfit}
 
 
 def test_a_good_curve_has_none() -> None:
@@ -59,7 +60,7 @@ def test_a_lash_larger_than_the_rigs_is_refused_not_fitted() -> None:
     found = judged(record(lash=2e-3), largest_lash=1e-3)
     assert found.fit.parameters.lash == 1e-3
     assert "lash" not in found.fit.free
-    (sentence,) = (s.text for s in found.misfit if s.about == "large lash")
+    (sentence,) = (in_units(s.text) for s in found.misfit if s.about == "large lash")
     assert sentence.startswith("the curve asks for a lash of 2.0")
     assert "more than the 1 mm the rig can have: the lash was held there" in sentence
 
@@ -73,7 +74,7 @@ def test_a_lash_of_the_wrong_sign_is_held_at_zero(jump: float, way: float) -> No
     noise = np.random.default_rng(1).normal(0.0, 0.002, len(rise))
     found = judged(replace(of, force=top * (rise + noise)))
     assert found.fit.parameters.lash == 0.0
-    said = {s.about: s.text for s in found.misfit}
+    said = {s.about: in_units(s.text) for s in found.misfit}
     assert "the wrong sign: friction rises faster from its start" in said["lash of wrong sign"]
 
 
@@ -87,7 +88,7 @@ def test_slip_before_the_record_that_no_rig_has_is_no_result() -> None:
     """A record that starts 6 mm into the slip, in a rig with 1 mm of lash."""
     found = judged(record(lash=0.0, pre_load=6e-3), largest_lash=1e-3)
     assert found.fit.parameters.lash == 0.0
-    (text,) = (s.text for s in found.misfit if s.about == "slip before the record")
+    (text,) = (in_units(s.text) for s in found.misfit if s.about == "slip before the record")
     assert "of slip before the record starts, more than the 1 mm of lash the rig can have" in text
     loaded = judged(record(lash=0.0, pre_load=0.4e-3), largest_lash=1e-3)
     assert not loaded.misfit
@@ -106,7 +107,7 @@ def test_friction_that_is_there_at_once() -> None:
     rig = replace(RIG, law=Constant(friction_coefficient=0.5), shear_compliance=0.0, points=300)
     of = as_record(run_virtual_test(rig, 207e3, 1))
     found = judged_fit(reduce_record(of, Sample(area=0.04)), 3e-3)
-    said = {s.about: s.text for s in found.misfit}
+    said = {s.about: in_units(s.text) for s in found.misfit}
     assert "a constant friction describes the curve as well" in said["jump"]
 
 
@@ -125,11 +126,11 @@ def test_a_rig_that_rubs() -> None:
 
 def test_what_a_curve_does_not_tell_is_remarked() -> None:
     short = record(stroke=2e-3, points=50, noise=0.03, law=single(0.8, 60e-3))
-    assert "this curve does not determine it" in " ".join(judged(short).remarks)
+    assert "this curve does not determine it" in in_units(" ".join(judged(short).remarks))
     loaded = record(lash=0.0, pre_load=0.4e-3)
-    assert "the record starts under load" in " ".join(judged(loaded).remarks)
+    assert "the record starts under load" in in_units(" ".join(judged(loaded).remarks))
     noisy = record(noise=0.08)
-    assert "the readings scatter by" in " ".join(judged(noisy).remarks)
+    assert "the readings scatter by" in in_units(" ".join(judged(noisy).remarks))
     falling = single(1.42, 5e-3, post_peak_slope=-16.0, residual_friction=0.2)
     assert "residual level was not reached" in " ".join(judged(record(69e3, law=falling)).remarks)
 
@@ -181,7 +182,20 @@ def test_another_pressure_than_set() -> None:
     plan, records = laboratory(pressures=[69e3, 207e3], repeats=1, points=300)
     tests = (replace(plan.tests[0], pressure=90e3), plan.tests[1])
     found = fitted(replace(plan, tests=tests), records).conditions[0]
-    assert "the measured normal force means 69 kPa, not the 90 kPa that were set" in found.misfit[0]
+    told = in_units(found.misfit[0])
+    assert "the measured normal force means 69 kPa, not the 90 kPa that were set" in told
+
+
+def test_an_area_that_is_wrong_for_all_is_asked_about_once() -> None:
+    """A sample of 400 cm2 planned as 4: the forces mean 100 times the pressures that were set."""
+    plan, records = laboratory(pressures=[69e3, 138e3, 207e3], repeats=2, points=300)
+    wrong = replace(plan, rig=replace(plan.rig, area=plan.rig.area / 100))
+    found = fitted(wrong, records).conditions[0]
+    (told,) = (in_units(s) for s in found.misfit if "normal force" in s)
+    assert told == in_units(found.misfit[0])
+    assert "in 6 of 6 tests the measured normal force is 100 times what was set" in told
+    assert "sample_area: 4 cm2 is given, 400 cm2 would agree" in told
+    assert not any("normal force" in s for s in fitted(plan, records).conditions[0].misfit)
 
 
 def test_the_same_of_many_tests_is_said_once() -> None:
@@ -194,7 +208,7 @@ def test_the_same_of_many_tests_is_said_once() -> None:
 
 def test_misfit_goes_into_the_lagging() -> None:
     found = scaled(3, 0.75)
-    assert found.lagging.fit.misfit == found.misfit
+    assert found.lagging.fit.misfit == tuple(map(in_units, found.misfit))
 
 
 def test_a_test_without_normal_force_is_left_out() -> None:
@@ -223,6 +237,7 @@ def times(factor: float, *names: str) -> Edit:
     [
         (1e3, "if a force in N had been read as kN"),
         (1e-3, "if a force in kN had been read as N"),
+        (1e2, "if its sample area or pressure were 100 times as large"),
     ],
 )
 def test_friction_that_no_lagging_has_is_left_out_with_the_likely_slip(

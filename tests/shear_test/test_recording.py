@@ -17,6 +17,7 @@ from wraparc.shear_test import Choices, MachineRecord, Sample, reduce_record
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.load_slips import surface_questions
 from wraparc.shear_test.record_faults import saturated
+from wraparc.units import in_units
 
 SAID = {
     "one load cell at its end": "readings of the force equal the largest",
@@ -39,7 +40,7 @@ def faulty(fault: str, seed: int) -> Any:
 @pytest.mark.parametrize("fault", SAID)
 def test_a_fault_is_named_in_the_verdict(fault: str) -> None:
     result = faulty(fault, 3)
-    told = " ".join([*map(str, result.left_out), *result.misfit])
+    told = in_units(" ".join([*map(str, result.left_out), *result.misfit]))
     assert SAID[fault] in told
     assert shown(verdict(result), "si").level is Level.ATTENTION
 
@@ -107,7 +108,7 @@ def test_slack_that_is_taken_up_again_is_told(seed: int, least: float) -> None:
     record = one(seed=seed)
     assert not reduced(record).faults
     (fault,) = reduced(slack_again(record, least)).faults
-    assert fault.text.startswith("friction rises less from 2")
+    assert in_units(fault.text).startswith("friction rises less from 2")
 
 
 def test_noise_that_remembers_is_neither_stick_slip_nor_slack() -> None:
@@ -189,7 +190,7 @@ def test_a_trend_within_chance_is_told_with_its_error() -> None:
         record = lab.records[test.file]
         lab.records[test.file] = replace(record, force=0.985 ** (test.order - 1) * record.force)
     told = "friction shows no trend with the order of the tests beyond chance: "
-    (text,) = (s for s in lab.fit().conditions[0].remarks if s.startswith(told))
+    (text,) = (in_units(s) for s in lab.fit().conditions[0].remarks if s.startswith(told))
     assert float(text.removeprefix(told).split()[0]) == pytest.approx(-10.0, abs=5.0)
     assert text.endswith("standard error 3 %")
 
@@ -206,7 +207,7 @@ def test_a_sample_that_wears_shows_in_its_repeats_where_no_order_is_stated() -> 
     for name, record in records.items():
         records[name] = replace(record, force=0.95 ** int(name[-1]) * record.force)
     worn = fitted(plan, records)
-    (text,) = (text for text in worn.misfit if told in text)
+    (text,) = (in_units(text) for text in worn.misfit if told in text)
     # 0.95 - 1, to the scatter of 2 % over the root of 16
     assert float(text.split("%")[0].split()[-1]) == pytest.approx(-5.0, abs=1.0)
     assert shown(verdict(worn), "si").level is Level.ATTENTION
@@ -223,7 +224,7 @@ def test_a_pressure_typed_wrong_for_all_its_tests_is_asked_about_where_friction_
     assert not any(text.startswith(rises) for text in lab.fit().misfit)
     lab.scale([name for name in lab.records if name.startswith("p1")], load=1.5)
     result = lab.fit()
-    (text,) = (text for text in result.misfit if text.startswith(rises))
+    (text,) = (in_units(text) for text in result.misfit if text.startswith(rises))
     assert "at 154.5 kPa to" in text
     assert "at 207 kPa" in text
     assert shown(verdict(result), "si").level is Level.ATTENTION
@@ -283,4 +284,4 @@ def test_a_pressure_typed_far_beyond_all_others_is_asked_about() -> None:
     lab = module.laboratory(module.two_pieces(), "9 x 1", 16)
     module.FAULTS["one pressure typed 10 times off"](lab, 16)
     (text, *_) = verdict(lab.fit()).sentences
-    assert "was its pressure 550 kPa, not 5500 kPa?" in text
+    assert "was its pressure 550 kPa, not 5500 kPa?" in in_units(text)

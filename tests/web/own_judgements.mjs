@@ -6,6 +6,7 @@ import { assemble } from "../../src/wraparc/web/static/pages/drive/assemble.js";
 import { arcsOf, asked, judge } from "../../src/wraparc/web/static/pages/drive/judge.js";
 import { leastTold } from "../../src/wraparc/web/static/pages/drive/least.js";
 import { numbersOfAll } from "../../src/wraparc/web/static/pages/drive/numbers.js";
+import { wholeOf } from "../../src/wraparc/web/static/pages/drive/whole.js";
 import { checkTable, verdictOf } from "../../src/wraparc/web/static/pages/drive/words.js";
 
 const { form, book, cases } = JSON.parse(readFileSync(0, "utf-8"));
@@ -31,7 +32,14 @@ const all = cases.map(({ doc, answer, changed }) => {
     app.units = units;
     const { rows, note } = checkTable(found);
     const cells = rows.map((r) => [r.title, ...r.values, r.note, r.level]);
-    return shown({ verdict: verdictOf(found), rows: cells, note, least: leastTold(found) });
+    const { arcs, summary } = wholeOf(found);
+    const tables = [...arcs.flatMap((a) => a.tables), ...(summary ? [summary] : [])].map((t) => [
+      ...[t.key, t.title, t.note, ...t.heads],
+      ...t.rows.map((r) => [r.title, r.symbol, ...r.values, r.note, r.level]),
+    ]);
+    const sources = arcs.map((a) => a.table_sources);
+    const least = leastTold(found);
+    return shown({ verdict: verdictOf(found), rows: cells, note, least, tables, sources });
   };
   return { problems, arcs: told, si: texts("si"), us: texts("us") };
 });

@@ -16,9 +16,10 @@ from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
 from wraparc.present.checks_table import check_table
-from wraparc.present.drive_sheet import loads_of
+from wraparc.present.drive_sheet import arc_tables, loads_of, summary_table
 from wraparc.present.least_tension import least_sentence, least_table, shown_least
 from wraparc.present.sheet import shown
+from wraparc.present.sources import Sources
 from wraparc.present.words import short
 from wraparc.units import System, display_unit, in_units
 from wraparc.web.answers.book import book
@@ -39,6 +40,8 @@ MOVES: dict[str, dict[str, float]] = {
 }
 #: Numbers that may be found to be none.
 UNKNOWN = ("wear_rate", "outside_tested_share", "transmitted_power")
+#: Tables of what the page does not solve.
+NOT_SOLVED = ("margins", "wear")
 SYSTEMS: tuple[System, System] = ("si", "us")
 
 
@@ -72,7 +75,11 @@ def moved(document: Data, ready: Data, move: dict[str, float]) -> Data:
 def told(document: Data) -> Data:
     """Return what Python says of a drive."""
     result = solved(document, capacities=True)
-    found = judge(result)
+    found, sources, tables = judge(result), [Sources() for _ in result], []
+    for arc, of in zip(result, sources, strict=True):
+        tables += [*arc_tables(result, (arc,), of).items()]
+    tables = [(key, table) for key, table in tables if key not in NOT_SOLVED]
+    tables += [("summary", summary_table([result]))] if len(result) > 1 else []
 
     def texts(system: System) -> Data:
         table = shown(check_table(found), system)
@@ -80,11 +87,22 @@ def told(document: Data) -> Data:
             "verdict": [found.level, found.word, found.headline(system), *found.sentences(system)],
             "rows": [[r.title, *r.values, r.note, r.level] for r in table.rows],
             "note": table.note,
+            "tables": [
+                [
+                    key,
+                    t.title,
+                    t.note,
+                    *t.heads,
+                    *([r.title, r.symbol, *r.values, r.note, r.level] for r in t.rows),
+                ]
+                for key, t in ((key, shown(table, system)) for key, table in tables)
+            ],
+            "sources": [list(of.listed()) for of in sources],
         }
 
     numbers = [
         (a.arc.load_case, short(result, a), found.at(a.arc.pulley, a.arc.load_case).headline(),
-         a.scalars() | loads_of(result.drive, a.arc))
+         a.scalars() | loads_of(result.drive, a.arc)._asdict())
         for a in result
     ]  # fmt: skip
     return {"arcs": numbers} | {system: texts(system) for system in SYSTEMS}

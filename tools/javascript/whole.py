@@ -405,7 +405,9 @@ def _fields(kind: Any) -> dict[str, Any]:
 def _signature(name: str, of: Any, skipped: int) -> str:
     given = [*inspect.signature(of).parameters.values()][skipped:]
     names = [p.name for p in given if p.kind not in (p.VAR_POSITIONAL, p.VAR_KEYWORD)]
-    more = any(p.kind is p.VAR_KEYWORD for p in given)
+    more, kinds = any(p.kind is p.VAR_KEYWORD for p in given), {p.kind for p in given}
+    if {inspect.Parameter.VAR_POSITIONAL, inspect.Parameter.KEYWORD_ONLY} <= kinds:
+        return f"$sig({name}, null);"
     return f"$sig({name}, {literal(names, Where(name, 0))}, {str(more).lower()});"
 
 
@@ -477,7 +479,7 @@ class Function:
         return f"function{star} {name}({', '.join(args)}) {{\n{declared}{defaults}{body}\n}}"
 
     def _arguments(self, args: ast.arguments, of: Any) -> tuple[list[str], str]:
-        found = []
+        found, by_name = [], []
         given = dict(inspect.signature(of).parameters) if of else {}
         all_ = [*args.args, *args.kwonlyargs]
         own = [None] * (len(args.args) - len(args.defaults)) + [*args.defaults, *args.kw_defaults]
@@ -491,11 +493,16 @@ class Function:
                     else self.module.value(value, self.where(default))
                 )
                 text += f" = {told}"
-            found.append(text)
+            if args.vararg and a in args.kwonlyargs:
+                by_name.append(f"{a.arg}: {text}")
+            else:
+                found.append(text)
         if args.kwarg:
             found.append(f"{local(args.kwarg.arg)} = new Map()")
         if args.vararg:
             found.append(f"...{local(args.vararg.arg)}")
+        if by_name and args.vararg:
+            return found, f"const {{{', '.join(by_name)}}} = $named({local(args.vararg.arg)});\n"
         return found, ""
 
     # statements

@@ -73,8 +73,7 @@ def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
             f"The friction law of lagging {lagging.name} does not describe its tests: "
             f"{first.rstrip('.')}{others}.{_accepted(lagging.fit.misfit_accepted)}"
         ),
-        remedy="Mend or repeat those tests and fit again, or keep more slack-side tension in hand.",
-        otherwise="Mend or repeat those tests and fit again.",
+        remedy="Mend or repeat those tests and fit again.",
         binding=False,
     )
 

@@ -2,9 +2,8 @@
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
 
-from wraparc.arc import ArcResult, Capacities
+from wraparc.arc import ArcResult
 from wraparc.checks import Level
 from wraparc.friction import Constant, FrictionLaw, PressurePower
 from wraparc.present.sheet import Row, Table, between, named, percent, row_of, term
@@ -102,8 +101,9 @@ def creep_interval_text(result: ArcResult) -> str:
 
 
 def _pressures(result: ArcResult) -> str:
-    pressure = result.profile.wrap_pressure
-    return between("wrap_pressure", float(pressure[0]), float(pressure[-1]))
+    arc = result.arc
+    first, last = arc.wrap_pressure(result.entry_tension), arc.wrap_pressure(result.exit_tension)
+    return between("wrap_pressure", first, last)
 
 
 def _creep_level(result: ArcResult) -> Level | None:
@@ -154,34 +154,10 @@ def capacity_table(result: ArcResult) -> Table | None:
     c, arc = result.capacities, result.arc
     if math.isnan(c.gross_slip_capacity) and math.isnan(c.creep_limit_capacity):
         return None
-    tested = arc.law.tested
-    return capacity_rows(
-        c,
-        Carrying(
-            entry=arc.entry_tension,
-            exit=arc.exit_tension,
-            driving=arc.side > 0.0,
-            tested_slip=math.nan if tested is None else tested.slip_max,
-            plain=independent_of_slip(arc.law),
-        ),
-    )
-
-
-class Carrying(NamedTuple):
-    """An arc whose capacities are told."""
-
-    entry: float  # tension [N]
-    exit: float
-    driving: bool
-    tested_slip: float  # largest, nan without tests [m]
-    plain: bool  # whether friction is the same at any slip
-
-
-def capacity_rows(c: Capacities, of: Carrying) -> Table:
-    """Return the table of the capacities of an arc."""
-    tight, slack = ("T1", "T2") if of.driving else ("T2", "T1")
-    held = named("tension", max(of.entry, of.exit))
-    actual = max(of.entry / of.exit, of.exit / of.entry)
+    tight, slack = ("T1", "T2") if arc.side > 0.0 else ("T2", "T1")
+    held = named("tension", max(arc.entry_tension, arc.exit_tension))
+    ratio_now = arc.entry_tension / arc.exit_tension
+    actual = max(ratio_now, 1.0 / ratio_now)
 
     def row(name: str, value: float, note: str) -> Row:
         return Row(term(name).title, (named(name, value),), term(name).symbol, note, name)
@@ -197,13 +173,13 @@ def capacity_rows(c: Capacities, of: Carrying) -> Table:
         ),
         row("equivalent_friction", c.equivalent_friction, "compare with design values"),
     ]  # fmt: skip
-    if not math.isnan(of.tested_slip):
-        slip = named("slip", of.tested_slip)
+    if arc.law.tested is not None:
+        slip = named("slip", arc.law.tested.slip_max)
         note = f"slip at the largest tested, {slip}"
         rows.append(
             ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note)
         )
-    gross = _gross_note(of.plain, c.gross_slip_creep)
+    gross = _gross_note(independent_of_slip(arc.law), c.gross_slip_creep)
     rows.append(row("gross_slip_capacity", c.gross_slip_capacity, gross))
     note = (
         f"Ratios {tight}/{slack} with {tight} held at {held}; margin is the capacity over the "

@@ -7,7 +7,7 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.checks import before, judge, least_tension
 from wraparc.drive import CREEP_LIMIT, Drive
-from wraparc.drive.load_case import resultant
+from wraparc.drive.load_case import Resultant, resultant
 from wraparc.present.arc_tables import (
     METHOD_TITLES,
     Results,
@@ -149,32 +149,53 @@ def arc_sheet(result: ArcResult) -> Sheet:
 
 
 def _arc(result: DriveResult, results: Results, of: Sources) -> list[Table]:
+    found = arc_tables(result, results, of)
+    return [table for key, table in found.items() if key != "loads"]
+
+
+def arc_tables(result: DriveResult, results: Results, of: Sources) -> dict[str, Table]:
+    """Return every table of an arc, by name.
+
+    Parameters
+    ----------
+    result
+        The drive.
+    results
+        The arc by one method or by several; the first is told in full.
+    of
+        Takes up the sources.
+    """
     first, drive = results[0], result.drive
     case = drive.load_case(first.arc.load_case)
     lagging = drive.pulley(first.arc.pulley).lagging_in(case.condition)
-    solved = tuple(result for result in results if result.status.solved)
-    tables = []
-    if solved:
-        tables += [answer_table(solved), creep_table(solved)]
-    tables += [table for table in (capacity_table(first), margins_table(result, first)) if table]
-    tables.append(comparison_table(first, lagging, of))
-    if first.status.solved:
-        tables.append(energy_table(first))
-        found = (wear_table(first, lagging), life_table(first, lagging, of))
-        tables += [table for table in found if table]
-    tables.append(input_table(drive, first.arc, of))
-    return tables
+    solved = tuple(other for other in results if other.status.solved)
+    carried = first.status.solved
+    found = {
+        "answer": answer_table(solved) if solved else None,
+        "creep": creep_table(solved) if solved else None,
+        "capacity": capacity_table(first),
+        "margins": margins_table(result, first),
+        "comparison": comparison_table(first, lagging, of),
+        "energy": energy_table(first) if carried else None,
+        "loads": loads_table(DriveResult(drive, (first,))),
+        "wear": wear_table(first, lagging) if carried else None,
+        "life": life_table(first, lagging, of) if carried else None,
+        "inputs": input_table(drive, first.arc, of),
+    }
+    return {key: table for key, table in found.items() if table is not None}
 
 
 def summary_table(results: Sequence[DriveResult]) -> Table:
     """One line for each arc and method; units stand in the heads, to keep the lines short."""
+    # T1 is the slack side where a pulley brakes
+    brakes = any(arc.arc.side < 0.0 for result in results for arc in result)
     heads = (
         headed("T1", "force"),
         headed("T2", "force"),
         "T1/T2",
         headed("creep", "length"),
         "of limit",
-        headed("least T2", "force"),
+        headed("least slack" if brakes else "least T2", "force"),
         "",
     )
     rows = []
@@ -186,11 +207,11 @@ def summary_table(results: Sequence[DriveResult]) -> Table:
     return Table("All load cases and pulleys", tuple(rows), heads, name="cases")
 
 
-def loads_of(drive: Drive, of: WrapArc) -> dict[str, float]:
-    """Return what the belt does to a pulley and bears there, by names of the glossary [SI]."""
+def loads_of(drive: Drive, of: WrapArc) -> Resultant:
+    """Return what the belt does to a pulley and bears there."""
     strength, mass = drive.belt.breaking_strength, drive.pulley(of.pulley).mass
     known = (math.nan if strength is None else strength * of.width), mass or math.nan
-    return resultant(of.entry_tension, of.exit_tension, of.wrap_angle, *known)._asdict()
+    return resultant(of.entry_tension, of.exit_tension, of.wrap_angle, *known)
 
 
 def loads_table(result: DriveResult) -> Table:
@@ -201,10 +222,15 @@ def loads_table(result: DriveResult) -> Table:
     ]
     strength = math.nan if belt.breaking_strength is None else belt.breaking_strength
     for arc in result:
-        cells = [named(key, value) for key, value in loads_of(drive, arc.arc).items()]
-        rows.append(
-            Row(f"{arc.arc.load_case}: {arc.arc.pulley}", tuple(cells[: 5 if weighed else 3]))
+        of = loads_of(drive, arc.arc)
+        cells = (
+            named("resultant_force", of.resultant_force),
+            named("resultant_angle", of.resultant_angle),
+            named("belt_safety", of.belt_safety),
+            named("most_shaft_load", of.most_shaft_load),
+            named("least_shaft_load", of.least_shaft_load),
         )
+        rows.append(Row(f"{arc.arc.load_case}: {arc.arc.pulley}", cells[: 5 if weighed else 3]))
     note = (
         "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that "
         "of T2, the weight of the pulley left out. "

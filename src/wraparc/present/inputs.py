@@ -13,8 +13,7 @@ from wraparc.drive import CREEP_LIMIT, Belt, Drive, Lagging, Pulley
 from wraparc.drive.belt import COVER_SHEAR_MODULUS, LAYERS, THICKNESS
 from wraparc.drive.conditions import SCALED
 from wraparc.drive.pitch import ESTIMATED_COVER, covered, pitch_offset
-from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import percent, quantity
+from wraparc.present.sheet import percent, quantity, term
 from wraparc.present.sources import Sources
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import GIVEN_DIGITS, RESULT_DIGITS, Dimension
@@ -66,12 +65,12 @@ class Input:
 
     def text(self) -> str:
         """Return the value with its unit."""
-        if isinstance(self.value, float):
-            if math.isinf(self.value):
-                return "rigid"
-            digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
-            return quantity(self.value, self.dimension, digits, self.name)
-        return str(self.value)
+        if self.value is None or isinstance(self.value, str):
+            return str(self.value)
+        if math.isinf(self.value):
+            return "rigid"
+        digits = RESULT_DIGITS if self.origin is None else GIVEN_DIGITS
+        return quantity(self.value, self.dimension, digits, self.name)
 
     def note(self, of: Sources) -> str:
         """Return where it came from, with the number of its source, and its remark."""
@@ -119,7 +118,7 @@ def arc_inputs(drive: Drive, arc: WrapArc) -> tuple[Input, ...]:
 def _named(
     group: str, name: str, value: float | None, origin: Provenance | None, remark: str = ""
 ) -> Input:
-    entry = GLOSSARY[name]
+    entry = term(name)
     return Input(group, entry.title, value, entry.dimension, entry.symbol, origin, remark, name)
 
 

@@ -204,7 +204,7 @@ def named(name: str, value: float) -> str:
 
 def number(name: str, value: float) -> str:
     """Return the same without its unit, which stands in the head: see `headed`."""
-    return bare(value, GLOSSARY[name].dimension, RESULT_DIGITS, name)
+    return bare(value, term(name).dimension, RESULT_DIGITS, name)
 
 
 def headed(words: str, dimension: Dimension) -> str:
@@ -214,7 +214,7 @@ def headed(words: str, dimension: Dimension) -> str:
 
 def between(name: str, first: float, last: float, form: Form = "to") -> str:
     """Return the cell of two values [SI] of a quantity of the glossary, ``387.5 to 125.0 kPa``."""
-    return Cell(last, GLOSSARY[name].dimension, RESULT_DIGITS, form, first, name)
+    return Cell(last, term(name).dimension, RESULT_DIGITS, form, first, name)
 
 
 def row_of(
@@ -225,7 +225,7 @@ def row_of(
     level: Level | None = None,
 ) -> Row:
     """Return the row of a quantity of the glossary, its words taken from there."""
-    entry = GLOSSARY[name]
+    entry = term(name)
     cells = tuple(named(name, value) for value in values)
     return Row(title or entry.title, cells, entry.symbol, note, name, level)
 

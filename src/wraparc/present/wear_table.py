@@ -51,7 +51,7 @@ def wear_table(result: ArcResult, lagging: Lagging) -> Table | None:
 
 def life_table(result: ArcResult, lagging: Lagging, of: Sources | None = None) -> Table | None:
     """Return passes, wear and life of the lagging, beside vendors' lives; None without a speed."""
-    data = life_data(result, lagging)
+    data = _life_of(result, lagging)
     if data is None:
         return None
     passes = quantity(data["passes_per_hour"], "number")
@@ -85,18 +85,23 @@ def _vendor_row(vendor: dict[str, Any], of: Sources | None) -> Row:
 
 def life_data(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
     """Return passes, energy, life and what vendors' lives stand for, as plain data [SI]."""
+    data = _life_of(result, lagging)
+    if data is None:
+        return None
+    edges, power = frictional_power(result)
+    return {**data, "position": edges.tolist(), "frictional_power": power.tolist()}
+
+
+def _life_of(result: ArcResult, lagging: Lagging) -> dict[str, Any] | None:
     speed, depth = result.arc.belt_speed, WORN_SHARE * lagging.thickness
     energy = abs(result.energy.frictional_energy)
     if speed is None or not result.status.solved or depth <= 0.0 or not energy > IDLE_ENERGY:
         return None
     passes = turns_an_hour(speed, result.arc.radius + result.arc.offset)
-    edges, power = frictional_power(result)
     k = lagging.wear_coefficient
     return {
         "passes_per_hour": passes,
         "frictional_energy": energy,
-        "position": edges.tolist(),
-        "frictional_power": power.tolist(),
         "belt_energy_share": lagging.belt_energy_share,
         "depth": depth,
         "coefficient": k,

@@ -17,7 +17,7 @@ from wraparc.present.sheet import NONE, Row, Sheet, Table, Verdict, named, perce
 from wraparc.present.words import alone, as_it_is, in_short, short
 from wraparc.train import TrainResult
 from wraparc.train.whole import Whole
-from wraparc.units import display_unit, either
+from wraparc.units import per_stress
 
 _SHOWN = (
     "entry_tension",
@@ -266,12 +266,6 @@ def _global_words(before: ArcResult, after: ArcResult) -> str:
         f"the other sources of creep supply {'less' if more else 'more'} of the slip that the "
         f"friction needs, so that global creep has to supply {'more' if more else 'less'}"
     )
-
-
-def per_stress(compliance: float) -> str:
-    """Return a compliance h/G [m/Pa] as it is read in each system of units."""
-    inch, ksi = display_unit("length", "us")[1], 1e3 * display_unit("pressure", "us")[1]
-    return either(f"{1e9 * compliance:.3g} mm/MPa", f"{compliance * ksi / inch:.3g} in/ksi")
 
 
 def _by_itself(found: WhatIf) -> list[DriveResult]:

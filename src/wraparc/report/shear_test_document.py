@@ -16,6 +16,7 @@ from wraparc.shear_test.standard_values import (
     law_at_slips,
     standard_values,
 )
+from wraparc.units import in_units
 
 #: Counts up when a name goes or changes its meaning.
 DOCUMENT_FORMAT = 1
@@ -67,8 +68,8 @@ def _condition(condition: ConditionResult, laws: bool) -> dict[str, Any]:
     fit = found.fit
     return {
         "condition": condition.condition,
-        "misfit": list(condition.misfit),
-        "remarks": list(condition.remarks),
+        "misfit": list(map(in_units, condition.misfit)),
+        "remarks": list(map(in_units, condition.remarks)),
         "tests": [_test(t, bool(off)) for t, off in zip(found.tests, found.flagged, strict=True)],
         "law": law,
         "standard_values": [_standard(values) for values in standard_values(condition)],
@@ -149,8 +150,8 @@ def _test(test: TestResult, outlier: bool) -> dict[str, Any]:
         "peak_inside": test.fit.peak_inside,
         "outlier": outlier,
         **_parameters(test),
-        "misfit": [sentence.text for sentence in test.judged.misfit],
-        "remarks": list(test.judged.remarks),
+        "misfit": [in_units(sentence.text) for sentence in test.judged.misfit],
+        "remarks": list(map(in_units, test.judged.remarks)),
     }
 
 

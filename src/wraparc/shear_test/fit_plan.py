@@ -21,6 +21,7 @@ from wraparc.shear_test.reader import read_machine_file
 from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve, Sample, reduce_record
 from wraparc.shear_test.separation import at_reference, separate
+from wraparc.units import quantity
 
 Reader = Callable[[PlannedTest], MachineRecord]
 #: Called with tests done, tests in all, and what was done.
@@ -147,7 +148,7 @@ def _one_test(plan: TestPlan, test: PlannedTest, record: MachineRecord) -> TestR
         faces=plan.rig.faces,
         shear_compliance=known + plan.cover_compliance,
         compliance=plan.rig.compliance,
-        normal_force=_set_force(plan, test),
+        normal_force=plan.set_force(test),
         friction=(plan.rig.least_friction, plan.rig.most_friction),
         stroke=test.stroke,
         stick_slip=test.stick_slip,
@@ -216,19 +217,13 @@ def _again(plan: TestPlan, test: TestResult, factor: float) -> TestResult:
     return _fitted(plan, test.test, test.record, curve, plan.shear_compliance / factor)
 
 
-def _set_force(plan: TestPlan, test: PlannedTest) -> float | None:
-    if test.normal_force is None and test.pressure is not None:
-        return test.pressure * plan.rig.area
-    return test.normal_force
-
-
 def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> list[Sentence]:
-    force = _set_force(plan, test)
+    force = plan.set_force(test)
     if force is None or abs(measured * plan.rig.area / force - 1.0) <= _MEASURED_OFF:
         return []
     text = (
-        f"the measured normal force means {measured / 1e3:.4g} kPa, not the "
-        f"{force / plan.rig.area / 1e3:.4g} kPa that were set; the measured one was used"
+        f"the measured normal force means {quantity(measured, 'pressure')}, not the "
+        f"{quantity(force / plan.rig.area, 'pressure')} that were set; the measured one was used"
     )
     return [Sentence(OTHER_PRESSURE, text)]
 
@@ -299,7 +294,7 @@ def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> NDArray[np
     keys: list[float | str] = []
     places: dict[float | str, float] = {}
     for result in results:
-        force = _set_force(plan, result.test)
+        force = plan.set_force(result.test)
         pressure = result.curve.pressure if force is None else force / plan.rig.area
         key: float | str = result.test.repeat or next(
             (k for k in places if isinstance(k, float) and abs(pressure / k - 1) < _SAME_PRESSURE),

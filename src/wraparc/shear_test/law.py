@@ -16,6 +16,7 @@ from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
+from wraparc.units import in_units
 
 _MOST_KNOTS = 24
 _CLOSE = 1e-3
@@ -140,7 +141,7 @@ def _knot_statistics(
         residual_noise=float(np.median([test.curve.noise for test in found.tests])),
         date=datetime.now(UTC).date().isoformat(),
         method=_METHOD,
-        misfit=misfit,
+        misfit=tuple(map(in_units, misfit)),
     )
 
 
@@ -156,7 +157,7 @@ def lagging_of(
     found
         What the tests have shown.
     misfit, remarks
-        Sentences that go with it.
+        Sentences that go with it; its file has them in metric units.
     """
     if found.fit is None:
         pressure, peaks, covariance = _single_pressure(found.points, found.common)
@@ -183,7 +184,7 @@ def lagging_of(
         fit=statistics,
         factors=factors,
         provenance=plan.provenance,
-        notes=remarks,
+        notes=tuple(map(in_units, remarks)),
         **_sourced(elasticity(plan), factors),
     )
 

@@ -12,13 +12,17 @@ from numpy.typing import NDArray
 
 from wraparc.catalogue import design_friction
 from wraparc.shear_test.analysis import TestResult
+from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import Array
+from wraparc.units import either, quantity
 
 # Off by more than this in ln mu is no scatter of samples; as near as this it fits. Ours.
 _OFF, _FITS = 0.3, 0.12
 # A pressure in ln p so far outside those of several others is asked about if it slipped. Ours.
 _FAR, _SEVERAL = 1.4, 4
+# Measured over set loads that differ by less than this are one factor. Ours.
+_ONE_FACTOR = 1.2
 # Powers of the pressure that friction may follow outside the other tests' pressures. Ours.
 _STEEPEST, _FLATTEST = -0.85, 0.1
 # A peak of friction over the design value of its surface. Ours; of 1.35 for rubber.
@@ -52,6 +56,45 @@ def load_questions(
         if text:
             found.append(f"{test.name}: {text}")
     return found
+
+
+def set_question(plan: TestPlan, tests: Sequence[TestResult]) -> str:
+    """Ask about a measured normal force that is off the set one by one factor in all tests.
+
+    Parameters
+    ----------
+    plan, tests
+        The plan, and its tests of one condition.
+
+    Returns
+    -------
+    str
+        The question; empty where the tests agree with what was set, or each is off by its own.
+    """
+    ratios = np.array([
+        test.curve.pressure * plan.rig.area / force
+        for test in tests
+        if test.record.normal_force is not None and (force := plan.set_force(test.test))
+    ])  # fmt: skip
+    if len(ratios) < 2 or float(ratios.max() / ratios.min()) > _ONE_FACTOR:
+        return ""
+    factor = float(np.exp(np.log(ratios).mean()))
+    if 1.0 / _ONE_FACTOR < factor < _ONE_FACTOR:
+        return ""
+    text = (
+        f"in {len(ratios)} of {len(tests)} tests the measured normal force is {factor:.3g} times "
+        "what was set: see its column and unit (wraparc read FILE)"
+    )
+    if any(test.test.pressure is not None for test in tests):
+        text += (
+            f", and sample_area: {_area(plan.rig.area)} is given, "
+            f"{_area(plan.rig.area * factor)} would agree"
+        )
+    return f"{text}. The measured force was used"
+
+
+def _area(value: float) -> str:
+    return either(f"{value * 1e4:.4g} cm2", f"{value / 0.0254**2:.4g} in2")
 
 
 def surface_questions(surface: str, condition: str, peaks: Array, faces: int) -> list[str]:
@@ -100,8 +143,9 @@ def _question(others: CurvePoints, pressure: float, ln_friction: float) -> str:
         inside = at[0] - 0.05 < p < at[-1] + 0.05
         if inside and _off(at, means, p, ln_friction - np.log(factor)) < _FITS:
             return (
-                f"was its pressure {np.exp(p) / 1e3:.3g} kPa, not {pressure / 1e3:.4g} kPa? At "
-                f"{np.exp(p) / 1e3:.3g} kPa its pull would fit the other tests (friction "
+                f"was its pressure {quantity(np.exp(p), 'pressure')}, not "
+                f"{quantity(pressure, 'pressure')}? At "
+                f"{quantity(np.exp(p), 'pressure')} its pull would fit the other tests (friction "
                 f"{friction / factor:.3g} instead of {friction:.3g}); see the pressure or normal "
                 "force in the plan and its unit"
             )

@@ -14,6 +14,7 @@ from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import friction_and_jacobian
 from wraparc.shear_test.record_faults import Swing
 from wraparc.shear_test.reduce import MOST_ZERO, FrictionCurve
+from wraparc.units import quantity
 
 _LATE = 0.5
 _STRETCHES = 30
@@ -124,27 +125,27 @@ def _lash_held(
     if free.held.lash is not None:
         return free, []
     lash, error = free.parameters.lash, free.error("lash")
+    most = quantity(largest, "length", 2)
     if lash > largest + 2.0 * error:
         sentence = (
-            f"the curve asks for a lash of {lash * 1e3:.2f} mm, more than the "
-            f"{largest * 1e3:.2g} mm the rig can have: the lash was held there, and the law does "
-            "not describe the start"
+            f"the curve asks for a lash of {quantity(lash, 'length')}, more than the {most} the "
+            "rig can have: the lash was held there, and the law does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=largest, held=free.held)
         return held, [Sentence("large lash", sentence)]
     negative = lash < -2.0 * error and lash < -1e-3 * curve.travel[-1]
     if negative and not _loaded(curve, free, top):
         sentence = (
-            f"the curve asks for a lash of {lash * 1e3:.2f} mm, the wrong sign: friction rises "
-            "faster from its start than the law does; the lash was held at 0"
+            f"the curve asks for a lash of {quantity(lash, 'length')}, the wrong sign: friction "
+            "rises faster from its start than the law does; the lash was held at 0"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
         return held, [Sentence("lash of wrong sign", sentence)]
     if negative and lash < -largest - 2.0 * error:
         sentence = (
-            f"the curve asks for {-lash * 1e3:.2f} mm of slip before the record starts, more than "
-            f"the {largest * 1e3:.2g} mm of lash the rig can have: the lash was held at 0, and the "
-            "law does not describe the start"
+            f"the curve asks for {quantity(-lash, 'length')} of slip before the record starts, "
+            f"more than the {most} of lash the rig can have: the lash was held at 0, and the law "
+            "does not describe the start"
         )
         held = fit_curve(curve, bending=bending, lash=0.0, held=free.held)
         return held, [Sentence("slip before the record", sentence)]
@@ -168,8 +169,9 @@ def _jump(fit: CurveFit, curve: FrictionCurve) -> list[Sentence]:
     if rising >= _RISING and peak > _SUDDEN * fit.slip_max:
         return []
     text = (
-        f"friction is at its peak within {peak * 1e3:.2g} mm of slip ({rising} readings): the "
-        "law's rise rests on next to nothing, and a constant friction describes the curve as well"
+        f"friction is at its peak within {quantity(peak, 'length', 2)} of slip ({rising} "
+        "readings): the law's rise rests on next to nothing, and a constant friction describes "
+        "the curve as well"
     )
     return [Sentence("jump", text)]
 
@@ -190,11 +192,11 @@ def _remainder(fit: CurveFit, curve: FrictionCurve, top: float) -> list[Sentence
         for k in np.unique(stretch[stretch >= 0]).tolist()
     }
     worst = max(means, key=lambda k: abs(means[k]))
-    place = (worst + 0.5) / _STRETCHES * fit.slip_max * 1e3
+    place = quantity((worst + 0.5) / _STRETCHES * fit.slip_max, "length", 2)
     text = (
         f"the law leaves a systematic remainder of {100 * share:.1f} % of the largest friction "
         f"({_in_levels(levels)}), "
-        f"largest ({means[worst]:+.3f}) near {place:.2g} mm of slip"
+        f"largest ({means[worst]:+.3f}) near {place} of slip"
     )
     return [Sentence("remainder", text)]
 
@@ -215,12 +217,12 @@ def _remarks(fit: CurveFit, curve: FrictionCurve, top: float) -> tuple[str, ...]
     q, error = fit.parameters, fit.error("ln_peak_slip")
     if not fit.peak_inside and error > _UNKNOWN_PEAK:
         remarks.append(
-            f"the peak lies beyond the tested {fit.slip_max * 1e3:.3g} mm and this curve does "
-            f"not determine it (peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
+            f"the peak lies beyond the tested {quantity(fit.slip_max, 'length')} and this curve "
+            f"does not determine it (peak slip uncertain by a factor of {np.exp(1.96 * error):.1f})"
         )
     if q.lash < 0.0 and "lash" in fit.free:
         remarks.append(
-            f"the record starts under load: {-q.lash * 1e3:.2f} mm of slip were past by then"
+            f"the record starts under load: {quantity(-q.lash, 'length')} of slip were past by then"
         )
     if curve.noise > _NOISY * top:
         remarks.append(f"the readings scatter by {100 * curve.noise / top:.0f} % of the friction")
@@ -241,8 +243,8 @@ def stick_slip(swing: Swing) -> Sentence:
     """Say how much of the friction is stick-slip."""
     text = (
         f"stick-slip: friction swings by {100 * swing.size:.0f} % from its largest to its "
-        f"smallest, every {swing.period * 1e3:.2g} mm; the law is that of its middle. Say which "
-        'is meant: stick_slip = "mean", "upper" or "lower"'
+        f"smallest, every {quantity(swing.period, 'length', 2)}; the law is that of its middle. "
+        'Say which is meant: stick_slip = "mean", "upper" or "lower"'
     )
     return Sentence("stick-slip", text)
 

@@ -255,6 +255,12 @@ class TestPlan:
         """The tests that the plan itself leaves out."""
         return tuple(test for test in self.tests if not test.use)
 
+    def set_force(self, test: PlannedTest) -> float | None:
+        """Normal force that was set in a test [N]; None where it was only measured."""
+        if test.normal_force is None and test.pressure is not None:
+            return test.pressure * self.rig.area
+        return test.normal_force
+
     @property
     def shear_modulus_used(self) -> float | None:
         """G, or E/3 of an incompressible rubber [Pa]."""

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from wraparc.shear_test.noise import noise_level
 from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.units import Cell
 
 #: How stick-slip is fitted: the middle of its swings, or their upper or lower ends.
 STICK_SLIP = ("mean", "upper", "lower")
@@ -261,11 +262,12 @@ def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Faul
             most, found = float(bend[k]), (begin + k, begin + k + width)
     if found is None:
         return []
-    a, b = (1e3 * float(0.5 * (edges[k] + edges[k + 1])) for k in found)
+    a, b = (float(0.5 * (edges[k] + edges[k + 1])) for k in found)
+    where = Cell(b, "length", 2, "to", a)
     text = (
-        f"friction rises less from {a:.2g} to {b:.2g} mm of travel than over as much after it, by "
-        f"{100 * most / top:.0f} % of its largest value: slack was taken up again, or the pull "
-        "stopped"
+        f"friction rises less from {where} of travel than over as much "
+        f"after it, by {100 * most / top:.0f} % of its largest value: slack was taken up again, "
+        "or the pull stopped"
     )
     return [Fault("stall", text)]
 

@@ -4,6 +4,7 @@ What is taken off is said: force zero, unloading, release, spikes. The lash is n
 but estimated with the curve, because the two depend on each other.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -39,7 +40,11 @@ _SLIPS = (
     (4.4482216152605, "a force in lbf had been read as N"),
     (0.1, "its pressure or normal force were 10 times as large"),
     (10.0, "its pressure or normal force were a tenth"),
+    (0.01, "its sample area or pressure were 100 times as large"),
+    (100.0, "its sample area or pressure were a hundredth"),
 )
+# Friction of a lagging, by which the likelier of these is named first. Ours.
+_LIKELY = 0.6
 #: Error of the force's zero, as a share of the largest force, where the record does not show it
 #: (one standard deviation), and the most that is taken for one. Ours.
 UNKNOWN_ZERO, MOST_ZERO = 0.02, 0.1
@@ -255,7 +260,7 @@ def _refuse_odd_friction(
         return
     fitting = [
         f"{top * factor:.3g} if {what}"
-        for factor, what in _SLIPS
+        for factor, what in sorted(_SLIPS, key=lambda of: abs(math.log(top * of[0] / _LIKELY)))
         if allowed[0] <= top * factor <= allowed[1]
     ]
     hint = f"; it would be {', or '.join(fitting)}" if fitting else ""

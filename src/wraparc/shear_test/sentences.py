@@ -10,13 +10,15 @@ from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE, Uncertainty
 from wraparc.shear_test.campaign import lot_sentences, order_sentences
 from wraparc.shear_test.consistency import FAR, USUAL
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.load_slips import load_questions, surface_questions
+from wraparc.shear_test.load_slips import load_questions, set_question, surface_questions
+from wraparc.shear_test.misfit import OTHER_PRESSURE
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import PressureFit
 from wraparc.shear_test.reduce import UNKNOWN_ZERO
-from wraparc.shear_test.speeds import speed_sentences
+from wraparc.shear_test.speeds import per_minute, speed_sentences
 from wraparc.shear_test.student import t95
+from wraparc.units import Cell, Dimension, per_stress, quantity
 
 _FEW = 3
 _CLEARLY = 100.0
@@ -36,7 +38,11 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         tests, found.points, told=found.separated.by_slip_speed is not None
     )
     order_remarks: list[str] = []
-    misfit = _of_curves(tests) + _repeats(tests, found) + by_speed
+    question = set_question(plan, tests)
+    misfit = [question] if question else []
+    misfit += (
+        _of_curves(tests, OTHER_PRESSURE if question else "") + _repeats(tests, found) + by_speed
+    )
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
@@ -60,9 +66,9 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         *_zero(tests),
     ]
     if law is None or choice is None:
-        pressure = tests[0].curve.pressure / 1e3
+        pressure = quantity(tests[0].curve.pressure, "pressure")
         remarks.append(
-            f"tested at {pressure:.4g} kPa only: the law does not depend on pressure, which real "
+            f"tested at {pressure} only: the law does not depend on pressure, which real "
             "laggings do; test at other pressures before relying on it elsewhere"
         )
     else:
@@ -116,9 +122,9 @@ def _rises(law: PressureFit, found: Findings) -> list[str]:
     if rise[k] <= 0.0:
         return []
     return [
-        f"peak friction rises from {np.exp(mean[k]):.3g} at {at[k] / 1e3:.4g} kPa to "
-        f"{np.exp(mean[k + 1]):.3g} at {at[k + 1] / 1e3:.4g} kPa, and falls over all pressures: "
-        "see whether a set pressure, a normal force or a sample of these is another"
+        f"peak friction rises from {np.exp(mean[k]):.3g} at {quantity(at[k], 'pressure')} to "
+        f"{np.exp(mean[k + 1]):.3g} at {quantity(at[k + 1], 'pressure')}, and falls over all "
+        "pressures: see whether a set pressure, a normal force or a sample of these is another"
     ]
 
 
@@ -142,9 +148,10 @@ def _wide(tests: Sequence[TestResult], law: PressureFit, found: Findings) -> lis
     if half[worst] < _WIDE:
         return loose if scatter > _LOOSE else []
     return [
-        f"the law's friction at {at[worst] / 1e3:.4g} kPa and {reached[worst] * 1e3:.3g} mm of "
-        f"slip is known within a factor of {np.exp(half[worst]):.2g} only (two standard "
-        "errors): more repeats, or a look at the tests that disagree"
+        f"the law's friction at {quantity(at[worst], 'pressure')} and "
+        f"{quantity(reached[worst], 'length')} of slip is known within a factor of "
+        f"{np.exp(half[worst]):.2g} only (two standard errors): more repeats, or a look at the "
+        "tests that disagree"
     ]
 
 
@@ -156,11 +163,12 @@ def _compliance(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
     test = tests[-1]
     more = UNKNOWN_COMPLIANCE * plan.rig.faces * test.curve.pressure * plan.rig.area
     other = fit_curve(test.curve, bending=test.fit.bending + more, start=test.fit)
-    own, moved = (fit.parameters.peak_slip * 1e3 for fit in (test.fit, other))
+    own, moved = (fit.parameters.peak_slip for fit in (test.fit, other))
     return [
         "the rig's own travel is not given (compliance): 0.05 mm/kN, for example, would put the "
-        f"peak slip at {test.curve.pressure / 1e3:.4g} kPa at {moved:.3g} mm instead of "
-        f"{own:.3g} mm ({100 * (moved / own - 1.0):+.1f} %)"
+        f"peak slip at {quantity(test.curve.pressure, 'pressure')} at "
+        f"{quantity(moved, 'length')} instead of {quantity(own, 'length')} "
+        f"({100 * (moved / own - 1.0):+.1f} %)"
     ]
 
 
@@ -178,11 +186,12 @@ def _zero(tests: Sequence[TestResult]) -> list[str]:
 def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
     """What was tested, as far as the plan says: pressures, slip, temperature, speed, dates."""
     planned = [test.test for test in tests]
+    speeds = [per_minute(v) for v in sorted({t.speed for t in planned if t.speed is not None})]
     parts = [
-        _range([test.curve.pressure / 1e3 for test in tests], "kPa"),
+        _range([test.curve.pressure for test in tests], "pressure"),
         _slip_reached(tests, levels),
-        _range([t.temperature - 273.15 for t in planned if t.temperature is not None], "degC"),
-        _range([t.speed * 60e3 for t in planned if t.speed is not None], "mm/min"),
+        _range([t.temperature for t in planned if t.temperature is not None], "temperature"),
+        " to ".join(speeds[:1] + speeds[1:][-1:]),
     ]
     dates = sorted({test.date for test in planned if test.date})
     parts.append(" to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
@@ -205,35 +214,31 @@ def _held(plan: TestPlan) -> list[str]:
     """What was not fitted but given."""
     held = plan.held
     said = [
-        f"peak slip {held.peak_slip * 1e3:.4g} mm" if held.peak_slip is not None else "",
+        f"peak slip {quantity(held.peak_slip, 'length', 4)}" if held.peak_slip is not None else "",
         f"peak friction {held.peak_friction:.4g}" if held.peak_friction is not None else "",
-        f"lash {held.lash * 1e3:.4g} mm" if held.lash is not None else "",
+        f"lash {quantity(held.lash, 'length', 4)}" if held.lash is not None else "",
     ]
     text = ", ".join(part for part in said if part)
     return [f"held in every curve, as the plan says, not fitted: {text}"] if text else []
 
 
 def _slip_reached(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
-    reached = np.array([test.fit.slip_max for test in tests]) * 1e3
+    reached = np.array([test.fit.slip_max for test in tests])
     everywhere = min(float(reached[levels == k].max()) for k in np.unique(levels))
-    short = f", {everywhere:.3g} mm at every pressure" if everywhere < 0.9 * reached.max() else ""
-    return f"slip up to {reached.max():.3g} mm{short}"
+    less = f", {quantity(everywhere, 'length')} at every pressure"
+    short = less if everywhere < 0.9 * reached.max() else ""
+    return f"slip up to {quantity(reached.max(), 'length')}{short}"
 
 
-def _range(values: Sequence[float], unit: str) -> str:
-    ends = (
-        list(dict.fromkeys(f"{value:.4g}" for value in (min(values), max(values))))
-        if values
-        else []
-    )
-    return f"{' to '.join(ends)} {unit}" if ends else ""
+def _range(values: Sequence[float], of: Dimension) -> str:
+    return Cell(max(values), of, 3, "to", min(values)) if values else ""
 
 
-def _of_curves(tests: Sequence[TestResult]) -> list[str]:
-    """What single curves show; the same of more than a few is said once."""
+def _of_curves(tests: Sequence[TestResult], told: str) -> list[str]:
+    """What single curves show, but for what is told; the same of more than a few is said once."""
     about: dict[str, list[tuple[TestResult, str]]] = {}
     for test in tests:
-        for sentence in test.judged.misfit:
+        for sentence in (s for s in test.judged.misfit if s.about != told):
             about.setdefault(sentence.about, []).append((test, sentence.text))
     found = []
     for cases in about.values():
@@ -280,7 +285,7 @@ def _predictions(left_out: Sequence[LeftOut]) -> list[str]:
     if not poor:
         return []
     listed = ", ".join(
-        f"{item.pressure / 1e3:.4g} kPa by {item.error:.3f} ({_in_noise(item)}, "
+        f"{quantity(item.pressure, 'pressure')} by {item.error:.3f} ({_in_noise(item)}, "
         f"{item.distance:.1f} standard deviations where chance reaches {item.limit:.1f})"
         for item in poor
     )
@@ -296,8 +301,8 @@ def _cover_sentence(plan: TestPlan) -> str:
     """Say what became of the shear of the test belt's cover."""
     if plan.cover_compliance > 0.0:
         return (
-            f"the shear of the test belt's cover, h/G = {plan.cover_compliance * 1e9:.3g} mm/MPa "
-            f"times the shear stress, is taken off the travel{_within(plan, 'cover_shear_modulus')}"
+            f"the shear of the test belt's cover, h/G = {per_stress(plan.cover_compliance)} times "
+            f"the shear stress, is taken off the travel{_within(plan, 'cover_shear_modulus')}"
         )
     if plan.cover_thickness is not None:
         return "the test belt has no cover that shears, as the plan says"
@@ -320,7 +325,7 @@ def _shear_sentence(plan: TestPlan) -> str:
     if plan.removes_shear:
         return (
             f"slip is travel less lash and less the sample's own shear, h/G = "
-            f"{plan.shear_compliance * 1e9:.3g} mm/MPa times the shear stress"
+            f"{per_stress(plan.shear_compliance)} times the shear stress"
             f"{_within(plan, 'shear_modulus')}"
         )
     if plan.shear_compliance > 0.0:
@@ -347,7 +352,7 @@ def _form(law: PressureFit, choice: PressureChoice) -> list[str]:
 def _transition(plan: TestPlan, found: Findings) -> list[str]:
     transition, saturation = found.transition, plan.saturation_pressure
     estimate = (
-        f"; the saturation estimate E * roughness / thickness is {saturation / 1e3:.3g} kPa"
+        f"; the saturation estimate E * roughness / thickness is {quantity(saturation, 'pressure')}"
         if saturation is not None
         else ""
     )
@@ -356,7 +361,7 @@ def _transition(plan: TestPlan, found: Findings) -> list[str]:
         if few:
             return [f"too few pressures to look for a transition{estimate}"]
         return [f"no transition is shown: a smooth law does as well{estimate}"]
-    at = f"{transition.pressure / 1e3:.4g} kPa"
+    at = quantity(transition.pressure, "pressure")
     if transition.given:
         return [f"transition pressure given: {at}{estimate}"]
     # no interval: where samples scatter, that of the profile is too narrow

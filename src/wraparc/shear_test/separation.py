@@ -13,8 +13,9 @@ from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Separated, TestResult
 from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
-from wraparc.shear_test.speeds import in_mm, speed_groups
+from wraparc.shear_test.speeds import per_minute, speed_groups
 from wraparc.shear_test.student import t95
+from wraparc.units import in_units, quantity
 
 Levels = NDArray[np.int64]
 #: Fits a test again, its friction times a factor.
@@ -103,7 +104,7 @@ def separate(
             continue
         remarks.append(f"{over}: taken off the curves, and kept with the law as a factor")
         factor = tuple(np.exp(slope * c.value).tolist())
-        source = Provenance(Kind.MEASURED, note=f"shear tests: {over}")
+        source = Provenance(Kind.MEASURED, note=in_units(f"shear tests: {over}"))
         factors[c.name] = FrictionFactor(at=c.at, factor=factor, source=source)
     return _moved(tests, known, factors, refit), Separated(
         by_slip_speed=factors.get("speed"),
@@ -133,7 +134,7 @@ def _speed(tests: Sequence[TestResult]) -> _Circumstance | None:
     group, speeds = speed_groups(tests)
     if len(speeds) < 2:
         return None
-    told = tuple(in_mm(speed) for speed in speeds)
+    told = tuple(per_minute(speed) for speed in speeds)
     return _Circumstance("speed", tuple(speeds), told, np.log(np.array(speeds) / speeds[0]), group)
 
 
@@ -151,7 +152,7 @@ def _temperature(tests: Sequence[TestResult]) -> _Circumstance | None:
     if len(at) < 2:
         return None
     common = at[int(np.bincount(group).argmax())]
-    told = tuple(f"{t - 273.15:.3g} °C" for t in at)
+    told = tuple(quantity(t, "temperature") for t in at)
     return _Circumstance("temperature", tuple(at), told, np.array(at) - common, group)
 
 

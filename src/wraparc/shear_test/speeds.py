@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import MachineRecord
+from wraparc.units import either
 
 # Speeds that differ by a larger factor are different ones. Ours.
 _APART = 1.5
@@ -63,8 +64,8 @@ def speed_sentences(
         Whether what speed does was taken off the curves, and said.
     """
     misfit = [
-        f"{test.name}: the plan says {in_mm(test.test.speed)}, time and travel of the file say "
-        f"{in_mm(measured)}"
+        f"{test.name}: the plan says {per_minute(test.test.speed)}, time and travel of the file "
+        f"say {per_minute(measured)}"
         for test in tests
         if test.test.speed and (measured := measured_speed(test.record))
         if not 1.0 / _APART < measured / test.test.speed < _APART
@@ -72,7 +73,7 @@ def speed_sentences(
     groups, speeds = speed_groups(tests)
     if len(speeds) < 2 or told:
         return misfit, []
-    text = f"tests at {', '.join(in_mm(speed) for speed in speeds)} share one law"
+    text = f"tests at {', '.join(per_minute(speed) for speed in speeds)} share one law"
     slow, fast = groups == 0, groups == groups.max()
     differences = []
     for level in np.unique(points.level):
@@ -89,14 +90,15 @@ def speed_sentences(
     mean = float(np.mean(differences))
     error = float(np.std(differences)) / np.sqrt(max(len(differences) - 1, 1))
     text += (
-        f": at {in_mm(speeds[-1])} friction differs by {100 * np.expm1(mean):+.0f} % from that at "
-        f"{in_mm(speeds[0])}; they were not taken as repeats of each other"
+        f": at {per_minute(speeds[-1])} friction differs by {100 * np.expm1(mean):+.0f} % from "
+        f"that at {per_minute(speeds[0])}; they were not taken as repeats of each other"
     )
     if abs(mean) > max(_LEAST, 2.0 * error):
         return [*misfit, f"{text}; {advice}"], []
     return misfit, [text]
 
 
-def in_mm(speed: float | None) -> str:
-    """A speed in words [mm/min]."""
-    return f"{(speed or 0.0) * 60e3:.3g} mm/min"
+def per_minute(speed: float | None) -> str:
+    """A speed [m/s] in words."""
+    v = 60.0 * (speed or 0.0)
+    return either(f"{v / 1e-3:.3g} mm/min", f"{v / 0.0254:.3g} in/min")

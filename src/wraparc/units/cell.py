@@ -142,8 +142,9 @@ def quantity(
 
 def bare(value: float, dimension: Dimension, digits: int = RESULT_DIGITS, name: str = "") -> str:
     """Return the same without a unit, as it stands under `unit_of` its dimension."""
-    shown = quantity(value, dimension, digits, name)
-    return Cell(value, dimension, digits, "bare", name=name) if isinstance(shown, Cell) else shown
+    if not math.isfinite(value):
+        return quantity(value, dimension)
+    return Cell(value, dimension, digits, "bare", name=name)
 
 
 def unit_of(dimension: Dimension) -> str:
@@ -167,6 +168,12 @@ def in_unit(dimension: Dimension, told: Callable[[float], str]) -> str:
     As ``in_unit("length", lambda mm: f"{peak / mm:.3g} (held)")``.
     """
     return either(*(told(display_unit(dimension, system)[1]) for system in get_args(System)))
+
+
+def per_stress(compliance: float) -> str:
+    """Return a compliance h/G [m/Pa] as it is read in each system of units."""
+    inch, ksi = display_unit("length", "us")[1], 1e3 * display_unit("pressure", "us")[1]
+    return either(f"{1e9 * compliance:.3g} mm/MPa", f"{compliance * ksi / inch:.3g} in/ksi")
 
 
 def distinct(texts: Iterable[str]) -> tuple[str, ...]:

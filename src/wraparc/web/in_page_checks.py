@@ -40,6 +40,11 @@ class FoundArc(ArcResult):
         """Creep at the exit with the belt cover in series [m]."""
         return self.found.covered_creep
 
+    @property
+    def creep_interval(self) -> tuple[float, float]:
+        """Nan: the page does not find it."""
+        return nan, nan
+
 
 def arcs_of(drive: Drive) -> list[WrapArc]:
     """Return every arc of a drive, load case by load case.
@@ -237,3 +242,7 @@ def creep_interval(_drive: Drive, result: ArcResult) -> Check | None:
 def across(_result: object) -> Iterator[Check]:
     """Yield nothing: the page solves no load across the width."""
     yield from ()
+
+
+def no_table(*_of: object) -> None:
+    """Return no table: it tells of what the page does not solve, or has no profile for."""

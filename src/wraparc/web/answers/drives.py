@@ -7,24 +7,19 @@ from dataclasses import replace
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
 from wraparc.checks import Check, Level, judge, least_tension
 from wraparc.drive import Drive
-from wraparc.present.arc_tables import answer_table, capacity_table, creep_table, energy_table
+from wraparc.present.arc_tables import answer_table, creep_table
 from wraparc.present.checks_table import check_table
 from wraparc.present.conditions_table import conditions_table
-from wraparc.present.design_values import comparison_table
 from wraparc.present.document import sources_of
-from wraparc.present.drive_sheet import input_sheet, loads_table, summary_table
-from wraparc.present.input_tables import input_table
+from wraparc.present.drive_sheet import arc_tables, input_sheet, summary_table
 from wraparc.present.least_tension import (
     least_data,
     least_sentence,
     least_table,
-    margins_table,
     shown_least,
 )
-from wraparc.present.sheet import Table as SheetTable
 from wraparc.present.sources import Sources
 from wraparc.present.train_sheet import train_input_sheet
-from wraparc.present.wear_table import life_table, wear_table
 from wraparc.present.words import alone_of, in_words, short, verdict
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
@@ -57,10 +52,6 @@ from wraparc.web.answers.trains import TrainPart, train_part
 from wraparc.web.asked import CheckRequest, FastRequest, SolveRequest
 
 _PAPER_POINTS = 121
-TABLES = (
-    "answer", "creep", "capacity", "margins", "comparison", "energy", "loads", "wear", "life",
-    "inputs",
-)  # fmt: skip
 
 
 class Arc(Answer):
@@ -213,12 +204,12 @@ def solve_fast(asked: FastRequest) -> FastAnswer:
         own = judge(whole).at(pulley.name, load.name)
         told = in_words(own, own.others)
     wanted = asked.tables and result.status.solved
-    made = [answer_table((result,)), creep_table((result,))] if wanted else []
+    made = {"answer": answer_table((result,)), "creep": creep_table((result,))} if wanted else {}
     return FastAnswer(
         sequence=asked.sequence,
         kind="train" if isinstance(thing, Train) else "drive",
         verdict=Verdict.of(told),
-        tables=tables(made, TABLES[: len(made)]),
+        tables=tables([*made.values()], made),
         remarks=_remarks(answered),
         prepared=prepared(asked.document, drive, pulley, load)
         if asked.prepared and drive is thing
@@ -343,6 +334,7 @@ def _whole_arc(
     whole: Whole, answered: DriveResult, result: ArcResult, paper: ArcResult
 ) -> WholeArc:
     of = Sources()
+    made = arc_tables(answered, (result, paper), of)
     judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return WholeArc(
         bars=_bars(judged.listed),
@@ -350,7 +342,7 @@ def _whole_arc(
         short=short(answered, result),
         raise_to=_alone(answered, result),
         unbounded=[n for n, value in result.scalars().items() if math.isinf(value)],
-        tables=tables(_tables(answered, result, paper, of), TABLES),
+        tables=tables([*made.values()], made),
         table_sources=list(of.listed()),
         paper=Paper(
             status=status_of(paper),
@@ -375,25 +367,3 @@ def _arc(whole: Whole, result: ArcResult) -> Data:
         "tested": result.arc.law.tested,
         "outside": outside(result),
     }
-
-
-def _tables(
-    answered: DriveResult, result: ArcResult, paper: ArcResult, of: Sources
-) -> list[SheetTable | None]:
-    drive = answered.drive
-    case = drive.load_case(result.arc.load_case)
-    lagging = drive.pulley(result.arc.pulley).lagging_in(case.condition)
-    solved = tuple(r for r in (result, paper) if r.status.solved)
-    carried = result.status.solved
-    return [
-        answer_table(solved) if solved else None,
-        creep_table(solved) if solved else None,
-        capacity_table(result),
-        margins_table(answered, result),
-        comparison_table(result, lagging, of),
-        energy_table(result) if carried else None,
-        loads_table(DriveResult(answered.drive, (result,))),
-        wear_table(result, lagging),
-        life_table(result, lagging, of),
-        input_table(drive, result.arc, of),
-    ]

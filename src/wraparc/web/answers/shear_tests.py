@@ -25,6 +25,7 @@ from wraparc.shear_test.digitised import guessed_pressure, read_points, with_cur
 from wraparc.shear_test.plan_file import plan_from_document
 from wraparc.shear_test.plan_keys import PLAN
 from wraparc.shear_test.reader import table_columns
+from wraparc.units import in_units
 from wraparc.web.answers.shown import (
     Answer,
     Data,
@@ -317,8 +318,8 @@ def _condition(condition: ConditionResult) -> FittedCondition:
     found, transition = condition.found, condition.found.transition
     return FittedCondition(
         condition=condition.condition,
-        misfit=list(condition.misfit),
-        remarks=list(condition.remarks),
+        misfit=list(map(in_units, condition.misfit)),
+        remarks=list(map(in_units, condition.remarks)),
         curves=[
             _curve(test, bool(flagged))
             for test, flagged in zip(condition.tests, found.flagged, strict=True)
@@ -348,7 +349,7 @@ def _curve(test: OneTest, flagged: bool) -> FittedCurve:
         lash=finite(p.lash),
         noise=finite(fit.noise),
         flagged=flagged,
-        misfit=[sentence.text for sentence in test.judged.misfit],
+        misfit=[in_units(sentence.text) for sentence in test.judged.misfit],
     )
 
 

@@ -7,7 +7,7 @@ import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judge } from "../static/pages/drive/judge.js";
 import { numbersOfAll } from "../static/pages/drive/numbers.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer } from "../static/pages/drive/whole.js";
+import { firstAnswer, wholeOf } from "../static/pages/drive/whole.js";
 import { remarksOf, verdictOf } from "../static/pages/drive/words.js";
 import { compared } from "./comparing.js";
 import { profilesOf } from "./profiles.js";
@@ -15,7 +15,6 @@ import { documentOf } from "./texts.js";
 import { quickTrain, solveTrain, trainAnswer, trainArcs } from "./train_answers.js";
 import { isTrain } from "./trains.js";
 import { unpacked } from "./unpacked.js";
-import { wholeAnswer } from "./whole_tables.js";
 
 export * from "../static/base/server.js";
 /** Every part of the page is here, and its style. @template T @param {() => Promise<T>} load */
@@ -73,7 +72,7 @@ const ANSWERS = {
     const numbers = await beside(arcsOf(judging));
     if (!numbers) throw refused(UNSOLVED);
     const judged = judge(judging, document, numbers);
-    return wholeAnswer(judged);
+    return wholeOf(judged);
   },
   train({ document, match }) {
     if (match) throw new Advice("How exactly drives must be matched is told by wraparc trim.");

@@ -3,7 +3,7 @@ import { Refused } from "../static/base/server.js";
 import { beside } from "../static/pages/drive/beside.js";
 import { arcsOf, judged as judgedAs } from "../static/pages/drive/judge.js";
 import { shownOf } from "../static/pages/drive/own.js";
-import { firstAnswer } from "../static/pages/drive/whole.js";
+import { firstAnswer, wholeOf } from "../static/pages/drive/whole.js";
 import { remarksOf, tableOf, verdictOf } from "../static/pages/drive/words.js";
 import {
   CaseResult,
@@ -13,7 +13,6 @@ import {
 } from "../static/reader.js";
 import * as K from "./train_kernel.js";
 import { trainOf } from "./trains.js";
-import { wholeAnswer } from "./whole_tables.js";
 
 /** @import { Design } from "../static/types.d.ts" */
 
@@ -116,7 +115,7 @@ function governingOf(results) {
 }
 /** @param {any} found @returns {any} */
 function wholeTrain({ judged, results }) {
-  const whole = wholeAnswer(judged);
+  const whole = wholeOf(judged);
   const worst = governingOf(results);
   const others = results.filter((/** @type {any} */ r) => r !== worst);
   whole.verdict.sentences.push(

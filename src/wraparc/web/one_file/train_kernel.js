@@ -783,23 +783,6 @@ export class Table {
   }
 }
 
-export class Carrying {
-  constructor(entry, exit, driving, tested_slip, plain) {
-    this.entry = entry;
-    this.exit = exit;
-    this.driving = driving;
-    this.tested_slip = tested_slip;
-    this.plain = plain;
-  }
-  *[Symbol.iterator]() {
-    yield this.entry;
-    yield this.exit;
-    yield this.driving;
-    yield this.tested_slip;
-    yield this.plain;
-  }
-}
-
 export class CaseResult {
   constructor(
     case_,
@@ -2688,63 +2671,6 @@ export function train_sheet__case_table(case_) {
     note,
     "drives",
   );
-}
-
-export function arc_tables___gross_note(plain, creep) {
-  if (plain) {
-    return "the whole wrap slips";
-  }
-  if (Math.abs(creep) === Infinity) {
-    return "extrapolated, approached as creep grows without bound";
-  }
-  return "" + "extrapolated, at " + $text(sheet__named("gross_slip_creep", creep)) + " of creep";
-}
-
-/** Return the table of the capacities of an arc. */
-export function arc_tables__capacity_rows(c, of) {
-  let note, slip;
-  let [tight, slack] = of.driving ? ["T1", "T2"] : ["T2", "T1"];
-  let held = sheet__named("tension", max(of.entry, of.exit));
-  let actual = max(of.entry / of.exit, of.exit / of.entry);
-  const row = (name, value, note) => {
-    return new Row(term(name).title, [sheet__named(name, value)], term(name).symbol, note, name);
-  };
-  const ratio = (name, value, margin, note) => {
-    let shown = Number.isNaN(margin)
-      ? ""
-      : "" + "margin " + $text(sheet__named("tension_ratio", margin)) + "; ";
-    return row(name, value, "" + $text(shown) + $text(note));
-  };
-  let rows = [
-    ratio(
-      "creep_limit_capacity",
-      c.creep_limit_capacity,
-      c.creep_limit_margin,
-      "the design number",
-    ),
-    row("equivalent_friction", c.equivalent_friction, "compare with design values"),
-  ];
-  if (!Number.isNaN(of.tested_slip)) {
-    slip = sheet__named("slip", of.tested_slip);
-    note = "" + "slip at the largest tested, " + $text(slip);
-    rows.push(ratio("tested_slip_capacity", c.tested_slip_capacity, c.tested_slip_margin, note));
-  }
-  let gross = arc_tables___gross_note(of.plain, c.gross_slip_creep);
-  rows.push(row("gross_slip_capacity", c.gross_slip_capacity, gross));
-  note =
-    "" +
-    "Ratios " +
-    $text(tight) +
-    "/" +
-    $text(slack) +
-    " with " +
-    $text(tight) +
-    " held at " +
-    $text(held) +
-    "; margin is the capacity over the actual ratio, " +
-    $text(sheet__named("tension_ratio", actual)) +
-    ".";
-  return new Table("Capacity", [...rows], undefined, note, "capacity");
 }
 
 /** An arc that is held all along, much longer than l; None where it is not. */

@@ -117,11 +117,13 @@ class Named {
   }
 }
 export const $k = (given) => new Named(given);
-const named = (args) => (args.at(-1) instanceof Named ? args.pop() : {});
+export const $named = (args) => (args.at(-1) instanceof Named ? args.pop() : {});
 
+/** What is said of a function; no names of one that takes any number of arguments. */
 export const $sig = (of, names, more = false, usual = {}) =>
   Object.assign(of, { $names: names, $more: more, $usual: usual });
 const placed = (of, args, by) => {
+  if (!of.$names) return [...args, $k(Object.fromEntries(by))];
   const rest = new Map(by);
   const given = of.$names.map((name, i) => {
     if (i < args.length) return args[i];
@@ -496,7 +498,7 @@ const less = (a, b) => {
 const best =
   (better) =>
   (...args) => {
-    const { key = (x) => x, ...more } = named(args);
+    const { key = (x) => x, ...more } = $named(args);
     const all = many(args);
     if (!all.length) {
       if ("default" in more) return more.default;
@@ -529,20 +531,20 @@ export const $b = {
   min: best((a, b) => less(a, b)),
   max: best((a, b) => less(b, a)),
   sorted: (...args) => {
-    const { key = (x) => x, reverse = false } = named(args);
+    const { key = (x) => x, reverse = false } = $named(args);
     const way = reverse ? -1 : 1;
     return many(args).sort(
       (a, b) => way * (less(key(a), key(b)) ? -1 : less(key(b), key(a)) ? 1 : 0),
     );
   },
   zip: (...args) => {
-    named(args);
+    $named(args);
     const all = args.map((x) => [...$iter(x)]);
     const length = Math.min(...all.map((x) => x.length));
     return Array.from({ length }, (_, i) => all.map((x) => x[i]));
   },
   enumerate: (...args) => {
-    const { start = 0 } = named(args);
+    const { start = 0 } = $named(args);
     return [...$iter(args[0])].map((x, i) => [i + start, x]);
   },
   range: (a, b) =>

@@ -1,10 +1,10 @@
 // @ts-nocheck
 // Made from the Python source by `make kernel`: change that, not this.
-import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, numbers__idles, pitch__centrifugal_force, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
-import { cell__quantity } from "./cells.js";
+import { answer__operating_point, compression__block_modulus, compression__shape_factor, load_case__exit_behind, load_case__resultant, numbers__idles, pitch__centrifugal_force, summary__available, summary__geometry_of, summary__held_creep, summary__overrun_loosens, summary__recovery_compliance, summary__spring_rate, summary__too_steep, tension_rules__behind_take_up, tension_rules__effective_keys, tension_rules__ends_of, tension_rules__families, tension_rules__fault_of, tension_rules__filled, tension_rules__less_runs, tension_rules__overridden, tension_rules__pull_given, tension_rules__speed_missing, tension_rules__too_few } from "./kernel.js";
+import { cell__percent, cell__quantity } from "./cells.js";
 import { cellOf } from "./base/digits.js";
 import { belts, isNumber, laggingNames, laggingText, overridden, parsed, readText, term } from "./documents.js";
-import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $Tuple, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
+import { $Decimal, $Dict, $Error, $KeyError, $Object, $OverflowError, $StopIteration, $Tuple, $TypeError, $ValueError, $add, $and, $at, $b, $bound, $call, $common, $eq, $fields, $format, $in, $iter, $k, $kept, $m, $made, $map, $math, $merged, $method, $mul, $named, $neg, $once, $or, $pow, $put, $re, $replaced, $repr, $shown, $sig, $slice, $str, $sub, $told, $truth } from "./python.js";
 function drive_file__drive_from_document(document, file = "", folder = "", overrides = [], allow_paths = false) {
 let belt, belt_record, cases, conditions, conveyor, criteria, laggings, message, own, parts, pulleys, record, records, report;
 
@@ -2079,7 +2079,7 @@ return null;
 }
 ([first, ...more] = lagging.fit.misfit);
 (others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check($at($c44, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again, or keep more slack-side tension in hand.", "Mend or repeat those tests and fit again.", undefined, false);
+yield new Check($at($c44, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
 }
 function of_data___accepted(reason) {
 return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
@@ -2977,10 +2977,64 @@ return worst.short;
 }
 return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 }
+function drive_sheet__summary_table(results) {
+let arc, brakes, heads, method, result, rows, title;
+
+(brakes = $b.any((function* () { for (const result of $iter(results)) { for (const arc of $iter(result)) { yield (arc.arc.side < 0.0); }} })()));
+(heads = [sheet__headed("T1", "force"), sheet__headed("T2", "force"), "T1/T2", sheet__headed("creep", "length"), "of limit", sheet__headed(($truth(brakes) ? "least slack" : "least T2"), "force"), ""]);
+(rows = []);
+for (result of $iter(results)) {
+for (arc of $iter(result)) {
+(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c72, arc.method))) : ""));
+(title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
+$m.append(rows, new Row(title, drive_sheet___summary_values(result, arc), undefined, undefined, undefined, words__level_of(result, arc)));
+}
+}
+return new Table("All load cases and pulleys", $b.tuple(rows), heads, undefined, "cases");
+}
+function sheet__headed(words, dimension) {
+
+return (($eq(dimension, "number")) ? words : ("" + $str(words) + " [" + $str(cell__unit_of(dimension)) + "]"));
+}
+function cell__unit_of(dimension) {
+
+return cellOf(0.0, dimension, undefined, "unit");
+}
+function drive_sheet___summary_values(of, result) {
+let arc, creep;
+([arc, creep] = [result.arc, result.exit_creep]);
+return [sheet__number("entry_tension", $bound(arc, "entry_tension")), sheet__number("exit_tension", $bound(arc, "exit_tension")), sheet__number("tension_ratio", (arc.entry_tension / arc.exit_tension)), sheet__number("exit_creep", creep), cell__percent(($b.abs(creep) / arc.creep_limit)), drive_sheet___least(of, result), words__short(of, result)];
+}
+function sheet__number(name, value) {
+
+return cell__bare(value, $bound(term(name), "dimension"), 3, name);
+}
+function cell__bare(value, dimension, digits = 3, name = "") {
+
+if (!$truth($math.isfinite(value))) {
+return cell__quantity(value, dimension);
+}
+return cellOf(value, dimension, digits, "bare", undefined, name);
+}
+function drive_sheet___least(of, result) {
+let found;
+
+if (($b.len($bound(of.drive, "pulleys")) > 1)) {
+return "-";
+}
+(found = least_tension__least_tension(words__alone_of(of, result)));
+if ((found == null)) {
+return "-";
+}
+if ($truth($math.isinf($bound(found, "tension")))) {
+return "none";
+}
+return cellOf($bound(found, "tension"), "force", 3, "bare up", undefined, "tension");
+}
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c72, result, $map([])));
+(known = $m.setdefault($c73, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -3001,6 +3055,590 @@ if ((!$in(take_up.after, ["", pulley.name]))) {
 (own_case = $replaced(drive, new Map([["criteria", criteria], ["pulleys", [pulley]], ["load_cases", [case_]], ["conveyor", null]])));
 return new DriveResult(own_case, [arc]);
 }
+function words__level_of(result, arc) {
+
+return judge__judge(result).at($bound(arc.arc, "pulley"), $bound(arc.arc, "load_case")).level;
+}
+function drive_sheet__arc_tables(result, results, of) {
+let carried, case_, drive, first, found, lagging, solved;
+
+([first, drive] = [$at(results, 0), result.drive]);
+(case_ = drive.load_case($bound(first.arc, "load_case")));
+(lagging = drive.pulley($bound(first.arc, "pulley")).lagging_in($bound(case_, "condition")));
+(solved = $b.tuple((function* () { for (const other of $iter(results)) { if (!($truth($told($c40, other.status, "solved")))) continue; yield other; } })()));
+(carried = $told($c40, first.status, "solved"));
+(found = $map([["answer", ($truth(solved) ? arc_tables__answer_table(solved) : null)], ["creep", ($truth(solved) ? arc_tables__creep_table(solved) : null)], ["capacity", arc_tables__capacity_table(first)], ["margins", in_page_checks__no_table(result, first)], ["comparison", design_values__comparison_table(first, lagging, of)], ["energy", ($truth(carried) ? arc_tables__energy_table(first) : null)], ["loads", drive_sheet__loads_table(new DriveResult(drive, [first]))], ["wear", ($truth(carried) ? in_page_checks__no_table(first, lagging) : null)], ["life", ($truth(carried) ? wear_table__life_table(first, lagging, of) : null)], ["inputs", input_tables__input_table(drive, $bound(first, "arc"), of)]]));
+return $map([...(function* () { for (const [key, table] of $iter($m.items(found))) { if (!((table != null))) continue; yield [key, table]; } })()]);
+}
+function arc_tables__answer_table(results) {
+let first, g, level, limit, note, notes, pressure, rows, share, sides, told, where;
+
+function row(name, note = "", level = null) {
+let values;
+(values = (function* () { for (const result of $iter(results)) { yield $b.getattr(result, name); } })());
+return $call(sheet__row_of, [name, ...$iter(values)], [["note", note], ["level", level]]);
+}
+$sig(row, ["name", "note", "level"], false);
+(first = $at(results, 0));
+(limit = first.arc.creep_limit);
+(share = ("" + $str(cell__percent(($b.abs($bound(first, "exit_creep")) / limit))) + " of the limit"));
+(notes = [("" + $str(share) + ", " + $str(sheet__named("creep_limit", limit)))]);
+(notes = $add(notes, ((first.exit_creep < 0.0) ? ["negative: with the belt"] : [])));
+(notes = $add(notes, ($truth((told = arc_tables__creep_interval_text(first))) ? [told] : [])));
+([level, sides] = [arc_tables___creep_level(first), new Set((function* () { for (const r of $iter(results)) { if (!($truth($told($c40, r.status, "solved")))) continue; yield r.within_creep_limit; } })())]);
+if (($b.len(sides) > 1)) {
+$m.append(notes, "the methods stand on different sides of it");
+(level = ((level === "OK") ? "ATTENTION" : level));
+}
+(where = ("" + "at " + $str(sheet__named("peak_shear_position", $bound(first, "peak_shear_position"))) + " from the entry"));
+(pressure = new Row("Wrap pressure, entry to exit", arc_tables___values(results, arc_tables___pressures), "p"));
+(rows = [row("exit_creep", $m.join("; ", notes), level), row("exit_slip"), row("peak_shear_angle", where), row("peak_shear_stress"), pressure, row("mean_friction", "equivalent constant friction over the whole wrap"), row("active_arc", "exit part over which 99 % of the tension change takes place"), ...$iter((!$truth($math.isnan($bound(first, "k_factor"))) ? [row("k_factor", "belt modulus x width / active arc (equation 7 of the paper)")] : []))]);
+if ($truth($b.any((function* () { for (const result of $iter(results)) { yield result.sticks; } })()))) {
+$m.append(rows, row("stuck_arc", "entry part where the belt does not slip"));
+}
+if (!$truth($b.all((function* () { for (const result of $iter(results)) { yield $math.isnan($bound(result, "outside_tested_share")); } })()))) {
+$m.append(rows, arc_tables___outside_row(results));
+}
+if (($eq($b.len(results), 1))) {
+(g = ("" + $str(cell__percent($bound(first, "entry_creep_ratio"))) + " to " + $str(cell__percent($bound(first, "exit_creep_ratio")))));
+(note = "belt slower than the lagging surface, entry to exit");
+if ((first.exit_creep_ratio < 0.0)) {
+(note = "negative: belt faster than the lagging surface, entry to exit");
+}
+$m.append(rows, new Row("Creep ratio", [g], "g", note));
+}
+return new Table(("" + "Result: " + $str(arc_tables__belongs(first))), $b.tuple(rows), arc_tables__heads(results), undefined, "result");
+}
+function sheet__row_of(name, ...values) {
+let cells, entry;
+const {note: note = "", title: title = "", level: level = null} = $named(values);
+
+(entry = term(name));
+(cells = $b.tuple((function* () { for (const value of $iter(values)) { yield sheet__named(name, value); } })()));
+return new Row($or(title, () => entry.title), cells, $bound(entry, "symbol"), note, name, level);
+}
+function arc_tables__creep_interval_text(result) {
+let end, high, low;
+
+([low, high] = result.creep_interval);
+if ($truth($math.isnan(low))) {
+return "";
+}
+if (($truth($math.isinf(high)) || $truth($math.isinf(low)))) {
+(end = ($truth($math.isinf(high)) ? low : high));
+return ("" + "95 % by the law: from " + $str(sheet__named("exit_creep", end)) + " to gross slip");
+}
+return ("" + "95 % by the law: " + $str(sheet__between("exit_creep", low, high)));
+}
+function sheet__between(name, first, last, form = "to") {
+
+return cellOf(last, $bound(term(name), "dimension"), 3, form, first, name);
+}
+function arc_tables___creep_level(result) {
+if (!$truth($told($c40, result.status, "solved"))) {
+return null;
+}
+return ($truth(result.within_creep_limit) ? "OK" : "ATTENTION");
+}
+function arc_tables___pressures(result) {
+let arc, first, last;
+(arc = result.arc);
+([first, last] = [arc.wrap_pressure($bound(result, "entry_tension")), arc.wrap_pressure($bound(result, "exit_tension"))]);
+return sheet__between("wrap_pressure", first, last);
+}
+function arc_tables___values(results, of) {
+return $b.tuple((function* () { for (const result of $iter(results)) { yield of(result); } })());
+}
+function arc_tables___outside_row(results) {
+let level, note, outside, texts, title;
+(texts = arc_tables___values(results, ((r) => ("" + $str(cell__percent($bound(r, "outside_tested_share"))) + " of the wrap"))));
+(outside = $b.any((function* () { for (const result of $iter(results)) { yield result.extrapolates; } })()));
+(note = ($truth(outside) ? "the friction law is an extrapolation there" : ""));
+(level = ($truth(outside) ? "ATTENTION" : null));
+(title = sheet__row_of("outside_tested_share", 0.0).title);
+return new Row(title, texts, "", note, "outside_tested_share", level);
+}
+function arc_tables__belongs(result) {
+
+return ("" + "pulley " + $str(result.arc.pulley) + ", load case " + $str(result.arc.load_case));
+}
+function arc_tables__heads(results) {
+
+if ((($eq($b.len(results), 1)) && ($eq($at(results, 0).method, "distributed")))) {
+return [""];
+}
+return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c72, $bound(r, "method"), $bound(r, "method")); } })());
+}
+function arc_tables__creep_table(results) {
+let name, note, row, rows, texts;
+
+(rows = []);
+for ([name, note] of $iter([["creep_shrinkage", "the belt sheds tension and shortens"], ["creep_compression", "the lagging is squeezed at the entry and recovers"], ["creep_global", "the whole belt slips back: what the friction needs beyond the first two"]])) {
+(texts = arc_tables___values(results, ((r) => arc_tables__creep_part(r, name))));
+(row = sheet__row_of(name, 0.0));
+$m.append(rows, new Row($bound(row, "title"), texts, $bound(row, "symbol"), note, name));
+}
+$m.append(rows, sheet__row_of("exit_creep", ...$iter((function* () { for (const r of $iter(results)) { yield r.exit_creep; } })())));
+return new Table("Creep by source", $b.tuple(rows), arc_tables__heads(results), undefined, "creep");
+}
+function arc_tables__creep_part(result, name) {
+let part, parts;
+
+(part = $b.getattr(result, name));
+(parts = [result.creep_shrinkage, result.creep_compression, result.creep_global]);
+if (($b.sum($b.map($b.abs, parts)) > $mul(1.05, $b.abs($bound(result, "exit_creep"))))) {
+return sheet__named(name, part);
+}
+return ("" + $str(sheet__named(name, part)) + " (" + $str(cell__percent((part / result.exit_creep), 2)) + ")");
+}
+function arc_tables__capacity_table(result) {
+let actual, arc, c, gross, held, note, ratio_now, rows, slack, slip, tight;
+
+([c, arc] = [result.capacities, result.arc]);
+if (($truth($math.isnan($bound(c, "gross_slip_capacity"))) && $truth($math.isnan($bound(c, "creep_limit_capacity"))))) {
+return null;
+}
+([tight, slack] = ((arc.side > 0.0) ? ["T1", "T2"] : ["T2", "T1"]));
+(held = sheet__named("tension", $b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension"))));
+(ratio_now = (arc.entry_tension / arc.exit_tension));
+(actual = $b.max(ratio_now, (1.0 / ratio_now)));
+function row(name, value, note) {
+return new Row($bound(term(name), "title"), [sheet__named(name, value)], $bound(term(name), "symbol"), note, name);
+}
+$sig(row, ["name", "value", "note"], false);
+function ratio(name, value, margin, note) {
+let shown;
+(shown = ($truth($math.isnan(margin)) ? "" : ("" + "margin " + $str(sheet__named("tension_ratio", margin)) + "; ")));
+return row(name, value, ("" + $str(shown) + $str(note)));
+}
+$sig(ratio, ["name", "value", "margin", "note"], false);
+(rows = [ratio("creep_limit_capacity", $bound(c, "creep_limit_capacity"), $bound(c, "creep_limit_margin"), "the design number"), row("equivalent_friction", $bound(c, "equivalent_friction"), "compare with design values")]);
+if ((arc.law.tested != null)) {
+(slip = sheet__named("slip", $bound(arc.law.tested, "slip_max")));
+(note = ("" + "slip at the largest tested, " + $str(slip)));
+$m.append(rows, ratio("tested_slip_capacity", $bound(c, "tested_slip_capacity"), $bound(c, "tested_slip_margin"), note));
+}
+(gross = arc_tables___gross_note(arc_tables__independent_of_slip($bound(arc, "law")), $bound(c, "gross_slip_creep")));
+$m.append(rows, row("gross_slip_capacity", $bound(c, "gross_slip_capacity"), gross));
+(note = ("" + "Ratios " + $str(tight) + "/" + $str(slack) + " with " + $str(tight) + " held at " + $str(held) + "; margin is the capacity over the actual ratio, " + $str(sheet__named("tension_ratio", actual)) + "."));
+return new Table("Capacity", $b.tuple(rows), undefined, note, "capacity");
+}
+function arc_tables__independent_of_slip(law) {
+
+return $b.isinstance(law, Constant, PressurePower);
+}
+function arc_tables___gross_note(plain, creep) {
+if ($truth(plain)) {
+return "the whole wrap slips";
+}
+if ($truth($math.isinf(creep))) {
+return "extrapolated, approached as creep grows without bound";
+}
+return ("" + "extrapolated, at " + $str(sheet__named("gross_slip_creep", creep)) + " of creep");
+}
+function in_page_checks__no_table(..._of) {
+
+}
+function design_values__comparison_table(result, lagging, of) {
+let arc, asked, c, given, heads, limit, mean, note, ratio, ratio_head, rows;
+
+([arc, c] = [result.arc, result.capacities]);
+(given = $b.min($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
+(ratio = ($b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")) / given));
+(mean = ($math.log(ratio) / arc.wrap_angle));
+(asked = design_values___texts(mean, ratio, given, ($truth(mean) ? arc.wrap_angle : 0.0)));
+(rows = [new Row("This load, whole wrap slipping", asked)]);
+if (!$truth($math.isnan($bound(c, "equivalent_friction")))) {
+(limit = design_values___texts($bound(c, "equivalent_friction"), $bound(c, "creep_limit_capacity"), $bound(c, "least_exit_tension"), NaN));
+$m.append(rows, new Row("At the creep limit, as computed", limit));
+}
+(rows = $add(rows, [...(function* () { for (const classical of $iter(design_values__known(result, lagging))) { yield design_values___design_row(classical, result, of); } })()]));
+if ($truth(lagging.surface)) {
+(note = "Slack side: Cw (T1 - T2) with Cw = 1/(exp(mu phi) - 1). Slipping arc: ln(T1/T2)/mu. Design values are constant and take no account of creep.");
+} else {
+(note = "The surface of the lagging is not given, so no design values apply.");
+}
+(ratio_head = ((arc.side > 0.0) ? "T1/T2 up to" : "T2/T1 up to"));
+(heads = ["friction", ratio_head, "slack side", "slipping arc"]);
+return new Table("Compared with constant friction", $b.tuple(rows), heads, note, "constant");
+}
+function design_values___texts(mu, ratio, slack, arc) {
+return [cell__quantity(mu, "number"), sheet__named("tension_ratio", ratio), sheet__named("tension", slack), sheet__named("active_arc", arc)];
+}
+function design_values__known(result, lagging) {
+
+return constant_friction__classical_drives($bound(result, "arc"), lagging);
+}
+function constant_friction__classical_drives(arc, lagging) {
+let known;
+
+(known = [...(function* () { for (const value of $iter((() => $c50)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
+known.splice(0, Infinity, ...$b.sorted(known, $k({key: ((value) => (!$in(value.condition, ["", lagging.condition])))})));
+return $b.tuple((function* () { for (const value of $iter(known)) { yield constant_friction___classical(arc, value); } })());
+}
+function constant_friction___classical(arc, value) {
+let factors, high, low, phi, pull, ratio;
+([low, high] = value.friction);
+([phi, pull] = [arc.wrap_angle, $b.abs($bound(arc, "effective_tension"))]);
+(ratio = (arc.entry_tension / arc.exit_tension));
+(factors = [constant_friction__wrap_factor(low, phi), constant_friction__wrap_factor(high, phi)]);
+return new ClassicalDrive(value, [constant_friction__capstan_ratio(low, phi), constant_friction__capstan_ratio(high, phi)], factors, [$mul($at(factors, 0), pull), $mul($at(factors, 1), pull)], [constant_friction__slipping_arc(low, ratio), constant_friction__slipping_arc(high, ratio)]);
+}
+function constant_friction__capstan_ratio(friction, wrap_angle) {
+
+return $math.exp($mul(friction, wrap_angle));
+}
+function constant_friction__slipping_arc(friction, tension_ratio) {
+
+return ($b.abs($math.log(tension_ratio)) / friction);
+}
+function design_values___design_row(drive, result, of) {
+let arc, design, high, low, note, slips, standard, title, values;
+([design, arc] = [drive.design, result.arc]);
+(standard = $add($m.upper($at(design.standard, 0)), $slice(design.standard, 1, null)));
+(slips = ($at(drive.slipping_arc, 0) > arc.wrap_angle));
+([low, high] = design.friction);
+(values = [(($eq(low, high)) ? ("" + $format(low, ("" + ".2f"))) : ("" + $format(low, ("" + ".2f")) + "-" + $format(high, ("" + ".2f")))), design_values___pair("tension_ratio", $bound(drive, "ratio")), design_values___pair("tension", $bound(drive, "slack_tension")), ($truth(slips) ? "gross slip" : design_values___pair("active_arc", $bound(drive, "slipping_arc")))]);
+(note = of.note($bound(design, "provenance")));
+(title = $m.join(", ", (function* () { for (const part of $iter([standard, design.surface, design.condition])) { if (!($truth(part))) continue; yield part; } })()));
+return new Row(title, values, undefined, note, undefined, ($truth(slips) ? "ATTENTION" : null));
+}
+function design_values___pair(name, ends) {
+return $call(sheet__between, [name, ...$iter(ends)], [["form", "-"]]);
+}
+function arc_tables__energy_table(result) {
+let e, entry, needs, note, rows;
+
+(e = result.energy);
+(rows = [...(function* () { for (const name of $iter(["transmitted_power", "sliding_power", "shear_loss", "power_loss"])) { if (!(!$truth($math.isnan($b.getattr(e, name))))) continue; yield sheet__row_of(name, $b.getattr(e, name)); } })()]);
+if (!$truth($math.isnan($bound(e, "efficiency")))) {
+(entry = sheet__row_of("efficiency", 0.0));
+$m.append(rows, new Row($bound(entry, "title"), [cell__percent($bound(e, "efficiency"), 4)], $bound(entry, "symbol"), "", "efficiency"));
+}
+(note = "what wears lagging and belt");
+$m.append(rows, $call(sheet__row_of, ["frictional_energy", $bound(e, "frictional_energy")], [["note", note]]));
+if (!$truth($math.isnan($bound(e, "wear_rate")))) {
+$m.append(rows, sheet__row_of("wear_rate", $bound(e, "wear_rate")));
+}
+(needs = ($truth(result.arc.belt_speed) ? "" : "Give the belt speed to see powers."));
+return new Table("Energy and wear", $b.tuple(rows), undefined, needs, "energy");
+}
+function drive_sheet__loads_table(result) {
+let arc, belt, cells, drive, given, heads, note, of, rows, shown, strength, weighed;
+
+([drive, belt, rows] = [result.drive, result.drive.belt, []]);
+(weighed = [...(function* () { for (const p of $iter(drive.pulleys)) { if (!($truth(p.mass))) continue; yield ("" + $str(p.name) + " " + $str(cell__quantity($bound(p, "mass"), "mass", 4))); } })()]);
+(strength = ((belt.breaking_strength == null) ? NaN : belt.breaking_strength));
+for (arc of $iter(result)) {
+(of = drive_sheet__loads_of(drive, $bound(arc, "arc")));
+(cells = [sheet__named("resultant_force", $bound(of, "resultant_force")), sheet__named("resultant_angle", $bound(of, "resultant_angle")), sheet__named("belt_safety", $bound(of, "belt_safety")), sheet__named("most_shaft_load", $bound(of, "most_shaft_load")), sheet__named("least_shaft_load", $bound(of, "least_shaft_load"))]);
+$m.append(rows, new Row(("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley)), $slice(cells, null, ($truth(weighed) ? 5 : 3))));
+}
+(note = "Resultant of the belt tensions for shaft and bearings, from the line of T1 towards that of T2, the weight of the pulley left out. ");
+if ($truth(weighed)) {
+(note = $add(note, ("" + "With the weight (" + $str($m.join(", ", weighed)) + "): most where the belt pulls straight down, least where it pulls straight up; where it pulls level, the root of the sum of both squares. ")));
+}
+if ((belt.breaking_strength == null)) {
+(note = $add(note, "Safety factor of the belt: its strength is not given."));
+} else {
+(given = cell__quantity(strength, "force_per_width", 4));
+(note = $add(note, ("" + "Safety factor: strength " + $str(given) + " over the larger tension; see the checks.")));
+}
+(heads = ["resultant", "direction", "belt", "with weight, most", "least"]);
+(shown = $slice(heads, null, ($truth(weighed) ? 5 : 3)));
+return new Table("Loads of pulleys and belt", $b.tuple(rows), shown, note, "loads");
+}
+function drive_sheet__loads_of(drive, of) {
+let known, mass, strength;
+
+([strength, mass] = [drive.belt.breaking_strength, drive.pulley($bound(of, "pulley")).mass]);
+(known = [((strength == null) ? NaN : $mul(strength, of.width)), $or(mass, () => NaN)]);
+return load_case__resultant($bound(of, "entry_tension"), $bound(of, "exit_tension"), $bound(of, "wrap_angle"), ...$iter(known));
+}
+function wear_table__life_table(result, lagging, of = null) {
+let data, depth, k, life, note, passes, rows, source;
+
+(data = wear_table___life_of(result, lagging));
+if ((data == null)) {
+return null;
+}
+(passes = cell__quantity($at(data, "passes_per_hour"), "number"));
+(rows = [new Row("Passes of the lagging under the belt", [("" + $str(passes) + " 1/h")])]);
+(depth = cell__quantity($at(data, "depth"), "length"));
+if (($at(data, "life_hours") != null)) {
+(k = cell__quantity($at(data, "coefficient"), "wear_coefficient"));
+(source = $b.str(lagging.source_of("wear_coefficient")));
+$m.append(rows, new Row("Wear coefficient", [k], undefined, source));
+(life = wear_table___life($at(data, "life_hours")));
+$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, wear_table___years_note()));
+}
+(rows = $add(rows, [...(function* () { for (const vendor of $iter($at(data, "vendors"))) { yield wear_table___vendor_row(vendor, of); } })()]));
+(note = ("" + "Depth that may be worn off: half the thickness, " + $str(depth) + "."));
+if (($at(data, "life_hours") == null)) {
+(note = $add(note, " The life follows from a wear coefficient, which nobody publishes: calibrate it to a measured wear (wraparc field --measured-wear), or give wear_coefficient."));
+}
+return new Table("Life of the lagging", $b.tuple(rows), undefined, note, "life");
+}
+function wear_table___life_of(result, lagging) {
+let depth, energy, k, passes, speed;
+([speed, depth] = [result.arc.belt_speed, $mul(0.5, lagging.thickness)]);
+(energy = $b.abs($bound(result.energy, "frictional_energy")));
+if (((speed == null) || !$truth($told($c40, result.status, "solved")) || (depth <= 0.0) || !(energy > 1e-09))) {
+return null;
+}
+(passes = pitch__turns_an_hour(speed, $add(result.arc.radius, result.arc.offset)));
+(k = lagging.wear_coefficient);
+return $map([["passes_per_hour", passes], ["frictional_energy", energy], ["belt_energy_share", lagging.belt_energy_share], ["depth", depth], ["coefficient", k], ["life_hours", ((k == null) ? null : wear__wear_life(depth, k, energy, passes))], ["vendors", $b.list(wear_table___vendors(lagging, depth, energy, passes))]]);
+}
+function wear__wear_life(depth, coefficient, energy, passes) {
+let worn;
+
+(worn = $mul($mul(coefficient, $b.abs(energy)), passes));
+return ((worn > 0.0) ? (depth / worn) : Infinity);
+}
+function* wear_table___vendors(lagging, depth, energy, passes) {
+let ends, high, low, row;
+for (row of $iter((() => $c74)())) {
+if (($eq(row.surface, lagging.surface))) {
+([low, high] = row.life_years);
+(ends = (function* () { for (const y of $iter([high, low])) { yield wear__coefficient_of_life(depth, $mul(6000.0, y), energy, passes); } })());
+yield $map([["name", row.name], ["years", [low, high]], ["coefficient", $b.list(ends)], ["source", $b.str($bound(row, "provenance"))]]);
+}
+}
+}
+function wear__coefficient_of_life(depth, hours, energy, passes) {
+let worn;
+
+(worn = $mul($mul(hours, $b.abs(energy)), passes));
+return ((worn > 0.0) ? (depth / worn) : Infinity);
+}
+function wear_table___life(hours) {
+if ($truth($math.isinf(hours))) {
+return "-";
+}
+return $add(cell__quantity(hours, "number"), " h");
+}
+function wear_table___years_note() {
+return ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here");
+}
+function wear_table___vendor_row(vendor, of) {
+let ends, high, least, low, most, note, number, years;
+([low, high] = $at(vendor, "coefficient"));
+(ends = cellOf(high, "wear_coefficient", 3, "to", low));
+([least, most] = $at(vendor, "years"));
+(years = (($eq(least, most)) ? ("" + "over " + $format(least, ("" + "g"))) : ("" + $format(least, ("" + "g")) + " to " + $format(most, ("" + "g")))));
+(number = ((of == null) ? "" : of.number(("" + $str("life of a lagging as its vendor states it") + ": " + $str($at(vendor, "source"))))));
+(note = ("" + "whatever the creep; here it would take a wear coefficient of " + $str(ends) + " " + $str(number)));
+return new Row(("" + "Vendor's life, " + $str($at(vendor, "name"))), [("" + $str(years) + " years")], undefined, $m.strip(note));
+}
+function input_tables__input_table(drive, arc, of) {
+let title;
+
+(title = ("" + "Inputs: pulley " + $str(arc.pulley) + ", load case " + $str(arc.load_case)));
+return new Table(title, input_tables__input_rows(inputs__arc_inputs(drive, arc), of), undefined, undefined, "inputs");
+}
+function inputs__arc_inputs(drive, arc) {
+let group, pull, pulley, ratio;
+
+(pulley = drive.pulley($bound(arc, "pulley")).in_condition($bound(drive.load_case($bound(arc, "load_case")), "condition")));
+([pull, ratio] = [arc.effective_tension, (arc.entry_tension / arc.exit_tension)]);
+(group = ("" + "Load case " + $str(arc.load_case)));
+return [...$iter(inputs__belt_inputs($replaced(drive.belt, new Map([["speed", arc.belt_speed]])))), ...$iter(inputs___pulley(drive, pulley, $bound(arc, "entry_overrun"))), ...$iter(inputs__lagging_inputs($bound(pulley, "lagging"))), ...$iter(inputs___tensions(drive, arc)), inputs___named(group, "effective_tension", pull, null, $bound(arc, "duty")), inputs___named(group, "tension_ratio", ratio, null)];
+}
+function* inputs__belt_inputs(belt) {
+let group, key, least, most, name, origin_of, shear;
+
+(group = "Belt");
+function origin(key) {
+return $m.get(belt.sources, key, $bound(belt, "provenance"));
+}
+$sig(origin, ["key"], false);
+function own(title, value, dimension, key) {
+return new Input(group, title, value, dimension, "", origin(key));
+}
+$sig(own, ["title", "value", "dimension", "key"], false);
+(name = ($truth(belt.kind) ? ("" + $str(belt.name) + " (" + $str(belt.kind) + ")") : belt.name));
+yield new Input(group, "Belt", name, undefined, undefined, belt.provenance);
+yield inputs___named(group, "belt_width", $bound(belt, "width"), origin("width"));
+yield inputs___named(group, "belt_modulus", $bound(belt, "modulus"), origin("modulus"));
+yield inputs___named(group, "axial_stiffness", $bound(belt, "axial_stiffness"), null, "M B");
+yield own("Rating of the belt", $bound(belt, "rating"), "force_per_width", "rating");
+if ((belt.breaking_strength != null)) {
+yield own("Breaking strength", $bound(belt, "breaking_strength"), "force_per_width", "strength");
+}
+([least, most] = [belt.least_pulley_diameter, belt.largest_wrap_pressure]);
+yield own("Least drive pulley", least, "length", "least_pulley_diameter");
+yield own("Largest wrap pressure", most, "pressure", "largest_wrap_pressure");
+yield own("Momentary tension over rating", $bound(belt, "momentary_factor"), "number", "momentary_factor");
+yield inputs___named(group, "belt_speed", $bound(belt, "speed"), origin("speed"));
+(shear = belt.in_plane_shear_stiffness);
+if ((shear != null)) {
+(origin_of = origin("in_plane_shear_stiffness"));
+yield inputs___named(group, "in_plane_shear_stiffness", shear, origin_of);
+}
+for (key of $iter([...$iter($c6), "thickness", "cover_shear_modulus", "mass"])) {
+if (($b.getattr(belt, key) != null)) {
+(name = $m.get($map([["thickness", "belt_thickness"], ["mass", "belt_mass"]]), key, key));
+yield inputs___named(group, name, $b.getattr(belt, key), origin(key));
+}
+}
+if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
+yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c75);
+}
+}
+function inputs___named(group, name, value, origin, remark = "") {
+let entry;
+(entry = term(name));
+return new Input(group, $bound(entry, "title"), value, $bound(entry, "dimension"), $bound(entry, "symbol"), origin, remark, name);
+}
+function* inputs___pulley(drive, pulley, overrun = null) {
+let by_formula, conditions, group, known, lagging, limit, offset, side, title;
+
+(group = ("" + "Pulley " + $str(pulley.name)));
+function origin(key) {
+return $m.get(pulley.sources, key, $c76);
+}
+$sig(origin, ["key"], false);
+yield inputs___named(group, "diameter", $bound(pulley, "diameter"), origin("diameter"));
+yield inputs___named(group, "wrap_angle", $bound(pulley, "wrap_angle"), origin("wrap_angle"));
+([offset, side] = [pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), ("" + $str(pulley.side) + " side of the belt")]);
+if ((offset != null)) {
+yield inputs___named(group, "pitch_offset", offset, null, side);
+} else {
+if ((!$eq(pulley.side, "pulley"))) {
+yield new Input(group, "Meets the", side, undefined, undefined, origin("side"));
+}
+}
+if ((pulley.mass != null)) {
+yield inputs___named(group, "pulley_mass", $bound(pulley, "mass"), origin("mass"));
+}
+if ((pulley.overrun != null)) {
+yield inputs___named(group, "overrun", $bound(pulley, "overrun"), origin("overrun"));
+} else {
+(by_formula = inputs___named(group, "overrun", overrun, null, "from the compression of the lagging, 1.25 delta sqrt(delta/R)"));
+yield ((overrun != null) ? by_formula : $replaced(by_formula, new Map([["value", "by formula"]])));
+}
+if (!$truth(pulley.recovery)) {
+yield new Input(group, "Recovery of the lagging", "not counted", undefined, undefined, origin("recovery"));
+}
+(limit = drive.creep_limit_of(pulley));
+(known = (($eq(limit, 0.00635)) ? $c77 : $c76));
+yield inputs___named(group, "creep_limit", limit, $m.get(pulley.sources, "creep_limit", known));
+(conditions = (function* () { for (const lagging of $iter($or(pulley.conditions, () => [pulley.lagging]))) { yield lagging.condition; } })());
+([lagging, title] = [("" + $str(pulley.lagging.name) + " (" + $str($m.join(", ", conditions)) + ")"), pulley.lagging.title]);
+yield new Input(group, "Lagging", lagging, undefined, undefined, origin("lagging"), title);
+yield* $iter(inputs___across(pulley, origin));
+}
+function* inputs___across(pulley, origin) {
+let across, dimension, group, key, profile, remark, rows, size, skew, title;
+
+([across, group] = [pulley.across, ("" + "Pulley " + $str(pulley.name))]);
+if ((across == null)) {
+return null;
+}
+for ([key, profile] of $iter($m.items(across.profiles()))) {
+(title = $m.capitalize($m.replace(key, "_", " ")));
+(dimension = (($eq(key, "entry_profile")) ? "force_per_width" : "length"));
+(rows = ("" + "largest less least of " + $str($b.len($bound(profile, "position"))) + " places"));
+(size = ($truth(profile.value) ? $sub($b.max($bound(profile, "value")), $b.min($bound(profile, "value"))) : profile.crown));
+(remark = ($truth(profile.value) ? rows : "crown, on radius"));
+yield new Input(group, title, size, dimension, "", origin("across"), remark);
+}
+if ($truth(across.misalignment)) {
+(skew = $mul(1000.0, across.misalignment));
+yield new Input(group, "Misalignment", ("" + $format(skew, ("" + "g")) + " mm/m"), undefined, undefined, origin("across"));
+}
+if ($truth(across.deflection)) {
+yield new Input(group, "Shaft deflection", $bound(across, "deflection"), "length", "", origin("across"));
+}
+}
+function* inputs__lagging_inputs(lagging, conditions = []) {
+let by_law, group, key, least, most, name, scaled, tested;
+
+(group = $add(("" + "Lagging " + $str(lagging.name)), ($truth(conditions) ? ("" + ", " + $str(lagging.condition)) : "")));
+(by_law = lagging.source_of("law"));
+yield new Input(group, "Friction law", $bound(lagging.law, "title"), undefined, "mu(x, p)", by_law);
+if (($in("condition", lagging.sources))) {
+(scaled = $at(lagging.notes, $neg(1)));
+yield new Input(group, "Scaled to the condition", scaled, undefined, undefined, $at(lagging.sources, "condition"));
+}
+yield new Input(group, "Slip of the law includes", inputs__in_slip($bound(lagging.law, "slip_includes")), undefined, undefined, by_law);
+yield* $iter(inputs___factors(group, lagging));
+for ([name, key] of $iter([["lagging_thickness", "thickness"], ["shear_modulus", "shear_modulus"], ["compression_modulus", "compression_modulus"], ["wear_coefficient", "wear_coefficient"]])) {
+yield inputs___named(group, name, $b.getattr(lagging, key), lagging.source_of(key));
+}
+(tested = lagging.law.tested);
+if ((tested != null)) {
+([least, most] = [tested.pressure_min, tested.pressure_max]);
+yield new Input(group, "Tested from a pressure of", least, "pressure", "p", by_law);
+yield new Input(group, "Tested to a pressure of", most, "pressure", "p", by_law);
+yield new Input(group, "Tested to a slip of", $bound(tested, "slip_max"), "length", "x", by_law);
+yield new Input(group, "Tested at a slip speed of", $bound(tested, "slip_speed"), "speed", "", by_law);
+}
+}
+function inputs__in_slip(parts) {
+
+if ((parts == null)) {
+return "shear is not stated";
+}
+return $m.join(" and ", ["sliding", ...$iter(parts)]);
+}
+function* inputs___factors(group, lagging) {
+let name, of, told;
+
+(of = lagging.factors);
+if ((of == null)) {
+return null;
+}
+if ((of.by_slip_speed != null)) {
+(name = "Friction factor of slip speed, up to");
+(told = ("" + "the least is " + $format(of.of_slip_speed, ("" + ".3g"))));
+yield new Input(group, name, $bound(of, "fastest"), "speed", "", $bound(of.by_slip_speed, "source"), told);
+}
+if ((of.by_temperature != null)) {
+(told = ("" + $format(of.of_temperature, ("" + ".3g"))));
+if ((of.temperature == null)) {
+(told = ("" + $str(told) + ", the least of its table: no temperature is given"));
+}
+(name = "Friction factor of temperature");
+yield new Input(group, name, told, undefined, undefined, of.by_temperature.source);
+}
+}
+function* inputs___tensions(drive, arc) {
+let group, name, origin, pulley, share, tight, used, value, why;
+(pulley = $b.next((function* () { for (const p of $iter(drive.pulleys)) { if (!(($eq(p.name, arc.pulley)))) continue; yield p; } })()));
+(group = inputs___arc_group(drive, arc));
+(tight = ((arc.entry_tension >= arc.exit_tension) ? "entry_tension" : "exit_tension"));
+for (name of $iter(["entry_tension", "exit_tension"])) {
+([value, used] = [$b.getattr(arc, name), ""]);
+if ((($eq(name, tight)) && (drive.belt.rating != null))) {
+(share = cell__percent((value / $mul(drive.belt.rating, drive.belt.width))));
+(used = ("" + $str(share) + " of the belt's rating"));
+}
+(origin = $m.get(pulley.sources, name, $c76));
+(why = inputs___computed(drive, arc, $m.removesuffix(name, "_tension")));
+if ($truth(why)) {
+([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c78, name)) + " " + $str(why)), used])), null]);
+}
+yield inputs___named(group, name, value, origin, used);
+}
+}
+function inputs___arc_group(drive, arc) {
+let several;
+(several = ($b.len($bound(drive, "pulleys")) > 1));
+return $add(("" + "Load case " + $str(arc.load_case)), ($truth(several) ? ("" + ", pulley " + $str(arc.pulley)) : ""));
+}
+function inputs___computed(drive, arc, side) {
+let cases, found;
+
+(cases = ($truth($b.isinstance(drive, Drive)) ? drive.load_cases : []));
+(found = (function* () { for (const c of $iter(cases)) { if (!(($eq(c.name, arc.load_case)))) continue; yield $at(c.tensions, arc.pulley).computed; } })());
+return $m.get($b.next(found, $map([])), side, "");
+}
+function input_tables__input_rows(inputs, of) {
+
+return $b.tuple((function* () { for (const entry of $iter(inputs)) { if (!((entry.value != null))) continue; yield new Row($bound(entry, "title"), [entry.text()], $bound(entry, "symbol"), entry.note(of), $bound(entry, "name")); } })());
+}
 function errors___stopped(sentence) {
 return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
 }
@@ -3009,7 +3647,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c73, key))) {
+for ([name, position] of $iter($m.findall($c79, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -3039,10 +3677,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c74, report));
-(common = $map([...(function* () { for (const key of $iter($c75)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c80, report));
+(common = $map([...(function* () { for (const key of $iter($c81)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c76.built($m.get(record, "cost"), report));
+$put(common, "cost", $c82.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -3061,8 +3699,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c77)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c77)))) {
+(given = [...(function* () { for (const key of $iter($c83)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c83)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -3084,7 +3722,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c78)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c84)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -3106,14 +3744,14 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(least = $at($c79, "height").least);
+(least = $at($c85, "height").least);
 if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
 (message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
 }
-(block = $method($c80, "built", [shape, report], [...height]));
+(block = $method($c86, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -3139,7 +3777,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c81, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c87, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -3157,7 +3795,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c88.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c94.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -3166,7 +3804,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c82, $map([["pressure", $m.get($c83, kind, "tested_pressure")]])));
+(names = $merged($c88, $map([["pressure", $m.get($c89, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -3175,7 +3813,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c84, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c90, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3358,7 +3996,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c85;
+return $c91;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3459,7 +4097,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c86], ["temperature", $c87]])) {
+for ([key, table] of $iter([["slip_speed", $c92], ["temperature", $c93]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3518,7 +4156,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c89, document, file));
+([record, report] = source__read_tables($c95, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3554,7 +4192,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c91)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c97)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3861,7 +4499,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c99, "OK", "rank"), 0.5) : $told($c99, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c105, "OK", "rank"), 0.5) : $told($c105, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -3894,6 +4532,9 @@ let failed;
 if ($truth(failed)) {
 throw new InputError(failed);
 }
+}
+function simple___edges(tested) {
+return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
 }
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
@@ -3984,7 +4625,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c844, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c863, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -3994,14 +4635,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c849, 0), 0));
+(least = $at($at($c868, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c849, 0), 0)) ? NaN : $at($at($c849, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c849))) {
+(found = ((length < $at($at($c868, 0), 0)) ? NaN : $at($at($c868, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c868))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -4061,9 +4702,6 @@ let names;
 
 (names = [...(function* () { for (const row of $iter(rows)) { yield ($truth($b.isinstance(row, "dict")) ? $m.get(row, "name") : null); } })()]);
 return [...(function* () { for (const [position, name] of $iter($b.enumerate(names, $k({start: 1})))) { yield (($truth($b.isinstance(name, "str")) && $truth($m.strip(name)) && ($eq($m.count(names, name), 1))) ? name : position); } })()];
-}
-function simple___edges(tested) {
-return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
 }
 function quantity_text__quantity_text(value, dimension) {
 let digits, exact, factor, number, plain, text, unit;
@@ -4291,7 +4929,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c90)) {
+for (group of $iter($c96)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -4417,7 +5055,7 @@ const self = this; super.$init(message);
 }
 class Unit extends $Tuple {
 }
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c100});
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c106});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -4475,7 +5113,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c92) {
+overridden(record, fixed = false, speed = null, runs = $c98) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -4502,12 +5140,16 @@ get effective() {
 const self = this; 
 return $sub(self.entry, self.exit);
 }
+get ratio() {
+const self = this; 
+return (self.entry / self.exit);
+}
 }
 $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()});
 class LoadCase extends $Object {
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c93]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c99]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -4808,7 +5450,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c92, self._take_up.fixed]);
+([runs, fixed] = [$c98, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -4821,7 +5463,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c94), ...$iter($c95), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c100), ...$iter($c101), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -4865,10 +5507,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c95)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c101)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c95)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c101)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -4944,7 +5586,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c96))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c102))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -4956,7 +5598,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c97.built(record, $bound(self, "_report")));
+(motor = $c103.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -5028,6 +5670,12 @@ return $mul(self.radius, self.wrap_angle);
 get effective_tension() {
 const self = this; 
 return $sub(self.entry_tension, self.exit_tension);
+}
+get duty() {
+const self = this; let pull;
+
+(pull = self.effective_tension);
+return ((pull > 0.0) ? "driving" : ((pull < 0.0) ? "braking" : "idling"));
 }
 get side() {
 const self = this; 
@@ -5101,11 +5749,19 @@ class in_page$Criteria extends $Tuple {
 }
 $sig(in_page$Criteria, ["safety", "tight_rise", "slack_rise", "cover", "strength", "pulley_mass", "wet"], false, {});
 class ArcResult extends Viewable {
+get creep_interval() { return $kept(this, "creep_interval", this.$find_creep_interval()); }
 get covered_creep() { return $kept(this, "covered_creep", this.$find_covered_creep()); }
 get effective_tension() {
 const self = this; 
 return $sub(self.entry_tension, self.exit_tension);
 }
+get k_factor() {
+const self = this; let length;
+
+(length = $mul(self.arc.radius, self.active_arc));
+return summary__spring_rate($bound(self.arc, "axial_stiffness"), length, $bound(self, "exit_creep"));
+}
+
 $find_covered_creep() {
 const self = this; let arc, found, geometry, load, series;
 
@@ -5121,12 +5777,28 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 }
 return $at(found.met.course.creep, $neg(1));
 }
+get sticks() {
+const self = this; 
+return (self.stuck_arc > 1e-09);
+}
+get extrapolates() {
+const self = this; 
+return (self.outside_tested_share > 1e-09);
+}
+get within_creep_limit() {
+const self = this; 
+return $and($told($c40, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
+}
 }
 $sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
 class FoundArc extends ArcResult {
 get covered_creep() {
 const self = this; 
 return self.found.covered_creep;
+}
+get creep_interval() {
+const self = this; 
+return [NaN, NaN];
 }
 }
 $sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
@@ -5165,6 +5837,10 @@ return alike__largest((function* () { for (const result of $iter(self.arcs)) { i
 get solved() {
 const self = this; 
 return $b.all((function* () { for (const r of $iter(self.arcs)) { yield $told($c40, r.status, "solved"); } })());
+}
+get within_creep_limit() {
+const self = this; 
+return $b.all((function* () { for (const r of $iter(self.arcs)) { yield r.within_creep_limit; } })());
 }
 }
 $sig(DriveResult, ["drive", "arcs"], false, {});
@@ -5208,6 +5884,10 @@ const self = this; return $b.iter($bound(self, "members"));
 get adrift() {
 const self = this; 
 return $and((self.status === "Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction."), () => !$truth(self.case.pulls_given));
+}
+get within_creep_limit() {
+const self = this; 
+return $and($told($c40, self.status, "solved"), () => $b.all((function* () { for (const m of $iter(self.members)) { yield m.arc.within_creep_limit; } })()));
 }
 }
 $sig(CaseResult, ["case", "status", "reason", "members", "sensitivity", "belt_speed", "other_splits", "tension_error", "speed_error"], false, {other_splits: () => [], tension_error: () => 0.0, speed_error: () => 0.0});
@@ -5272,7 +5952,7 @@ return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bo
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c98)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c104)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -5295,7 +5975,7 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c99, self.level, "rank") >= $told($c99, "ATTENTION", "rank"));
+return ($told($c105, self.level, "rank") >= $told($c105, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
@@ -5330,15 +6010,15 @@ return $m.join(" ", (function* () { for (const part of $iter([self.says, self.re
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c835));
+return ($in(self.name, $c854));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c836)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c855)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c837)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c856)));
 }
 _beside(name) {
 const self = this; let dimension, others, value;
@@ -5588,7 +6268,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c99, self.level, "rank") > $told($c99, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c105, self.level, "rank") > $told($c105, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -5606,7 +6286,7 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c838)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c857)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 $sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
@@ -5615,13 +6295,7 @@ class Row extends $Object {
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
 }
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c101, note: () => "", name: () => "", short: () => null, brief: () => ""});
-class TestedRange extends $Object {
-__post_init__() {
-const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
-}
-}
-$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"], false, {slip_speed: () => null});
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c107, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class FrictionLaw extends $Object {
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
@@ -5629,6 +6303,103 @@ return (($eq(friction, slip) && $eq(slip, 1.0)) ? self : self._scaled(friction, 
 }
 }
 $sig(FrictionLaw, ["slip_includes"], false, {slip_includes: () => null});
+class Constant extends FrictionLaw {
+__post_init__() {
+const self = this; let mu;
+(mu = self.friction_coefficient);
+base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
+}
+
+compact() {
+const self = this; 
+return new CompactLaw(0, simple___edges($bound(self, "tested")), [self.friction_coefficient, 1.0, 0.0, 0.0]);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
+}
+}
+$sig(Constant, ["slip_includes", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
+class PressurePower extends FrictionLaw {
+__post_init__() {
+const self = this; let mu, n, p;
+([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
+base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
+}
+
+compact() {
+const self = this; let c;
+
+(c = [self.friction_coefficient, self.reference_pressure, self.exponent, 0.0]);
+return new CompactLaw(0, simple___edges($bound(self, "tested")), c);
+}
+steepest_fall() {
+const self = this; 
+return 0.0;
+}
+_scaled(friction, slip) {
+const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
+}
+}
+$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"], false, {slip_includes: () => null, tested: () => null});
+class ClassicalDrive extends $Object {
+}
+$sig(ClassicalDrive, ["design", "ratio", "wrap_factor", "slack_tension", "slipping_arc"], false, {});
+class Input extends $Object {
+text() {
+const self = this; let digits;
+
+if (((self.value == null) || $truth($b.isinstance(self.value, "str")))) {
+return $b.str($bound(self, "value"));
+}
+if ($truth($math.isinf($bound(self, "value")))) {
+return "rigid";
+}
+(digits = ((self.origin == null) ? 3 : 4));
+return cell__quantity($bound(self, "value"), $bound(self, "dimension"), digits, $bound(self, "name"));
+}
+note(of) {
+const self = this; let origin;
+
+(origin = ((self.origin == null) ? "" : of.note($bound(self, "origin"))));
+return $m.join("; ", (function* () { for (const part of $iter([origin, self.remark])) { if (!($truth(part))) continue; yield part; } })());
+}
+}
+$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c76, remark: () => "", name: () => ""});
+class Sources extends $Object {
+$init() {
+const self = this; (self._numbers = $map([]));
+}
+note(provenance) {
+const self = this; let kind, number, origin;
+
+(origin = $m.join(", ", (function* () { for (const part of $iter([provenance.source, provenance.date])) { if (!($truth(part))) continue; yield part; } })()));
+if (!$truth(origin)) {
+(kind = ((provenance.kind === "given") ? "" : $b.str($bound(provenance, "kind"))));
+} else {
+(number = $m.setdefault(self._numbers, origin, $add($b.len($bound(self, "_numbers")), 1)));
+(kind = ("" + $str(provenance.kind) + " [" + $str(number) + "]"));
+}
+return $m.join(", ", (function* () { for (const part of $iter([kind, provenance.note])) { if (!($truth(part))) continue; yield part; } })());
+}
+number(text) {
+const self = this; 
+return ($truth(text) ? ("" + "[" + $str($m.setdefault(self._numbers, text, $add($b.len($bound(self, "_numbers")), 1))) + "]") : "");
+}
+listed() {
+const self = this; 
+return $b.tuple($bound(self, "_numbers"));
+}
+}
+class TestedRange extends $Object {
+__post_init__() {
+const self = this; base__check([(0.0 < self.pressure_min && self.pressure_min <= self.pressure_max && self.pressure_max < Infinity), "pressure", ("" + $format(self.pressure_min, ("" + "g")) + " .. " + $format(self.pressure_max, ("" + "g")) + " Pa"), "the tested pressures must be positive, finite and in order"], [(0.0 < self.slip_max && self.slip_max < Infinity), "slip_max", ("" + $format(self.slip_max, ("" + "g")) + " m"), "the largest tested slip must be positive and finite"], [$or((self.slip_speed == null), () => (0.0 < self.slip_speed && self.slip_speed < Infinity)), "slip_speed", ("" + $str(self.slip_speed) + " m/s"), "the speed of slip in the tests must be positive and finite"]);
+}
+}
+$sig(TestedRange, ["pressure_min", "pressure_max", "slip_max", "slip_speed"], false, {slip_speed: () => null});
 class MeasuredTable extends FrictionLaw {
 __post_init__() {
 const self = this; let m, numbers;
@@ -5656,12 +6427,12 @@ class Trend extends $Object {
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c839)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c839)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c858)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c858)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c839, self.form));
+([logarithmic, exponential] = $at($c858, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -5680,7 +6451,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c839, self.form));
+([logarithmic, exponential] = $at($c858, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
@@ -5688,7 +6459,7 @@ return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bou
 $sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
 }
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c102, residual_friction: () => $c103});
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c108, residual_friction: () => $c109});
 class CoefficientPieces extends $Object {
 __post_init__() {
 const self = this; let n, problems;
@@ -5799,22 +6570,6 @@ class Factors extends $Object {
 __post_init__() {
 const self = this; limits__raise_all([...$iter(factors___outside("slip_speed", $bound(self, "slip_speed"), $bound(self, "by_slip_speed"), "speed")), ...$iter(factors___outside("temperature", $bound(self, "temperature"), $bound(self, "by_temperature"), "temperature"))]);
 }
-get used() {
-const self = this; let fastest, law, tested;
-
-(law = self.law.scaled($mul(self.of_slip_speed, self.of_temperature)));
-([tested, fastest] = [law.tested, self.fastest]);
-if (((tested == null) || (fastest == null) || $truth($b.isinstance(law, MeasuredTable)))) {
-return law;
-}
-return $replaced(law, new Map([["tested", $replaced(tested, new Map([["slip_speed", fastest]]))]]));
-}
-get sources() {
-const self = this; let tables;
-
-(tables = $map([["slip_speed_factor", self.by_slip_speed], ["temperature_factor", self.by_temperature]]));
-return $map([...(function* () { for (const [key, table] of $iter($m.items(tables))) { if (!((table != null))) continue; yield [key, table.source]; } })()]);
-}
 get fastest() {
 const self = this; let table;
 
@@ -5839,6 +6594,22 @@ return table.least($bound(self, "temperature"), $bound(self, "temperature"));
 }
 return $b.min($bound(table, "factor"));
 }
+get used() {
+const self = this; let fastest, law, tested;
+
+(law = self.law.scaled($mul(self.of_slip_speed, self.of_temperature)));
+([tested, fastest] = [law.tested, self.fastest]);
+if (((tested == null) || (fastest == null) || $truth($b.isinstance(law, MeasuredTable)))) {
+return law;
+}
+return $replaced(law, new Map([["tested", $replaced(tested, new Map([["slip_speed", fastest]]))]]));
+}
+get sources() {
+const self = this; let tables;
+
+(tables = $map([["slip_speed_factor", self.by_slip_speed], ["temperature_factor", self.by_temperature]]));
+return $map([...(function* () { for (const [key, table] of $iter($m.items(tables))) { if (!((table != null))) continue; yield [key, table.source]; } })()]);
+}
 }
 $sig(Factors, ["law", "by_slip_speed", "by_temperature", "slip_speed", "temperature"], false, {by_slip_speed: () => null, by_temperature: () => null, slip_speed: () => null, temperature: () => null});
 class Lagging extends Viewable {
@@ -5846,8 +6617,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c840)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c840))));
+if (($truth(self.surface) && (!$in(self.surface, $c859)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c859))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -5909,11 +6680,14 @@ class OfBelt extends $Dict {
 class Description extends $Tuple {
 }
 $sig(Description, ["entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "belt_speed", "wear_coefficient", "shear_compliance", "pitch_offset", "centrifugal"], false, {});
+class CompactLaw extends $Tuple {
+}
+$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"], false, {slips: () => [], onset_compliance: () => 0.0});
 class TakeUp extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c841)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c860)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -5946,7 +6720,7 @@ $sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_r
 class DesignStandard extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c842)]], ["condition", ["", ...$iter($c843)]]]));
+(words = $map([["name", ["", ...$iter($c861)]], ["condition", ["", ...$iter($c862)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -5983,9 +6757,10 @@ return value;
 }
 class tables$Table extends Kind {
 get _fields() { return $kept(this, "_fields", this.$find__fields()); }
-$init(title, of = null, on_one_line = false, ...entries) {
-const self = this; ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c844) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+$init(title, ...entries) {
+const self = this; const {of: of = null, on_one_line: on_one_line = false} = $named(entries);
+([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c863) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -6059,7 +6834,7 @@ const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c844, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c863, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
 read(raw, place, report) {
 const self = this; let value;
@@ -6082,7 +6857,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c845) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c864) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -6212,7 +6987,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let bare, found, told;
 
-(found = $m.search($c846, $m.upper($m.strip(self.name))));
+(found = $m.search($c865, $m.upper($m.strip(self.name))));
 if (((self.strength != null) || (found == null))) {
 return self.strength;
 }
@@ -6280,6 +7055,12 @@ $m.append(problems, new Problem(message, undefined, undefined, key, least));
 }
 limits__raise_all(problems);
 }
+profiles() {
+const self = this; let found;
+
+(found = $map([...(function* () { for (const f of $iter($fields(self))) { yield [f.name, $b.getattr(self, $bound(f, "name"))]; } })()]));
+return $map([...(function* () { for (const [k, v] of $iter($m.items(found))) { if (!($truth($b.isinstance(v, WidthProfile)))) continue; yield [k, v]; } })()]);
+}
 problems(key, width) {
 const self = this; let found;
 
@@ -6289,12 +7070,6 @@ $m.append(found, new Problem(("" + "wider than the belt, " + $str(display__displ
 }
 return found;
 }
-profiles() {
-const self = this; let found;
-
-(found = $map([...(function* () { for (const f of $iter($fields(self))) { yield [f.name, $b.getattr(self, $bound(f, "name"))]; } })()]));
-return $map([...(function* () { for (const [k, v] of $iter($m.items(found))) { if (!($truth($b.isinstance(v, WidthProfile)))) continue; yield [k, v]; } })()]);
-}
 }
 $sig(Across, ["shell_profile", "worn_depth", "build_up", "misalignment", "deflection", "entry_profile", "before", "after", "strips"], false, {shell_profile: () => null, worn_depth: () => null, build_up: () => null, misalignment: () => 0.0, deflection: () => 0.0, entry_profile: () => null, before: () => null, after: () => null, strips: () => 32});
 class DimensionText extends $Tuple {
@@ -6302,7 +7077,7 @@ class DimensionText extends $Tuple {
 $sig(DimensionText, ["si_unit", "name", "example"], false, {});
 class Definition extends $Tuple {
 }
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c853});
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c872});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -6336,7 +7111,7 @@ class Pulley extends $Object {
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c847]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c866]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -6381,8 +7156,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c848))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c848))));
+if ((!$in(self.drive_at, $c867))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c867))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -6520,7 +7295,7 @@ yield new Resistance("inertia", carrying, returning, "force to accelerate belt, 
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1497);
+([least, most] = $c1514);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -6534,6 +7309,9 @@ $sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"], f
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
+class LaggingCost extends $Object {
+}
+$sig(LaggingCost, ["name", "surface", "material", "installation", "currency", "area", "life_years", "ten_year_cost", "provenance"], false, {});
 class Cost extends $Object {
 __post_init__() {
 const self = this; let message, problems, years;
@@ -6551,8 +7329,8 @@ class Block extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c850))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c850))));
+if ((!$in(self.shape, $c869))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c869))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -6609,10 +7387,11 @@ return ((value < $at(self.at, 0)) ? $at(self.factor, 0) : $at(self.factor, $neg(
 $sig(FrictionFactor, ["at", "factor", "source"], false, {});
 class Fit extends $Object {
 get knots() { return $kept(this, "knots", this.$find_knots()); }
+get log_covariance() { return $kept(this, "log_covariance", this.$find_log_covariance()); }
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c851));
+(problems = limits__limit_problems(self, $c870));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -6651,13 +7430,14 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c852, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c871, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
 (named = $b.tuple((function* () { for (const match of $iter(found)) { if (!($truth(match))) continue; yield [$sub($b.int($at(match, 1)), 1), $at(match, 2)]; } })()));
 return (($eq($b.len(named), $b.len(found))) ? named : []);
 }
+
 }
 $sig(Fit, ["parameters", "values", "covariance", "residual_noise", "date", "method", "misfit", "misfit_accepted", "coverage_factor"], false, {residual_noise: () => null, date: () => "", method: () => "", misfit: () => [], misfit_accepted: () => "", coverage_factor: () => 1.96});
 class Induction extends Motor {
@@ -6757,8 +7537,8 @@ class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1213))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1213))));
+if ((!$in(self.depth, $c1230))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1230))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
@@ -6807,26 +7587,6 @@ return [...(function* () { for (const [item, label] of $iter($b.zip(raw, labels,
 }
 }
 $sig(Rows, ["kind", "least", "most"], false, {least: () => 0, most: () => 1000});
-class Constant extends FrictionLaw {
-__post_init__() {
-const self = this; let mu;
-(mu = self.friction_coefficient);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
-}
-
-compact() {
-const self = this; 
-return new CompactLaw(0, simple___edges($bound(self, "tested")), [self.friction_coefficient, 1.0, 0.0, 0.0]);
-}
-steepest_fall() {
-const self = this; 
-return 0.0;
-}
-_scaled(friction, slip) {
-const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
-}
-}
-$sig(Constant, ["slip_includes", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
 class ElasticPlastic extends FrictionLaw {
 __post_init__() {
 const self = this; let k, mu;
@@ -6849,28 +7609,6 @@ const self = this; return $replaced(self, new Map([["stiffness", ($mul(self.stif
 }
 }
 $sig(ElasticPlastic, ["slip_includes", "stiffness", "friction_coefficient", "tested"], false, {slip_includes: () => null, tested: () => null});
-class PressurePower extends FrictionLaw {
-__post_init__() {
-const self = this; let mu, n, p;
-([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
-}
-
-compact() {
-const self = this; let c;
-
-(c = [self.friction_coefficient, self.reference_pressure, self.exponent, 0.0]);
-return new CompactLaw(0, simple___edges($bound(self, "tested")), c);
-}
-steepest_fall() {
-const self = this; 
-return 0.0;
-}
-_scaled(friction, slip) {
-const self = this; return $replaced(self, new Map([["friction_coefficient", $mul(self.friction_coefficient, friction)]]));
-}
-}
-$sig(PressurePower, ["slip_includes", "friction_coefficient", "reference_pressure", "exponent", "tested"], false, {slip_includes: () => null, tested: () => null});
 class Profile extends Kind {
 $init(dimension, diameters = false) {
 const self = this; let entries, words;
@@ -6989,9 +7727,6 @@ const self = this;
 throw $TypeError;
 }
 }
-class CompactLaw extends $Tuple {
-}
-$sig(CompactLaw, ["kind", "edges", "coefficients", "slips", "onset_compliance"], false, {slips: () => [], onset_compliance: () => 0.0});
 class _Pair extends Kind {
 $init(dimension) {
 const self = this; (self.kinds = [new Quantity("length"), new Quantity(dimension)]);
@@ -7006,800 +7741,800 @@ return $c7;
 return (($in($c7, pair)) ? $c7 : $b.tuple(pair));
 }
 }
-const $c861 = ["of", "entries", "_known"];
-const $c876 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c143 = ["dimension", "limit"];
-const $c877 = $made(Quantity, $c143, ["number", null]);
-const $c864 = $made(Entry, $c876, ["format", $c877, true, "", "format = 1", "format", ""]);
-const $c879 = ["longest", "lines"];
-const $c878 = $made(Text, $c879, [200, false]);
-const $c865 = $made(Entry, $c876, ["title", $c878, false, "", "", "title", ""]);
-const $c880 = $made(Text, $c879, [5000, true]);
-const $c866 = $made(Entry, $c876, ["description", $c880, false, "", "", "description", ""]);
-const $c882 = ["dimension", "least", "most", "open", "rigid"];
-const $c812 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
-const $c881 = $made(Quantity, $c143, ["length", $c812]);
-const $c867 = $made(Entry, $c876, ["creep_limit", $c881, false, "", "", "creep_limit", ""]);
-const $c884 = ["kind", "most"];
-const $c885 = ["text", "table"];
-const $c887 = ["longest"];
-const $c886 = $made(Name, $c887, [60]);
-const $c895 = $made(Name, $c887, [60]);
-const $c890 = $made(Entry, $c876, ["name", $c895, true, "", "", "name", ""]);
-const $c808 = $made(Limit, $c882, ["number", 0.0, 2.0, true, false]);
-const $c896 = $made(Quantity, $c143, ["number", $c808]);
-const $c891 = $made(Entry, $c876, ["friction_factor", $c896, false, "", "", "factor", ""]);
-const $c897 = $made(ByName, $c884, [$c896, 200]);
-const $c892 = $made(Entry, $c876, ["friction_factors", $c897, false, "", "", "friction_factors", ""]);
-const $c899 = ["options"];
-const $c900 = ["DIN 22101", "practice"];
-const $c898 = $made(Choice, $c899, [$c900]);
-const $c893 = $made(Entry, $c876, ["standard", $c898, false, "", "", "standard", ""]);
-const $c908 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c907 = $made(Choice, $c899, [$c908]);
-const $c903 = $made(Entry, $c876, ["kind", $c907, true, "", "", "kind", ""]);
-const $c909 = $made(Text, $c879, [500, false]);
-const $c904 = $made(Entry, $c876, ["source", $c909, false, "", "", "source", ""]);
-const $c910 = $made(Text, $c879, [60, false]);
-const $c905 = $made(Entry, $c876, ["date", $c910, false, "", "", "date", ""]);
-const $c911 = $made(Text, $c879, [1000, false]);
-const $c906 = $made(Entry, $c876, ["note", $c911, false, "", "", "note", ""]);
-const $c901 = [$c903, $c904, $c905, $c906];
-const $c902 = new Map([["kind", $c903], ["source", $c904], ["date", $c905], ["note", $c906]]);
-const $c2 = $made(tables$Table, $c861, [Provenance, $c901, $c902]);
-const $c894 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c888 = [$c890, $c891, $c892, $c893, $c894];
-const $c889 = new Map([["name", $c890], ["friction_factor", $c891], ["friction_factors", $c892], ["standard", $c893], ["provenance", $c894]]);
-const $c8 = $made(tables$Table, $c861, [Condition, $c888, $c889]);
-const $c204 = $made(TextOr, $c885, [$c886, $c8]);
-const $c883 = $made(OneOrMore, $c884, [$c204, 8]);
-const $c868 = $made(Entry, $c876, ["condition", $c883, false, "", "", "condition", ""]);
-const $c139 = $made(Name, $c887, [60]);
-const $c118 = $made(Entry, $c876, ["preset", $c139, false, "", "", "preset", ""]);
-const $c140 = $made(Name, $c887, [60]);
-const $c119 = $made(Entry, $c876, ["name", $c140, false, "", "", "name", ""]);
-const $c141 = $made(Text, $c879, [60, false]);
-const $c120 = $made(Entry, $c876, ["kind", $c141, false, "", "", "kind", ""]);
-const $c144 = $made(Limit, $c882, ["length", 0.001, 1000.0, false, false]);
-const $c142 = $made(Quantity, $c143, ["length", $c144]);
-const $c121 = $made(Entry, $c876, ["width", $c142, true, "", "", "width", ""]);
-const $c913 = ["word", "kind", "meaning"];
-const $c149 = $made(Limit, $c882, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c148 = $made(Quantity, $c143, ["force_per_width", $c149]);
-const $c146 = $made(WordOr, $c913, ["rigid", $c148, Infinity]);
-const $c122 = $made(Entry, $c876, ["modulus", $c146, false, "", "", "modulus", ""]);
-const $c151 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, true, false]);
-const $c150 = $made(Quantity, $c143, ["force_per_width", $c151]);
-const $c123 = $made(Entry, $c876, ["rating", $c150, false, "", "", "rating", ""]);
-const $c153 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, true, false]);
-const $c152 = $made(Quantity, $c143, ["force_per_width", $c153]);
-const $c124 = $made(Entry, $c876, ["strength", $c152, false, "", "", "strength", ""]);
-const $c155 = $made(Limit, $c882, ["speed", 0.0, 1000.0, true, false]);
-const $c154 = $made(Quantity, $c143, ["speed", $c155]);
-const $c125 = $made(Entry, $c876, ["speed", $c154, false, "", "", "speed", ""]);
-const $c157 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
-const $c156 = $made(Quantity, $c143, ["number", $c157]);
-const $c126 = $made(Entry, $c876, ["momentary_factor", $c156, false, "", "", "momentary_factor", ""]);
-const $c159 = $made(Limit, $c882, ["length", 0.0, Infinity, true, false]);
-const $c158 = $made(Quantity, $c143, ["length", $c159]);
-const $c127 = $made(Entry, $c876, ["least_pulley_diameter", $c158, false, "", "", "least_pulley_diameter", ""]);
-const $c161 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
-const $c160 = $made(Quantity, $c143, ["pressure", $c161]);
-const $c128 = $made(Entry, $c876, ["largest_wrap_pressure", $c160, false, "", "", "largest_wrap_pressure", ""]);
-const $c163 = $made(Limit, $c882, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c162 = $made(Quantity, $c143, ["force_per_width", $c163]);
-const $c129 = $made(Entry, $c876, ["in_plane_shear_stiffness", $c162, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c165 = $made(Limit, $c882, ["length", 0.0, 0.06, false, false]);
-const $c164 = $made(Quantity, $c143, ["length", $c165]);
-const $c130 = $made(Entry, $c876, ["pulley_cover", $c164, false, "", "", "pulley_cover", ""]);
-const $c167 = $made(Limit, $c882, ["length", 0.0, 0.06, false, false]);
-const $c166 = $made(Quantity, $c143, ["length", $c167]);
-const $c131 = $made(Entry, $c876, ["carry_cover", $c166, false, "", "", "carry_cover", ""]);
-const $c169 = $made(Limit, $c882, ["length", 0.0, 0.06, true, false]);
-const $c168 = $made(Quantity, $c143, ["length", $c169]);
-const $c132 = $made(Entry, $c876, ["carcass", $c168, false, "", "", "carcass", ""]);
-const $c171 = $made(Limit, $c882, ["length", 0.0, 0.06, true, false]);
-const $c170 = $made(Quantity, $c143, ["length", $c171]);
-const $c133 = $made(Entry, $c876, ["thickness", $c170, false, "", "", "thickness", ""]);
-const $c174 = $made(Limit, $c882, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c173 = $made(Quantity, $c143, ["pressure", $c174]);
-const $c172 = $made(WordOr, $c913, ["rigid", $c173, Infinity]);
-const $c134 = $made(Entry, $c876, ["cover_shear_modulus", $c172, false, "", "", "cover_shear_modulus", ""]);
-const $c176 = $made(Limit, $c882, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c175 = $made(Quantity, $c143, ["mass_per_length", $c176]);
-const $c135 = $made(Entry, $c876, ["mass", $c175, false, "", "", "mass", ""]);
-const $c136 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c177 = $made(ByName, $c884, [$c2, 200]);
-const $c137 = $made(Entry, $c876, ["sources", $c177, false, "", "", "sources", ""]);
-const $c1 = [$c118, $c119, $c120, $c121, $c122, $c123, $c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137];
-const $c912 = new Map([["preset", $c118], ["name", $c119], ["kind", $c120], ["width", $c121], ["modulus", $c122], ["rating", $c123], ["strength", $c124], ["speed", $c125], ["momentary_factor", $c126], ["least_pulley_diameter", $c127], ["largest_wrap_pressure", $c128], ["in_plane_shear_stiffness", $c129], ["pulley_cover", $c130], ["carry_cover", $c131], ["carcass", $c132], ["thickness", $c133], ["cover_shear_modulus", $c134], ["mass", $c135], ["provenance", $c136], ["sources", $c137]]);
-const $c5 = $made(tables$Table, $c861, [Belt, $c1, $c912]);
-const $c869 = $made(Entry, $c876, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c915 = ["kind", "least", "most"];
-const $c197 = $made(Name, $c887, [60]);
-const $c179 = $made(Entry, $c876, ["name", $c197, true, "", "name = \"head\"", "name", ""]);
-const $c199 = $made(Limit, $c882, ["length", 0.001, 1000.0, false, false]);
-const $c198 = $made(Quantity, $c143, ["length", $c199]);
-const $c180 = $made(Entry, $c876, ["diameter", $c198, true, "", "", "diameter", ""]);
-const $c201 = $made(Limit, $c882, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c200 = $made(Quantity, $c143, ["angle", $c201]);
-const $c181 = $made(Entry, $c876, ["wrap_angle", $c200, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c809 = $made(Limit, $c882, ["length", -100000.0, 100000.0, false, false]);
-const $c924 = $made(Quantity, $c143, ["length", $c809]);
-const $c919 = $made(Entry, $c876, ["x", $c924, true, "", "", "x", ""]);
-const $c925 = $made(Quantity, $c143, ["length", $c809]);
-const $c920 = $made(Entry, $c876, ["y", $c925, true, "", "", "y", ""]);
-const $c927 = ["clockwise", "counterclockwise"];
-const $c926 = $made(Choice, $c899, [$c927]);
-const $c921 = $made(Entry, $c876, ["turn", $c926, false, "", "", "turn", ""]);
-const $c934 = $made(Quantity, $c143, ["length", $c809]);
-const $c931 = $made(Entry, $c876, ["x", $c934, true, "", "", "x", ""]);
-const $c935 = $made(Quantity, $c143, ["length", $c809]);
-const $c932 = $made(Entry, $c876, ["y", $c935, true, "", "", "y", ""]);
-const $c810 = $made(Limit, $c882, ["length", 0.0, 1000.0, false, false]);
-const $c936 = $made(Quantity, $c143, ["length", $c810]);
-const $c933 = $made(Entry, $c876, ["diameter", $c936, false, "", "", "diameter", ""]);
-const $c929 = [$c931, $c932, $c933, $c921];
-const $c930 = new Map([["x", $c931], ["y", $c932], ["diameter", $c933], ["turn", $c921]]);
-const $c928 = $made(tables$Table, $c861, [Point, $c929, $c930]);
-const $c922 = $made(Entry, $c876, ["before", $c928, true, "", "a table with x and y", "before", ""]);
-const $c923 = $made(Entry, $c876, ["after", $c928, true, "", "a table with x and y", "after", ""]);
-const $c917 = [$c919, $c920, $c921, $c922, $c923];
-const $c918 = new Map([["x", $c919], ["y", $c920], ["turn", $c921], ["before", $c922], ["after", $c923]]);
-const $c202 = $made(tables$Table, $c861, [Point, $c917, $c918]);
-const $c182 = $made(Entry, $c876, ["belt_path", $c202, false, "", "", "belt_path", ""]);
-const $c937 = $made(Name, $c887, [500]);
-const $c961 = $made(Name, $c887, [500]);
-const $c941 = $made(Entry, $c876, ["preset", $c961, false, "", "", "preset", ""]);
-const $c962 = $made(Name, $c887, [60]);
-const $c942 = $made(Entry, $c876, ["name", $c962, false, "", "", "name", ""]);
-const $c963 = $made(Text, $c879, [200, false]);
-const $c943 = $made(Entry, $c876, ["title", $c963, false, "", "", "title", ""]);
-const $c964 = $made(Text, $c879, [5000, true]);
-const $c944 = $made(Entry, $c876, ["description", $c964, false, "", "", "description", ""]);
-const $c840 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c965 = $made(Choice, $c899, [$c840]);
-const $c945 = $made(Entry, $c876, ["surface", $c965, false, "", "", "surface", ""]);
-const $c823 = $made(Limit, $c882, ["length", 0.0, 1.0, false, false]);
-const $c966 = $made(Quantity, $c143, ["length", $c823]);
-const $c946 = $made(Entry, $c876, ["thickness", $c966, false, "", "", "thickness", ""]);
-const $c826 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, false]);
-const $c967 = $made(Quantity, $c143, ["pressure", $c826]);
-const $c947 = $made(Entry, $c876, ["elastic_modulus", $c967, false, "", "", "elastic_modulus", ""]);
-const $c824 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, true]);
-const $c969 = $made(Quantity, $c143, ["pressure", $c824]);
-const $c968 = $made(WordOr, $c913, ["rigid", $c969, Infinity]);
-const $c948 = $made(Entry, $c876, ["shear_modulus", $c968, false, "", "", "shear_modulus", ""]);
-const $c825 = $made(Limit, $c882, ["pressure", 1000.0, Infinity, false, true]);
-const $c971 = $made(Quantity, $c143, ["pressure", $c825]);
-const $c970 = $made(WordOr, $c913, ["rigid", $c971, Infinity]);
-const $c949 = $made(Entry, $c876, ["compression_modulus", $c970, false, "", "", "compression_modulus", ""]);
-const $c850 = ["square", "strip"];
-const $c979 = $made(Choice, $c899, [$c850]);
-const $c974 = $made(Entry, $c876, ["shape", $c979, false, "", "", "shape", ""]);
-const $c796 = $made(Limit, $c882, ["length", 0.0001, 10.0, false, false]);
-const $c980 = $made(Quantity, $c143, ["length", $c796]);
-const $c975 = $made(Entry, $c876, ["width", $c980, true, "", "", "width", ""]);
-const $c797 = $made(Limit, $c882, ["length", 0.0001, 1.0, false, false]);
-const $c981 = $made(Quantity, $c143, ["length", $c797]);
-const $c976 = $made(Entry, $c876, ["height", $c981, false, "", "", "height", ""]);
-const $c798 = $made(Limit, $c882, ["number", 0.0, 10.0, false, false]);
-const $c982 = $made(Quantity, $c143, ["number", $c798]);
-const $c977 = $made(Entry, $c876, ["stiffening", $c982, false, "", "", "stiffening", ""]);
-const $c799 = $made(Limit, $c882, ["number", 0.01, 1.0, false, false]);
-const $c983 = $made(Quantity, $c143, ["number", $c799]);
-const $c978 = $made(Entry, $c876, ["contact_fraction", $c983, false, "", "", "contact_fraction", ""]);
-const $c972 = [$c974, $c975, $c976, $c977, $c978];
-const $c973 = new Map([["shape", $c974], ["width", $c975], ["height", $c976], ["stiffening", $c977], ["contact_fraction", $c978]]);
-const $c80 = $made(tables$Table, $c861, [Block, $c972, $c973]);
-const $c950 = $made(Entry, $c876, ["block", $c80, false, "", "", "block", ""]);
-const $c827 = $made(Limit, $c882, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c984 = $made(Quantity, $c143, ["wear_coefficient", $c827]);
-const $c951 = $made(Entry, $c876, ["wear_coefficient", $c984, false, "", "", "wear_coefficient", ""]);
-const $c828 = $made(Limit, $c882, ["number", 0.0, 1.0, false, false]);
-const $c985 = $made(Quantity, $c143, ["number", $c828]);
-const $c952 = $made(Entry, $c876, ["belt_energy_share", $c985, false, "", "", "belt_energy_share", ""]);
-const $c829 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
-const $c986 = $made(Quantity, $c143, ["pressure", $c829]);
-const $c953 = $made(Entry, $c876, ["bond_strength", $c986, false, "", "", "bond_strength", ""]);
-const $c830 = $made(Limit, $c882, ["pressure", 0.0, Infinity, true, false]);
-const $c987 = $made(Quantity, $c143, ["pressure", $c830]);
-const $c954 = $made(Entry, $c876, ["fatigue_limit", $c987, false, "", "", "fatigue_limit", ""]);
-const $c996 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
-const $c995 = $made(Quantity, $c143, ["number", $c996]);
-const $c990 = $made(Entry, $c876, ["material", $c995, true, "", "", "material", ""]);
-const $c998 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
-const $c997 = $made(Quantity, $c143, ["number", $c998]);
-const $c991 = $made(Entry, $c876, ["installation", $c997, true, "", "", "installation", ""]);
-const $c999 = $made(Name, $c887, [12]);
-const $c992 = $made(Entry, $c876, ["currency", $c999, true, "", "", "currency", ""]);
-const $c1001 = $made(Limit, $c882, ["area", 0.0, Infinity, true, false]);
-const $c1000 = $made(Quantity, $c143, ["area", $c1001]);
-const $c993 = $made(Entry, $c876, ["area", $c1000, true, "", "", "area", ""]);
-const $c1003 = $made(Quantity, $c143, ["number", null]);
-const $c1002 = $made(Rows, $c915, [$c1003, 2, 2]);
-const $c994 = $made(Entry, $c876, ["life_years", $c1002, true, "", "", "life_years", ""]);
-const $c988 = [$c990, $c991, $c992, $c993, $c994];
-const $c989 = new Map([["material", $c990], ["installation", $c991], ["currency", $c992], ["area", $c993], ["life_years", $c994]]);
-const $c76 = $made(tables$Table, $c861, [Cost, $c988, $c989]);
-const $c955 = $made(Entry, $c876, ["cost", $c76, false, "", "", "cost", ""]);
-const $c1005 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
-const $c1004 = $made(Quantity, $c143, ["speed", $c1005]);
-const $c956 = $made(Entry, $c876, ["slip_speed", $c1004, false, "", "", "slip_speed", ""]);
-const $c1007 = $made(Limit, $c882, ["temperature", 0.0, Infinity, false, false]);
-const $c1006 = $made(Quantity, $c143, ["temperature", $c1007]);
-const $c957 = $made(Entry, $c876, ["temperature", $c1006, false, "", "", "temperature", ""]);
-const $c1014 = $made(Name, $c887, [60]);
-const $c1011 = $made(Entry, $c876, ["condition", $c1014, true, "", "", "condition", ""]);
-const $c1016 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
-const $c1015 = $made(Quantity, $c143, ["number", $c1016]);
-const $c1012 = $made(Entry, $c876, ["factor", $c1015, true, "", "", "factor", ""]);
-const $c1013 = $made(Entry, $c876, ["provenance", $c2, true, "", "", "provenance", ""]);
-const $c1009 = [$c1011, $c1012, $c1013];
-const $c1010 = new Map([["condition", $c1011], ["factor", $c1012], ["provenance", $c1013]]);
-const $c81 = $made(tables$Table, $c861, [ConditionFactor, $c1009, $c1010]);
-const $c1008 = $made(Rows, $c915, [$c81, 0, 20]);
-const $c958 = $made(Entry, $c876, ["condition_factor", $c1008, false, "", "", "condition_factor", ""]);
-const $c1018 = ["tag", "tables"];
-const $c1045 = ["integral-log"];
-const $c1044 = $made(Choice, $c899, [$c1045]);
-const $c1027 = $made(Entry, $c876, ["kind", $c1044, true, "", "", "kind", ""]);
-const $c1046 = $made(Name, $c887, [60]);
-const $c1028 = $made(Entry, $c876, ["condition", $c1046, false, "", "", "condition", ""]);
-const $c1029 = $made(Entry, $c876, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c1030 = $made(Entry, $c876, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c1059 = $made(Name, $c887, [120]);
-const $c1058 = $made(Rows, $c915, [$c1059, 1, 1000]);
-const $c1049 = $made(Entry, $c876, ["parameters", $c1058, true, "", "", "parameters", ""]);
-const $c1060 = $made(Rows, $c915, [$c1003, 1, 1000]);
-const $c1050 = $made(Entry, $c876, ["values", $c1060, true, "", "", "values", ""]);
-const $c1062 = $made(Rows, $c915, [$c1003, 1, 1000]);
-const $c1061 = $made(Rows, $c915, [$c1062, 1, 1000]);
-const $c1051 = $made(Entry, $c876, ["covariance", $c1061, true, "", "", "covariance", ""]);
-const $c1064 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
-const $c1063 = $made(Quantity, $c143, ["number", $c1064]);
-const $c1052 = $made(Entry, $c876, ["residual_noise", $c1063, false, "", "", "residual_noise", ""]);
-const $c1066 = $made(Limit, $c882, ["number", 1.0, Infinity, false, false]);
-const $c1065 = $made(Quantity, $c143, ["number", $c1066]);
-const $c1053 = $made(Entry, $c876, ["coverage_factor", $c1065, false, "", "", "coverage_factor", ""]);
-const $c1067 = $made(Text, $c879, [60, false]);
-const $c1054 = $made(Entry, $c876, ["date", $c1067, false, "", "", "date", ""]);
-const $c1068 = $made(Text, $c879, [500, false]);
-const $c1055 = $made(Entry, $c876, ["method", $c1068, false, "", "", "method", ""]);
-const $c1070 = $made(Text, $c879, [2000, true]);
-const $c1069 = $made(Rows, $c915, [$c1070, 0, 50]);
-const $c1056 = $made(Entry, $c876, ["misfit", $c1069, false, "", "", "misfit", ""]);
-const $c1071 = $made(Text, $c879, [500, false]);
-const $c1057 = $made(Entry, $c876, ["misfit_accepted", $c1071, false, "", "", "misfit_accepted", ""]);
-const $c1047 = [$c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057];
-const $c1048 = new Map([["parameters", $c1049], ["values", $c1050], ["covariance", $c1051], ["residual_noise", $c1052], ["coverage_factor", $c1053], ["date", $c1054], ["method", $c1055], ["misfit", $c1056], ["misfit_accepted", $c1057]]);
-const $c88 = $made(tables$Table, $c861, [Fit, $c1047, $c1048]);
-const $c1031 = $made(Entry, $c876, ["fit", $c88, false, "", "", "fit", ""]);
-const $c1074 = ["lagging shear", "cover shear"];
-const $c1073 = $made(Choice, $c899, [$c1074]);
-const $c1072 = $made(Rows, $c915, [$c1073, 0, 2]);
-const $c1032 = $made(Entry, $c876, ["slip_includes", $c1072, false, "", "", "slip_includes", ""]);
-const $c1081 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
-const $c1080 = $made(Quantity, $c143, ["speed", $c1081]);
-const $c1079 = $made(Rows, $c915, [$c1080, 2, 100]);
-const $c1077 = $made(Entry, $c876, ["slip_speed", $c1079, true, "", "", "at", ""]);
-const $c1082 = $made(Rows, $c915, [$c1015, 2, 100]);
-const $c1078 = $made(Entry, $c876, ["factor", $c1082, true, "", "", "factor", ""]);
-const $c1075 = [$c1077, $c1078, $c1013];
-const $c1076 = new Map([["slip_speed", $c1077], ["factor", $c1078], ["provenance", $c1013]]);
-const $c86 = $made(tables$Table, $c861, [FrictionFactor, $c1075, $c1076]);
-const $c1033 = $made(Entry, $c876, ["slip_speed_factor", $c86, false, "", "", "slip_speed_factor", ""]);
-const $c1088 = $made(Limit, $c882, ["temperature", 0.0, Infinity, false, false]);
-const $c1087 = $made(Quantity, $c143, ["temperature", $c1088]);
-const $c1086 = $made(Rows, $c915, [$c1087, 2, 100]);
-const $c1085 = $made(Entry, $c876, ["temperature", $c1086, true, "", "", "at", ""]);
-const $c1083 = [$c1085, $c1078, $c1013];
-const $c1084 = new Map([["temperature", $c1085], ["factor", $c1078], ["provenance", $c1013]]);
-const $c87 = $made(tables$Table, $c861, [FrictionFactor, $c1083, $c1084]);
-const $c1034 = $made(Entry, $c876, ["temperature_factor", $c87, false, "", "", "temperature_factor", ""]);
-const $c1035 = $made(Entry, $c876, ["notes", $c1069, false, "", "", "notes", ""]);
-const $c1091 = $made(Limit, $c882, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c1090 = $made(Quantity, $c143, ["pressure", $c1091]);
-const $c1089 = $made(Rows, $c915, [$c1090, 2, 2]);
-const $c1036 = $made(Entry, $c876, ["tested_pressure", $c1089, false, "", "", "tested_pressure", ""]);
-const $c1093 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
-const $c1092 = $made(Quantity, $c143, ["length", $c1093]);
-const $c1037 = $made(Entry, $c876, ["tested_slip", $c1092, false, "", "", "tested_slip", ""]);
-const $c1095 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
-const $c1094 = $made(Quantity, $c143, ["speed", $c1095]);
-const $c1038 = $made(Entry, $c876, ["tested_slip_speed", $c1094, false, "", "", "tested_slip_speed", ""]);
-const $c1100 = $made(Entry, $c876, ["pressure", $c1090, true, "", "", "pressure", ""]);
-const $c1106 = $made(Limit, $c882, ["number", 0.0, 5.0, true, false]);
-const $c1105 = $made(Quantity, $c143, ["number", $c1106]);
-const $c1101 = $made(Entry, $c876, ["peak_friction", $c1105, true, "", "", "peak_friction", ""]);
-const $c1102 = $made(Entry, $c876, ["peak_slip", $c1092, true, "", "", "peak_slip", ""]);
-const $c1108 = $made(Limit, $c882, ["per_length", -1000000.0, 0.0, false, false]);
-const $c1107 = $made(Quantity, $c143, ["per_length", $c1108]);
-const $c1103 = $made(Entry, $c876, ["post_peak_slope", $c1107, false, "", "", "post_peak_slope", ""]);
-const $c1104 = $made(Entry, $c876, ["residual_friction", $c1105, false, "", "", "residual_friction", ""]);
-const $c1098 = [$c1100, $c1101, $c1102, $c1103, $c1104];
-const $c1099 = new Map([["pressure", $c1100], ["peak_friction", $c1101], ["peak_slip", $c1102], ["post_peak_slope", $c1103], ["residual_friction", $c1104]]);
-const $c1097 = $made(tables$Table, $c861, [null, $c1098, $c1099]);
-const $c1096 = $made(Rows, $c915, [$c1097, 1, 200]);
-const $c1039 = $made(Entry, $c876, ["knots", $c1096, false, "", "", "knots", ""]);
-const $c1113 = $made(Entry, $c876, ["from", $c1090, true, "", "", "from", ""]);
-const $c1114 = $made(Entry, $c876, ["to", $c1090, true, "", "", "to", ""]);
-const $c1119 = $made(Text, $c879, [300, false]);
-const $c1115 = $made(Entry, $c876, ["A", $c1119, true, "", "", "A", ""]);
-const $c1116 = $made(Entry, $c876, ["b", $c1119, true, "", "", "b", ""]);
-const $c1117 = $made(Entry, $c876, ["post_peak_slope", $c1119, false, "", "", "post_peak_slope", ""]);
-const $c1118 = $made(Entry, $c876, ["residual_friction", $c1119, false, "", "", "residual_friction", ""]);
-const $c1111 = [$c1113, $c1114, $c1115, $c1116, $c1117, $c1118];
-const $c1112 = new Map([["from", $c1113], ["to", $c1114], ["A", $c1115], ["b", $c1116], ["post_peak_slope", $c1117], ["residual_friction", $c1118]]);
-const $c1110 = $made(tables$Table, $c861, [null, $c1111, $c1112]);
-const $c1109 = $made(Rows, $c915, [$c1110, 1, 50]);
-const $c1040 = $made(Entry, $c876, ["pieces", $c1109, false, "", "", "pieces", ""]);
-const $c1120 = $made(Text, $c879, [20, false]);
-const $c1041 = $made(Entry, $c876, ["slip_unit", $c1120, false, "", "", "slip_unit", ""]);
-const $c1121 = $made(Text, $c879, [20, false]);
-const $c1042 = $made(Entry, $c876, ["pressure_unit", $c1121, false, "", "", "pressure_unit", ""]);
-const $c1123 = $made(Limit, $c882, ["number", 0.0, 0.5, false, false]);
-const $c1122 = $made(Quantity, $c143, ["number", $c1123]);
-const $c1043 = $made(Entry, $c876, ["continuity", $c1122, false, "", "", "continuity", ""]);
-const $c1025 = [$c1027, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1039, $c1040, $c1041, $c1042, $c1043];
-const $c1026 = new Map([["kind", $c1027], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["knots", $c1039], ["pieces", $c1040], ["slip_unit", $c1041], ["pressure_unit", $c1042], ["continuity", $c1043]]);
-const $c1020 = $made(tables$Table, $c861, [IntegralLog, $c1025, $c1026]);
-const $c1129 = ["constant"];
-const $c1128 = $made(Choice, $c899, [$c1129]);
-const $c1126 = $made(Entry, $c876, ["kind", $c1128, true, "", "", "kind", ""]);
-const $c1127 = $made(Entry, $c876, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
-const $c1124 = [$c1126, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1127];
-const $c1125 = new Map([["kind", $c1126], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["friction", $c1127]]);
-const $c1021 = $made(tables$Table, $c861, [Constant, $c1124, $c1125]);
-const $c1135 = ["elastic-plastic"];
-const $c1134 = $made(Choice, $c899, [$c1135]);
-const $c1132 = $made(Entry, $c876, ["kind", $c1134, true, "", "", "kind", ""]);
-const $c1137 = $made(Limit, $c882, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1136 = $made(Quantity, $c143, ["pressure_per_length", $c1137]);
-const $c1133 = $made(Entry, $c876, ["stiffness", $c1136, true, "", "", "stiffness", ""]);
-const $c1130 = [$c1132, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1133, $c1127];
-const $c1131 = new Map([["kind", $c1132], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["stiffness", $c1133], ["friction", $c1127]]);
-const $c1022 = $made(tables$Table, $c861, [ElasticPlastic, $c1130, $c1131]);
-const $c1145 = ["power"];
-const $c1144 = $made(Choice, $c899, [$c1145]);
-const $c1140 = $made(Entry, $c876, ["kind", $c1144, true, "", "", "kind", ""]);
-const $c1141 = $made(Entry, $c876, ["friction", $c1105, true, "", "", "friction_coefficient", ""]);
-const $c1142 = $made(Entry, $c876, ["reference_pressure", $c1090, true, "", "", "reference_pressure", ""]);
-const $c1143 = $made(Entry, $c876, ["exponent", $c1003, true, "", "", "exponent", ""]);
-const $c1138 = [$c1140, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1036, $c1037, $c1038, $c1141, $c1142, $c1143];
-const $c1139 = new Map([["kind", $c1140], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["tested_pressure", $c1036], ["tested_slip", $c1037], ["tested_slip_speed", $c1038], ["friction", $c1141], ["reference_pressure", $c1142], ["exponent", $c1143]]);
-const $c1023 = $made(tables$Table, $c861, [PressurePower, $c1138, $c1139]);
-const $c1152 = ["table"];
-const $c1151 = $made(Choice, $c899, [$c1152]);
-const $c1148 = $made(Entry, $c876, ["kind", $c1151, true, "", "", "kind", ""]);
-const $c1155 = $made(Limit, $c882, ["length", 0.0, 1.0, false, false]);
-const $c1154 = $made(Quantity, $c143, ["length", $c1155]);
-const $c1153 = $made(Rows, $c915, [$c1154, 2, 1000]);
-const $c1149 = $made(Entry, $c876, ["slip", $c1153, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
-const $c1160 = $made(Entry, $c876, ["pressure", $c1090, true, "", "", "pressure", ""]);
-const $c1164 = $made(Limit, $c882, ["number", 0.0, 5.0, false, false]);
-const $c1163 = $made(Quantity, $c143, ["number", $c1164]);
-const $c1162 = $made(Rows, $c915, [$c1163, 2, 1000]);
-const $c1161 = $made(Entry, $c876, ["friction", $c1162, true, "", "", "values", ""]);
-const $c1158 = [$c1160, $c1161];
-const $c1159 = new Map([["pressure", $c1160], ["friction", $c1161]]);
-const $c1157 = $made(tables$Table, $c861, [null, $c1158, $c1159]);
-const $c1156 = $made(Rows, $c915, [$c1157, 1, 200]);
-const $c1150 = $made(Entry, $c876, ["rows", $c1156, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
-const $c1146 = [$c1148, $c1028, $c1029, $c1030, $c1031, $c1032, $c1033, $c1034, $c1035, $c1149, $c1150];
-const $c1147 = new Map([["kind", $c1148], ["condition", $c1028], ["provenance", $c1029], ["condition_source", $c1030], ["fit", $c1031], ["slip_includes", $c1032], ["slip_speed_factor", $c1033], ["temperature_factor", $c1034], ["notes", $c1035], ["slip", $c1149], ["rows", $c1150]]);
-const $c1024 = $made(tables$Table, $c861, [MeasuredTable, $c1146, $c1147]);
-const $c1019 = new Map([["integral-log", $c1020], ["constant", $c1021], ["elastic-plastic", $c1022], ["power", $c1023], ["table", $c1024]]);
-const $c84 = $made(Variant, $c1018, ["kind", $c1019]);
-const $c1017 = $made(OneOrMore, $c884, [$c84, 50]);
-const $c959 = $made(Entry, $c876, ["law", $c1017, false, "", "", "law", ""]);
-const $c960 = $made(Entry, $c876, ["notes", $c1069, false, "", "", "notes", ""]);
-const $c939 = [$c941, $c942, $c943, $c944, $c945, $c946, $c947, $c948, $c949, $c950, $c951, $c952, $c953, $c954, $c955, $c956, $c957, $c958, $c959, $c136, $c137, $c960];
-const $c940 = new Map([["preset", $c941], ["name", $c942], ["title", $c943], ["description", $c944], ["surface", $c945], ["thickness", $c946], ["elastic_modulus", $c947], ["shear_modulus", $c948], ["compression_modulus", $c949], ["block", $c950], ["wear_coefficient", $c951], ["belt_energy_share", $c952], ["bond_strength", $c953], ["fatigue_limit", $c954], ["cost", $c955], ["slip_speed", $c956], ["temperature", $c957], ["condition_factor", $c958], ["law", $c959], ["provenance", $c136], ["sources", $c137], ["notes", $c960]]);
-const $c938 = $made(tables$Table, $c861, [Lagging, $c939, $c940]);
-const $c203 = $made(TextOr, $c885, [$c937, $c938]);
-const $c183 = $made(Entry, $c876, ["lagging", $c203, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c184 = $made(Entry, $c876, ["condition", $c204, false, "", "", "condition", ""]);
-const $c206 = $made(Limit, $c882, ["force", 0.1, 1000000000.0, false, false]);
-const $c205 = $made(Quantity, $c143, ["force", $c206]);
-const $c185 = $made(Entry, $c876, ["entry_tension", $c205, false, "", "", "entry_tension", ""]);
-const $c186 = $made(Entry, $c876, ["exit_tension", $c205, false, "", "", "exit_tension", ""]);
-const $c207 = $made(Quantity, $c143, ["force", null]);
-const $c187 = $made(Entry, $c876, ["effective_tension", $c207, false, "", "", "effective_tension", ""]);
-const $c208 = $made(Quantity, $c143, ["torque", null]);
-const $c188 = $made(Entry, $c876, ["torque", $c208, false, "", "", "torque", ""]);
-const $c209 = $made(Quantity, $c143, ["power", null]);
-const $c189 = $made(Entry, $c876, ["power", $c209, false, "", "", "power", ""]);
-const $c212 = $made(Limit, $c882, ["length", -1.0, 1.0, false, false]);
-const $c211 = $made(Quantity, $c143, ["length", $c212]);
-const $c210 = $made(WordOr, $c913, ["formula", $c211, null]);
-const $c190 = $made(Entry, $c876, ["overrun", $c210, false, "", "", "overrun", ""]);
-const $c213 = $made(Flag, [], []);
-const $c191 = $made(Entry, $c876, ["recovery", $c213, false, "", "", "recovery", ""]);
-const $c215 = $made(Limit, $c882, ["length", 0.0, 1.0, true, false]);
-const $c214 = $made(Quantity, $c143, ["length", $c215]);
-const $c192 = $made(Entry, $c876, ["creep_limit", $c214, false, "", "", "creep_limit", ""]);
-const $c847 = ["pulley", "carry"];
-const $c216 = $made(Choice, $c899, [$c847]);
-const $c193 = $made(Entry, $c876, ["side", $c216, false, "", "", "side", ""]);
-const $c218 = $made(Limit, $c882, ["mass", 0.0, 1000000.0, true, false]);
-const $c217 = $made(Quantity, $c143, ["mass", $c218]);
-const $c194 = $made(Entry, $c876, ["mass", $c217, false, "", "", "mass", ""]);
-const $c1500 = ["dimension", "diameters", "rows", "within"];
-const $c1504 = ["kinds"];
-const $c1506 = $made(Quantity, $c143, ["length", null]);
-const $c1507 = $made(Quantity, $c143, ["length", null]);
-const $c1505 = [$c1506, $c1507];
-const $c1503 = $made(_Pair, $c1504, [$c1505]);
-const $c1501 = $made(Rows, $c915, [$c1503, 0, 500]);
-const $c1511 = $made(Entry, $c876, ["rows", $c1501, false, "", "", "rows", ""]);
-const $c1516 = $made(Quantity, $c143, ["length", null]);
-const $c1512 = $made(Entry, $c876, ["crown", $c1516, false, "", "", "crown", ""]);
-const $c1518 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
-const $c1517 = $made(Quantity, $c143, ["number", $c1518]);
-const $c1513 = $made(Entry, $c876, ["factor", $c1517, false, "", "", "factor", ""]);
-const $c1520 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
-const $c1519 = $made(Quantity, $c143, ["length", $c1520]);
-const $c1514 = $made(Entry, $c876, ["uncertainty", $c1519, false, "", "", "uncertainty", ""]);
-const $c1522 = ["radius", "diameter"];
-const $c1521 = $made(Choice, $c899, [$c1522]);
-const $c1515 = $made(Entry, $c876, ["on", $c1521, false, "", "", "on", ""]);
-const $c1509 = [$c1511, $c1512, $c1513, $c1514, $c1515];
-const $c1510 = new Map([["rows", $c1511], ["crown", $c1512], ["factor", $c1513], ["uncertainty", $c1514], ["on", $c1515]]);
-const $c1508 = $made(tables$Table, $c861, [null, $c1509, $c1510]);
-const $c1502 = $made(TextOr, $c885, [$c1501, $c1508]);
-const $c1176 = $made(Profile, $c1500, ["length", true, $c1501, $c1502]);
-const $c1167 = $made(Entry, $c876, ["shell_profile", $c1176, false, "", "", "shell_profile", ""]);
-const $c1527 = $made(Quantity, $c143, ["length", null]);
-const $c1528 = $made(Quantity, $c143, ["length", null]);
-const $c1526 = [$c1527, $c1528];
-const $c1525 = $made(_Pair, $c1504, [$c1526]);
-const $c1523 = $made(Rows, $c915, [$c1525, 0, 500]);
-const $c1532 = $made(Entry, $c876, ["rows", $c1523, false, "", "", "rows", ""]);
-const $c1537 = $made(Quantity, $c143, ["length", null]);
-const $c1533 = $made(Entry, $c876, ["crown", $c1537, false, "", "", "crown", ""]);
-const $c1539 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
-const $c1538 = $made(Quantity, $c143, ["number", $c1539]);
-const $c1534 = $made(Entry, $c876, ["factor", $c1538, false, "", "", "factor", ""]);
-const $c1541 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
-const $c1540 = $made(Quantity, $c143, ["length", $c1541]);
-const $c1535 = $made(Entry, $c876, ["uncertainty", $c1540, false, "", "", "uncertainty", ""]);
-const $c1542 = $made(Choice, $c899, [$c1522]);
-const $c1536 = $made(Entry, $c876, ["on", $c1542, false, "", "", "on", ""]);
-const $c1530 = [$c1532, $c1533, $c1534, $c1535, $c1536];
-const $c1531 = new Map([["rows", $c1532], ["crown", $c1533], ["factor", $c1534], ["uncertainty", $c1535], ["on", $c1536]]);
-const $c1529 = $made(tables$Table, $c861, [null, $c1530, $c1531]);
-const $c1524 = $made(TextOr, $c885, [$c1523, $c1529]);
-const $c1178 = $made(Profile, $c1500, ["length", true, $c1523, $c1524]);
-const $c1168 = $made(Entry, $c876, ["worn_depth", $c1178, false, "", "", "worn_depth", ""]);
-const $c1547 = $made(Quantity, $c143, ["length", null]);
-const $c1548 = $made(Quantity, $c143, ["length", null]);
-const $c1546 = [$c1547, $c1548];
-const $c1545 = $made(_Pair, $c1504, [$c1546]);
-const $c1543 = $made(Rows, $c915, [$c1545, 0, 500]);
-const $c1552 = $made(Entry, $c876, ["rows", $c1543, false, "", "", "rows", ""]);
-const $c1557 = $made(Quantity, $c143, ["length", null]);
-const $c1553 = $made(Entry, $c876, ["crown", $c1557, false, "", "", "crown", ""]);
-const $c1559 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
-const $c1558 = $made(Quantity, $c143, ["number", $c1559]);
-const $c1554 = $made(Entry, $c876, ["factor", $c1558, false, "", "", "factor", ""]);
-const $c1561 = $made(Limit, $c882, ["length", 0.0, Infinity, false, false]);
-const $c1560 = $made(Quantity, $c143, ["length", $c1561]);
-const $c1555 = $made(Entry, $c876, ["uncertainty", $c1560, false, "", "", "uncertainty", ""]);
-const $c1562 = $made(Choice, $c899, [$c1522]);
-const $c1556 = $made(Entry, $c876, ["on", $c1562, false, "", "", "on", ""]);
-const $c1550 = [$c1552, $c1553, $c1554, $c1555, $c1556];
-const $c1551 = new Map([["rows", $c1552], ["crown", $c1553], ["factor", $c1554], ["uncertainty", $c1555], ["on", $c1556]]);
-const $c1549 = $made(tables$Table, $c861, [null, $c1550, $c1551]);
-const $c1544 = $made(TextOr, $c885, [$c1543, $c1549]);
-const $c1179 = $made(Profile, $c1500, ["length", true, $c1543, $c1544]);
-const $c1169 = $made(Entry, $c876, ["build_up", $c1179, false, "", "", "build_up", ""]);
-const $c1181 = $made(Limit, $c882, ["number", -0.1, 0.1, false, false]);
-const $c1180 = $made(Quantity, $c143, ["number", $c1181]);
-const $c1170 = $made(Entry, $c876, ["misalignment", $c1180, false, "", "", "misalignment", ""]);
-const $c1183 = $made(Limit, $c882, ["length", -0.1, 0.1, false, false]);
-const $c1182 = $made(Quantity, $c143, ["length", $c1183]);
-const $c1171 = $made(Entry, $c876, ["deflection", $c1182, false, "", "", "deflection", ""]);
-const $c1567 = $made(Quantity, $c143, ["length", null]);
-const $c1568 = $made(Quantity, $c143, ["force_per_width", null]);
-const $c1566 = [$c1567, $c1568];
-const $c1565 = $made(_Pair, $c1504, [$c1566]);
-const $c1563 = $made(Rows, $c915, [$c1565, 0, 500]);
-const $c1572 = $made(Entry, $c876, ["rows", $c1563, false, "", "", "rows", ""]);
-const $c1576 = $made(Quantity, $c143, ["force_per_width", null]);
-const $c1573 = $made(Entry, $c876, ["crown", $c1576, false, "", "", "crown", ""]);
-const $c1578 = $made(Limit, $c882, ["number", 0.0, 100.0, false, false]);
-const $c1577 = $made(Quantity, $c143, ["number", $c1578]);
-const $c1574 = $made(Entry, $c876, ["factor", $c1577, false, "", "", "factor", ""]);
-const $c1580 = $made(Limit, $c882, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1579 = $made(Quantity, $c143, ["force_per_width", $c1580]);
-const $c1575 = $made(Entry, $c876, ["uncertainty", $c1579, false, "", "", "uncertainty", ""]);
-const $c1570 = [$c1572, $c1573, $c1574, $c1575];
-const $c1571 = new Map([["rows", $c1572], ["crown", $c1573], ["factor", $c1574], ["uncertainty", $c1575]]);
-const $c1569 = $made(tables$Table, $c861, [null, $c1570, $c1571]);
-const $c1564 = $made(TextOr, $c885, [$c1563, $c1569]);
-const $c1184 = $made(Profile, $c1500, ["force_per_width", false, $c1563, $c1564]);
-const $c1172 = $made(Entry, $c876, ["entry_profile", $c1184, false, "", "", "entry_profile", ""]);
-const $c1194 = ["pulley"];
-const $c1193 = $made(Choice, $c899, [$c1194]);
-const $c1191 = $made(Entry, $c876, ["kind", $c1193, true, "", "", "kind", ""]);
-const $c1196 = $made(Limit, $c882, ["length", 0.0, 100000.0, true, false]);
-const $c1195 = $made(Quantity, $c143, ["length", $c1196]);
-const $c1192 = $made(Entry, $c876, ["distance", $c1195, true, "", "", "distance", ""]);
-const $c1189 = [$c1191, $c1192];
-const $c1190 = new Map([["kind", $c1191], ["distance", $c1192]]);
-const $c1187 = $made(tables$Table, $c861, [GrippingPulley, $c1189, $c1190]);
-const $c1205 = ["transition"];
-const $c1204 = $made(Choice, $c899, [$c1205]);
-const $c1199 = $made(Entry, $c876, ["kind", $c1204, true, "", "", "kind", ""]);
-const $c1207 = $made(Limit, $c882, ["length", 0.0, 1000.0, true, false]);
-const $c1206 = $made(Quantity, $c143, ["length", $c1207]);
-const $c1200 = $made(Entry, $c876, ["length", $c1206, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1209 = $made(Limit, $c882, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1208 = $made(Quantity, $c143, ["angle", $c1209]);
-const $c1201 = $made(Entry, $c876, ["trough_angle", $c1208, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1211 = $made(Limit, $c882, ["length", 0.0, 100.0, false, false]);
-const $c1210 = $made(Quantity, $c143, ["length", $c1211]);
-const $c1202 = $made(Entry, $c876, ["centre_roll", $c1210, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1213 = ["full", "half"];
-const $c1212 = $made(Choice, $c899, [$c1213]);
-const $c1203 = $made(Entry, $c876, ["depth", $c1212, false, "", "", "depth", ""]);
-const $c1197 = [$c1199, $c1200, $c1201, $c1202, $c1203];
-const $c1198 = new Map([["kind", $c1199], ["length", $c1200], ["trough_angle", $c1201], ["centre_roll", $c1202], ["depth", $c1203]]);
-const $c1188 = $made(tables$Table, $c861, [Transition, $c1197, $c1198]);
-const $c1186 = new Map([["pulley", $c1187], ["transition", $c1188]]);
-const $c28 = $made(Variant, $c1018, ["kind", $c1186]);
-const $c1185 = $made(WordOr, $c913, ["far", $c28, null]);
-const $c1173 = $made(Entry, $c876, ["before", $c1185, false, "", "", "before", ""]);
-const $c1221 = ["pulley"];
-const $c1220 = $made(Choice, $c899, [$c1221]);
-const $c1219 = $made(Entry, $c876, ["kind", $c1220, true, "", "", "kind", ""]);
-const $c1217 = [$c1219, $c1192];
-const $c1218 = new Map([["kind", $c1219], ["distance", $c1192]]);
-const $c1216 = $made(tables$Table, $c861, [GrippingPulley, $c1217, $c1218]);
-const $c1215 = new Map([["pulley", $c1216]]);
-const $c29 = $made(Variant, $c1018, ["kind", $c1215]);
-const $c1214 = $made(WordOr, $c913, ["far", $c29, null]);
-const $c1174 = $made(Entry, $c876, ["after", $c1214, false, "", "", "after", ""]);
-const $c1223 = ["least", "most"];
-const $c1222 = $made(Count, $c1223, [4, 128]);
-const $c1175 = $made(Entry, $c876, ["strips", $c1222, false, "", "", "strips", ""]);
-const $c1165 = [$c1167, $c1168, $c1169, $c1170, $c1171, $c1172, $c1173, $c1174, $c1175];
-const $c1166 = new Map([["shell_profile", $c1167], ["worn_depth", $c1168], ["build_up", $c1169], ["misalignment", $c1170], ["deflection", $c1171], ["entry_profile", $c1172], ["before", $c1173], ["after", $c1174], ["strips", $c1175]]);
-const $c30 = $made(tables$Table, $c861, [Across, $c1165, $c1166]);
-const $c195 = $made(Entry, $c876, ["across", $c30, false, "", "", "across", ""]);
-const $c219 = $made(ByName, $c884, [$c2, 200]);
-const $c196 = $made(Entry, $c876, ["sources", $c219, false, "", "", "sources", ""]);
-const $c9 = [$c179, $c180, $c181, $c182, $c183, $c184, $c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196];
-const $c916 = new Map([["name", $c179], ["diameter", $c180], ["wrap_angle", $c181], ["belt_path", $c182], ["lagging", $c183], ["condition", $c184], ["entry_tension", $c185], ["exit_tension", $c186], ["effective_tension", $c187], ["torque", $c188], ["power", $c189], ["overrun", $c190], ["recovery", $c191], ["creep_limit", $c192], ["side", $c193], ["mass", $c194], ["across", $c195], ["sources", $c196]]);
-const $c31 = $made(tables$Table, $c861, [Pulley, $c9, $c916]);
-const $c914 = $made(Rows, $c915, [$c31, 1, 10]);
-const $c870 = $made(Entry, $c876, ["pulley", $c914, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1224 = $made(ByName, $c884, [$c938, 200]);
-const $c871 = $made(Entry, $c876, ["lagging", $c1224, false, "", "", "lagging", ""]);
-const $c1235 = $made(Name, $c887, [60]);
-const $c1229 = $made(Entry, $c876, ["name", $c1235, true, "", "name = \"start\"", "name", ""]);
-const $c1236 = $made(Text, $c879, [1000, true]);
-const $c1230 = $made(Entry, $c876, ["description", $c1236, false, "", "", "description", ""]);
-const $c93 = ["running", "starting", "braking"];
-const $c1237 = $made(Choice, $c899, [$c93]);
-const $c1231 = $made(Entry, $c876, ["kind", $c1237, false, "", "", "kind", ""]);
-const $c1232 = $made(Entry, $c876, ["condition", $c204, false, "", "", "condition", ""]);
-const $c1240 = [$c185, $c186, $c187, $c188, $c189];
-const $c1241 = new Map([["entry_tension", $c185], ["exit_tension", $c186], ["effective_tension", $c187], ["torque", $c188], ["power", $c189]]);
-const $c1239 = $made(tables$Table, $c861, [null, $c1240, $c1241]);
-const $c1238 = $made(ByName, $c884, [$c1239, 200]);
-const $c1233 = $made(Entry, $c876, ["pulley", $c1238, false, "", "", "pulley", ""]);
-const $c1242 = $made(Elsewhere, [], []);
-const $c1234 = $made(Entry, $c876, ["train", $c1242, false, "", "", "train", ""]);
-const $c1227 = [$c1229, $c1230, $c1231, $c1232, $c1233, $c1234];
-const $c1228 = new Map([["name", $c1229], ["description", $c1230], ["kind", $c1231], ["condition", $c1232], ["pulley", $c1233], ["train", $c1234]]);
-const $c1226 = $made(tables$Table, $c861, [null, $c1227, $c1228]);
-const $c1225 = $made(Rows, $c915, [$c1226, 1, 1000]);
-const $c872 = $made(Entry, $c876, ["load_case", $c1225, false, "", "", "load_case", ""]);
-const $c751 = $made(Limit, $c882, ["length", 0.0, 100000.0, true, false]);
-const $c1264 = $made(Quantity, $c143, ["length", $c751]);
-const $c1245 = $made(Entry, $c876, ["length", $c1264, true, "", "length = \"600 m\"", "length", ""]);
-const $c752 = $made(Limit, $c882, ["length", -5000.0, 5000.0, false, false]);
-const $c1265 = $made(Quantity, $c143, ["length", $c752]);
-const $c1246 = $made(Entry, $c876, ["lift", $c1265, false, "", "", "lift", ""]);
-const $c753 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1266 = $made(Quantity, $c143, ["mass_per_length", $c753]);
-const $c1247 = $made(Entry, $c876, ["belt_mass", $c1266, true, "", "", "belt_mass", ""]);
-const $c754 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1267 = $made(Quantity, $c143, ["mass_per_length", $c754]);
-const $c1248 = $made(Entry, $c876, ["carry_idler_mass", $c1267, true, "", "", "carry_idler_mass", ""]);
-const $c755 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1268 = $made(Quantity, $c143, ["mass_per_length", $c755]);
-const $c1249 = $made(Entry, $c876, ["return_idler_mass", $c1268, true, "", "", "return_idler_mass", ""]);
-const $c1269 = $made(Quantity, $c143, ["mass_per_length", $c753]);
-const $c1250 = $made(Entry, $c876, ["material_mass", $c1269, false, "", "", "material_mass", ""]);
-const $c756 = $made(Limit, $c882, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1270 = $made(Quantity, $c143, ["mass_flow", $c756]);
-const $c1251 = $made(Entry, $c876, ["capacity", $c1270, false, "", "", "capacity", ""]);
-const $c757 = $made(Limit, $c882, ["number", 0.005, 0.1, false, false]);
-const $c1271 = $made(Quantity, $c143, ["number", $c757]);
-const $c1252 = $made(Entry, $c876, ["friction_factor", $c1271, false, "", "", "friction_factor", ""]);
-const $c758 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
-const $c1272 = $made(Quantity, $c143, ["number", $c758]);
-const $c1253 = $made(Entry, $c876, ["length_coefficient", $c1272, false, "", "", "length_coefficient", ""]);
-const $c759 = $made(Limit, $c882, ["force", 0.0, 100000000.0, false, false]);
-const $c1273 = $made(Quantity, $c143, ["force", $c759]);
-const $c1254 = $made(Entry, $c876, ["secondary_resistance", $c1273, false, "", "", "secondary_resistance", ""]);
-const $c1274 = $made(Quantity, $c143, ["force", $c759]);
-const $c1255 = $made(Entry, $c876, ["special_resistance", $c1274, false, "", "", "special_resistance", ""]);
-const $c760 = $made(Limit, $c882, ["number", 0.0, 1.0, false, false]);
-const $c1275 = $made(Quantity, $c143, ["number", $c760]);
-const $c1256 = $made(Entry, $c876, ["return_share", $c1275, false, "", "", "return_share", ""]);
-const $c761 = $made(Limit, $c882, ["number", 1.0, 5.0, false, false]);
-const $c1276 = $made(Quantity, $c143, ["number", $c761]);
-const $c1257 = $made(Entry, $c876, ["start_factor", $c1276, false, "", "", "start_factor", ""]);
-const $c762 = $made(Limit, $c882, ["time", 0.0, 3600.0, true, false]);
-const $c1277 = $made(Quantity, $c143, ["time", $c762]);
-const $c1258 = $made(Entry, $c876, ["start_time", $c1277, false, "", "", "start_time", ""]);
-const $c1278 = $made(Quantity, $c143, ["time", $c762]);
-const $c1259 = $made(Entry, $c876, ["stop_time", $c1278, false, "", "", "stop_time", ""]);
-const $c763 = $made(Limit, $c882, ["force", 0.0, 100000000.0, true, false]);
-const $c1279 = $made(Quantity, $c143, ["force", $c763]);
-const $c1260 = $made(Entry, $c876, ["take_up_tension", $c1279, false, "", "", "take_up_tension", ""]);
-const $c764 = $made(Limit, $c882, ["mass", 0.0, 10000000.0, true, false]);
-const $c1280 = $made(Quantity, $c143, ["mass", $c764]);
-const $c1261 = $made(Entry, $c876, ["counterweight", $c1280, false, "", "", "counterweight", ""]);
-const $c765 = $made(Limit, $c882, ["length", 0.0, 100000.0, false, false]);
-const $c1281 = $made(Quantity, $c143, ["length", $c765]);
-const $c1262 = $made(Entry, $c876, ["take_up_distance", $c1281, false, "", "", "take_up_distance", ""]);
-const $c848 = ["head", "tail"];
-const $c1282 = $made(Choice, $c899, [$c848]);
-const $c1263 = $made(Entry, $c876, ["drive_at", $c1282, false, "", "", "drive_at", ""]);
-const $c1243 = [$c1245, $c1246, $c1247, $c1248, $c1249, $c1250, $c1251, $c1252, $c1253, $c1254, $c1255, $c1256, $c1257, $c1258, $c1259, $c1260, $c1261, $c1262, $c1263];
-const $c1244 = new Map([["length", $c1245], ["lift", $c1246], ["belt_mass", $c1247], ["carry_idler_mass", $c1248], ["return_idler_mass", $c1249], ["material_mass", $c1250], ["capacity", $c1251], ["friction_factor", $c1252], ["length_coefficient", $c1253], ["secondary_resistance", $c1254], ["special_resistance", $c1255], ["return_share", $c1256], ["start_factor", $c1257], ["start_time", $c1258], ["stop_time", $c1259], ["take_up_tension", $c1260], ["counterweight", $c1261], ["take_up_distance", $c1262], ["drive_at", $c1263]]);
-const $c35 = $made(tables$Table, $c861, [Conveyor, $c1243, $c1244]);
-const $c873 = $made(Entry, $c876, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c841 = ["gravity", "winch", "fixed"];
-const $c1288 = $made(Choice, $c899, [$c841]);
-const $c1285 = $made(Entry, $c876, ["kind", $c1288, false, "", "", "kind", ""]);
-const $c832 = $made(Limit, $c882, ["number", 0.01, 100.0, false, false]);
-const $c1289 = $made(Quantity, $c143, ["number", $c832]);
-const $c1286 = $made(Entry, $c876, ["sheave_ratio", $c1289, false, "", "", "sheave_ratio", ""]);
-const $c1290 = $made(Name, $c887, [60]);
-const $c1287 = $made(Entry, $c876, ["after", $c1290, false, "", "", "after", ""]);
-const $c1283 = [$c1285, $c1286, $c1287];
-const $c1284 = new Map([["kind", $c1285], ["sheave_ratio", $c1286], ["after", $c1287]]);
-const $c549 = $made(tables$Table, $c861, [TakeUp, $c1283, $c1284]);
-const $c545 = $made(Entry, $c876, ["take_up", $c549, false, "", "", "take_up", ""]);
-const $c842 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1298 = $made(Choice, $c899, [$c842]);
-const $c1293 = $made(Entry, $c876, ["name", $c1298, false, "", "", "name", ""]);
-const $c843 = ["dry", "wet", "wet and dirty"];
-const $c1299 = $made(Choice, $c899, [$c843]);
-const $c1294 = $made(Entry, $c876, ["condition", $c1299, false, "", "", "condition", ""]);
-const $c833 = $made(Limit, $c882, ["number", 0.01, 2.0, false, false]);
-const $c1300 = $made(Quantity, $c143, ["number", $c833]);
-const $c1295 = $made(Entry, $c876, ["friction", $c1300, false, "", "", "friction", ""]);
-const $c834 = $made(Limit, $c882, ["number", 1.0, 10.0, false, false]);
-const $c1301 = $made(Quantity, $c143, ["number", $c834]);
-const $c1296 = $made(Entry, $c876, ["start_factor", $c1301, false, "", "", "start_factor", ""]);
-const $c1302 = $made(Flag, [], []);
-const $c1297 = $made(Entry, $c876, ["binding", $c1302, false, "", "", "binding", ""]);
-const $c1291 = [$c1293, $c1294, $c1295, $c1296, $c1297];
-const $c1292 = new Map([["name", $c1293], ["condition", $c1294], ["friction", $c1295], ["start_factor", $c1296], ["binding", $c1297]]);
-const $c550 = $made(tables$Table, $c861, [DesignStandard, $c1291, $c1292]);
-const $c546 = $made(Entry, $c876, ["design_standard", $c550, false, "", "", "standard", ""]);
-const $c1309 = $made(Quantity, $c143, ["number", $c834]);
-const $c1305 = $made(Entry, $c876, ["running", $c1309, false, "", "", "running", ""]);
-const $c1310 = $made(Quantity, $c143, ["number", $c834]);
-const $c1306 = $made(Entry, $c876, ["starting", $c1310, false, "", "", "starting", ""]);
-const $c1311 = $made(Quantity, $c143, ["number", $c834]);
-const $c1307 = $made(Entry, $c876, ["braking", $c1311, false, "", "", "braking", ""]);
-const $c1312 = $made(Text, $c879, [500, false]);
-const $c1308 = $made(Entry, $c876, ["source", $c1312, false, "", "", "source", ""]);
-const $c1303 = [$c1305, $c1306, $c1307, $c1308];
-const $c1304 = new Map([["running", $c1305], ["starting", $c1306], ["braking", $c1307], ["source", $c1308]]);
-const $c551 = $made(tables$Table, $c861, [SafetyFactors, $c1303, $c1304]);
-const $c547 = $made(Entry, $c876, ["safety_factor", $c551, false, "", "", "safety", ""]);
-const $c1319 = $made(Limit, $c882, ["length", 0.0, 100.0, true, false]);
-const $c1318 = $made(Quantity, $c143, ["length", $c1319]);
-const $c1315 = $made(Entry, $c876, ["idler_spacing", $c1318, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1321 = $made(Limit, $c882, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1320 = $made(Quantity, $c143, ["mass_per_length", $c1321]);
-const $c1316 = $made(Entry, $c876, ["line_mass", $c1320, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1323 = $made(Limit, $c882, ["number", 0.0, 0.1, true, false]);
-const $c1322 = $made(Quantity, $c143, ["number", $c1323]);
-const $c1317 = $made(Entry, $c876, ["share", $c1322, false, "", "", "share", ""]);
-const $c1313 = [$c1315, $c1316, $c1317];
-const $c1314 = new Map([["idler_spacing", $c1315], ["line_mass", $c1316], ["share", $c1317]]);
-const $c552 = $made(tables$Table, $c861, [Sag, $c1313, $c1314]);
-const $c548 = $made(Entry, $c876, ["sag", $c552, false, "", "", "sag", ""]);
-const $c1324 = $made(Elsewhere, [], []);
-const $c874 = $made(Entry, $c876, ["train", $c1324, false, "", "", "train", ""]);
-const $c1325 = $made(Elsewhere, [], []);
-const $c875 = $made(Entry, $c876, ["motion", $c1325, false, "", "", "motion", ""]);
-const $c862 = [$c864, $c865, $c866, $c867, $c868, $c869, $c870, $c871, $c872, $c873, $c545, $c546, $c547, $c548, $c874, $c875];
-const $c863 = new Map([["format", $c864], ["title", $c865], ["description", $c866], ["creep_limit", $c867], ["condition", $c868], ["belt", $c869], ["pulley", $c870], ["lagging", $c871], ["load_case", $c872], ["conveyor", $c873], ["take_up", $c545], ["design_standard", $c546], ["safety_factor", $c547], ["sag", $c548], ["train", $c874], ["motion", $c875]]);
-const $c0 = $made(tables$Table, $c861, [Drive, $c862, $c863]);
+const $c880 = ["of", "entries", "_known"];
+const $c895 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c149 = ["dimension", "limit"];
+const $c896 = $made(Quantity, $c149, ["number", null]);
+const $c883 = $made(Entry, $c895, ["format", $c896, true, "", "format = 1", "format", ""]);
+const $c898 = ["longest", "lines"];
+const $c897 = $made(Text, $c898, [200, false]);
+const $c884 = $made(Entry, $c895, ["title", $c897, false, "", "", "title", ""]);
+const $c899 = $made(Text, $c898, [5000, true]);
+const $c885 = $made(Entry, $c895, ["description", $c899, false, "", "", "description", ""]);
+const $c901 = ["dimension", "least", "most", "open", "rigid"];
+const $c831 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
+const $c900 = $made(Quantity, $c149, ["length", $c831]);
+const $c886 = $made(Entry, $c895, ["creep_limit", $c900, false, "", "", "creep_limit", ""]);
+const $c903 = ["kind", "most"];
+const $c904 = ["text", "table"];
+const $c905 = ["longest"];
+const $c213 = $made(Name, $c905, [60]);
+const $c913 = $made(Name, $c905, [60]);
+const $c908 = $made(Entry, $c895, ["name", $c913, true, "", "", "name", ""]);
+const $c827 = $made(Limit, $c901, ["number", 0.0, 2.0, true, false]);
+const $c914 = $made(Quantity, $c149, ["number", $c827]);
+const $c909 = $made(Entry, $c895, ["friction_factor", $c914, false, "", "", "factor", ""]);
+const $c915 = $made(ByName, $c903, [$c914, 200]);
+const $c910 = $made(Entry, $c895, ["friction_factors", $c915, false, "", "", "friction_factors", ""]);
+const $c917 = ["options"];
+const $c918 = ["DIN 22101", "practice"];
+const $c916 = $made(Choice, $c917, [$c918]);
+const $c911 = $made(Entry, $c895, ["standard", $c916, false, "", "", "standard", ""]);
+const $c926 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c925 = $made(Choice, $c917, [$c926]);
+const $c921 = $made(Entry, $c895, ["kind", $c925, true, "", "", "kind", ""]);
+const $c927 = $made(Text, $c898, [500, false]);
+const $c922 = $made(Entry, $c895, ["source", $c927, false, "", "", "source", ""]);
+const $c928 = $made(Text, $c898, [60, false]);
+const $c923 = $made(Entry, $c895, ["date", $c928, false, "", "", "date", ""]);
+const $c929 = $made(Text, $c898, [1000, false]);
+const $c924 = $made(Entry, $c895, ["note", $c929, false, "", "", "note", ""]);
+const $c919 = [$c921, $c922, $c923, $c924];
+const $c920 = new Map([["kind", $c921], ["source", $c922], ["date", $c923], ["note", $c924]]);
+const $c2 = $made(tables$Table, $c880, [Provenance, $c919, $c920]);
+const $c912 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c906 = [$c908, $c909, $c910, $c911, $c912];
+const $c907 = new Map([["name", $c908], ["friction_factor", $c909], ["friction_factors", $c910], ["standard", $c911], ["provenance", $c912]]);
+const $c8 = $made(tables$Table, $c880, [Condition, $c906, $c907]);
+const $c212 = $made(TextOr, $c904, [$c213, $c8]);
+const $c902 = $made(OneOrMore, $c903, [$c212, 8]);
+const $c887 = $made(Entry, $c895, ["condition", $c902, false, "", "", "condition", ""]);
+const $c145 = $made(Name, $c905, [60]);
+const $c124 = $made(Entry, $c895, ["preset", $c145, false, "", "", "preset", ""]);
+const $c146 = $made(Name, $c905, [60]);
+const $c125 = $made(Entry, $c895, ["name", $c146, false, "", "", "name", ""]);
+const $c147 = $made(Text, $c898, [60, false]);
+const $c126 = $made(Entry, $c895, ["kind", $c147, false, "", "", "kind", ""]);
+const $c150 = $made(Limit, $c901, ["length", 0.001, 1000.0, false, false]);
+const $c148 = $made(Quantity, $c149, ["length", $c150]);
+const $c127 = $made(Entry, $c895, ["width", $c148, true, "", "", "width", ""]);
+const $c931 = ["word", "kind", "meaning"];
+const $c155 = $made(Limit, $c901, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c154 = $made(Quantity, $c149, ["force_per_width", $c155]);
+const $c152 = $made(WordOr, $c931, ["rigid", $c154, Infinity]);
+const $c128 = $made(Entry, $c895, ["modulus", $c152, false, "", "", "modulus", ""]);
+const $c157 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, true, false]);
+const $c156 = $made(Quantity, $c149, ["force_per_width", $c157]);
+const $c129 = $made(Entry, $c895, ["rating", $c156, false, "", "", "rating", ""]);
+const $c159 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, true, false]);
+const $c158 = $made(Quantity, $c149, ["force_per_width", $c159]);
+const $c130 = $made(Entry, $c895, ["strength", $c158, false, "", "", "strength", ""]);
+const $c161 = $made(Limit, $c901, ["speed", 0.0, 1000.0, true, false]);
+const $c160 = $made(Quantity, $c149, ["speed", $c161]);
+const $c131 = $made(Entry, $c895, ["speed", $c160, false, "", "", "speed", ""]);
+const $c163 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
+const $c162 = $made(Quantity, $c149, ["number", $c163]);
+const $c132 = $made(Entry, $c895, ["momentary_factor", $c162, false, "", "", "momentary_factor", ""]);
+const $c165 = $made(Limit, $c901, ["length", 0.0, Infinity, true, false]);
+const $c164 = $made(Quantity, $c149, ["length", $c165]);
+const $c133 = $made(Entry, $c895, ["least_pulley_diameter", $c164, false, "", "", "least_pulley_diameter", ""]);
+const $c167 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
+const $c166 = $made(Quantity, $c149, ["pressure", $c167]);
+const $c134 = $made(Entry, $c895, ["largest_wrap_pressure", $c166, false, "", "", "largest_wrap_pressure", ""]);
+const $c169 = $made(Limit, $c901, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c168 = $made(Quantity, $c149, ["force_per_width", $c169]);
+const $c135 = $made(Entry, $c895, ["in_plane_shear_stiffness", $c168, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c171 = $made(Limit, $c901, ["length", 0.0, 0.06, false, false]);
+const $c170 = $made(Quantity, $c149, ["length", $c171]);
+const $c136 = $made(Entry, $c895, ["pulley_cover", $c170, false, "", "", "pulley_cover", ""]);
+const $c173 = $made(Limit, $c901, ["length", 0.0, 0.06, false, false]);
+const $c172 = $made(Quantity, $c149, ["length", $c173]);
+const $c137 = $made(Entry, $c895, ["carry_cover", $c172, false, "", "", "carry_cover", ""]);
+const $c175 = $made(Limit, $c901, ["length", 0.0, 0.06, true, false]);
+const $c174 = $made(Quantity, $c149, ["length", $c175]);
+const $c138 = $made(Entry, $c895, ["carcass", $c174, false, "", "", "carcass", ""]);
+const $c177 = $made(Limit, $c901, ["length", 0.0, 0.06, true, false]);
+const $c176 = $made(Quantity, $c149, ["length", $c177]);
+const $c139 = $made(Entry, $c895, ["thickness", $c176, false, "", "", "thickness", ""]);
+const $c180 = $made(Limit, $c901, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c179 = $made(Quantity, $c149, ["pressure", $c180]);
+const $c178 = $made(WordOr, $c931, ["rigid", $c179, Infinity]);
+const $c140 = $made(Entry, $c895, ["cover_shear_modulus", $c178, false, "", "", "cover_shear_modulus", ""]);
+const $c182 = $made(Limit, $c901, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c181 = $made(Quantity, $c149, ["mass_per_length", $c182]);
+const $c141 = $made(Entry, $c895, ["mass", $c181, false, "", "", "mass", ""]);
+const $c142 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c183 = $made(ByName, $c903, [$c2, 200]);
+const $c143 = $made(Entry, $c895, ["sources", $c183, false, "", "", "sources", ""]);
+const $c1 = [$c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143];
+const $c930 = new Map([["preset", $c124], ["name", $c125], ["kind", $c126], ["width", $c127], ["modulus", $c128], ["rating", $c129], ["strength", $c130], ["speed", $c131], ["momentary_factor", $c132], ["least_pulley_diameter", $c133], ["largest_wrap_pressure", $c134], ["in_plane_shear_stiffness", $c135], ["pulley_cover", $c136], ["carry_cover", $c137], ["carcass", $c138], ["thickness", $c139], ["cover_shear_modulus", $c140], ["mass", $c141], ["provenance", $c142], ["sources", $c143]]);
+const $c5 = $made(tables$Table, $c880, [Belt, $c1, $c930]);
+const $c888 = $made(Entry, $c895, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c933 = ["kind", "least", "most"];
+const $c203 = $made(Name, $c905, [60]);
+const $c185 = $made(Entry, $c895, ["name", $c203, true, "", "name = \"head\"", "name", ""]);
+const $c205 = $made(Limit, $c901, ["length", 0.001, 1000.0, false, false]);
+const $c204 = $made(Quantity, $c149, ["length", $c205]);
+const $c186 = $made(Entry, $c895, ["diameter", $c204, true, "", "", "diameter", ""]);
+const $c207 = $made(Limit, $c901, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c206 = $made(Quantity, $c149, ["angle", $c207]);
+const $c187 = $made(Entry, $c895, ["wrap_angle", $c206, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c828 = $made(Limit, $c901, ["length", -100000.0, 100000.0, false, false]);
+const $c942 = $made(Quantity, $c149, ["length", $c828]);
+const $c937 = $made(Entry, $c895, ["x", $c942, true, "", "", "x", ""]);
+const $c943 = $made(Quantity, $c149, ["length", $c828]);
+const $c938 = $made(Entry, $c895, ["y", $c943, true, "", "", "y", ""]);
+const $c945 = ["clockwise", "counterclockwise"];
+const $c944 = $made(Choice, $c917, [$c945]);
+const $c939 = $made(Entry, $c895, ["turn", $c944, false, "", "", "turn", ""]);
+const $c952 = $made(Quantity, $c149, ["length", $c828]);
+const $c949 = $made(Entry, $c895, ["x", $c952, true, "", "", "x", ""]);
+const $c953 = $made(Quantity, $c149, ["length", $c828]);
+const $c950 = $made(Entry, $c895, ["y", $c953, true, "", "", "y", ""]);
+const $c829 = $made(Limit, $c901, ["length", 0.0, 1000.0, false, false]);
+const $c954 = $made(Quantity, $c149, ["length", $c829]);
+const $c951 = $made(Entry, $c895, ["diameter", $c954, false, "", "", "diameter", ""]);
+const $c947 = [$c949, $c950, $c951, $c939];
+const $c948 = new Map([["x", $c949], ["y", $c950], ["diameter", $c951], ["turn", $c939]]);
+const $c946 = $made(tables$Table, $c880, [Point, $c947, $c948]);
+const $c940 = $made(Entry, $c895, ["before", $c946, true, "", "a table with x and y", "before", ""]);
+const $c941 = $made(Entry, $c895, ["after", $c946, true, "", "a table with x and y", "after", ""]);
+const $c935 = [$c937, $c938, $c939, $c940, $c941];
+const $c936 = new Map([["x", $c937], ["y", $c938], ["turn", $c939], ["before", $c940], ["after", $c941]]);
+const $c208 = $made(tables$Table, $c880, [Point, $c935, $c936]);
+const $c188 = $made(Entry, $c895, ["belt_path", $c208, false, "", "", "belt_path", ""]);
+const $c211 = $made(Name, $c905, [500]);
+const $c978 = $made(Name, $c905, [500]);
+const $c958 = $made(Entry, $c895, ["preset", $c978, false, "", "", "preset", ""]);
+const $c979 = $made(Name, $c905, [60]);
+const $c959 = $made(Entry, $c895, ["name", $c979, false, "", "", "name", ""]);
+const $c980 = $made(Text, $c898, [200, false]);
+const $c960 = $made(Entry, $c895, ["title", $c980, false, "", "", "title", ""]);
+const $c981 = $made(Text, $c898, [5000, true]);
+const $c961 = $made(Entry, $c895, ["description", $c981, false, "", "", "description", ""]);
+const $c859 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c982 = $made(Choice, $c917, [$c859]);
+const $c962 = $made(Entry, $c895, ["surface", $c982, false, "", "", "surface", ""]);
+const $c842 = $made(Limit, $c901, ["length", 0.0, 1.0, false, false]);
+const $c983 = $made(Quantity, $c149, ["length", $c842]);
+const $c963 = $made(Entry, $c895, ["thickness", $c983, false, "", "", "thickness", ""]);
+const $c845 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, false]);
+const $c984 = $made(Quantity, $c149, ["pressure", $c845]);
+const $c964 = $made(Entry, $c895, ["elastic_modulus", $c984, false, "", "", "elastic_modulus", ""]);
+const $c843 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, true]);
+const $c986 = $made(Quantity, $c149, ["pressure", $c843]);
+const $c985 = $made(WordOr, $c931, ["rigid", $c986, Infinity]);
+const $c965 = $made(Entry, $c895, ["shear_modulus", $c985, false, "", "", "shear_modulus", ""]);
+const $c844 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, true]);
+const $c988 = $made(Quantity, $c149, ["pressure", $c844]);
+const $c987 = $made(WordOr, $c931, ["rigid", $c988, Infinity]);
+const $c966 = $made(Entry, $c895, ["compression_modulus", $c987, false, "", "", "compression_modulus", ""]);
+const $c869 = ["square", "strip"];
+const $c996 = $made(Choice, $c917, [$c869]);
+const $c991 = $made(Entry, $c895, ["shape", $c996, false, "", "", "shape", ""]);
+const $c815 = $made(Limit, $c901, ["length", 0.0001, 10.0, false, false]);
+const $c997 = $made(Quantity, $c149, ["length", $c815]);
+const $c992 = $made(Entry, $c895, ["width", $c997, true, "", "", "width", ""]);
+const $c816 = $made(Limit, $c901, ["length", 0.0001, 1.0, false, false]);
+const $c998 = $made(Quantity, $c149, ["length", $c816]);
+const $c993 = $made(Entry, $c895, ["height", $c998, false, "", "", "height", ""]);
+const $c817 = $made(Limit, $c901, ["number", 0.0, 10.0, false, false]);
+const $c999 = $made(Quantity, $c149, ["number", $c817]);
+const $c994 = $made(Entry, $c895, ["stiffening", $c999, false, "", "", "stiffening", ""]);
+const $c818 = $made(Limit, $c901, ["number", 0.01, 1.0, false, false]);
+const $c1000 = $made(Quantity, $c149, ["number", $c818]);
+const $c995 = $made(Entry, $c895, ["contact_fraction", $c1000, false, "", "", "contact_fraction", ""]);
+const $c989 = [$c991, $c992, $c993, $c994, $c995];
+const $c990 = new Map([["shape", $c991], ["width", $c992], ["height", $c993], ["stiffening", $c994], ["contact_fraction", $c995]]);
+const $c86 = $made(tables$Table, $c880, [Block, $c989, $c990]);
+const $c967 = $made(Entry, $c895, ["block", $c86, false, "", "", "block", ""]);
+const $c846 = $made(Limit, $c901, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c1001 = $made(Quantity, $c149, ["wear_coefficient", $c846]);
+const $c968 = $made(Entry, $c895, ["wear_coefficient", $c1001, false, "", "", "wear_coefficient", ""]);
+const $c847 = $made(Limit, $c901, ["number", 0.0, 1.0, false, false]);
+const $c1002 = $made(Quantity, $c149, ["number", $c847]);
+const $c969 = $made(Entry, $c895, ["belt_energy_share", $c1002, false, "", "", "belt_energy_share", ""]);
+const $c848 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
+const $c1003 = $made(Quantity, $c149, ["pressure", $c848]);
+const $c970 = $made(Entry, $c895, ["bond_strength", $c1003, false, "", "", "bond_strength", ""]);
+const $c849 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
+const $c1004 = $made(Quantity, $c149, ["pressure", $c849]);
+const $c971 = $made(Entry, $c895, ["fatigue_limit", $c1004, false, "", "", "fatigue_limit", ""]);
+const $c1013 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
+const $c1012 = $made(Quantity, $c149, ["number", $c1013]);
+const $c1007 = $made(Entry, $c895, ["material", $c1012, true, "", "", "material", ""]);
+const $c1015 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
+const $c1014 = $made(Quantity, $c149, ["number", $c1015]);
+const $c1008 = $made(Entry, $c895, ["installation", $c1014, true, "", "", "installation", ""]);
+const $c1016 = $made(Name, $c905, [12]);
+const $c1009 = $made(Entry, $c895, ["currency", $c1016, true, "", "", "currency", ""]);
+const $c1018 = $made(Limit, $c901, ["area", 0.0, Infinity, true, false]);
+const $c1017 = $made(Quantity, $c149, ["area", $c1018]);
+const $c1010 = $made(Entry, $c895, ["area", $c1017, true, "", "", "area", ""]);
+const $c1020 = $made(Quantity, $c149, ["number", null]);
+const $c1019 = $made(Rows, $c933, [$c1020, 2, 2]);
+const $c1011 = $made(Entry, $c895, ["life_years", $c1019, true, "", "", "life_years", ""]);
+const $c1005 = [$c1007, $c1008, $c1009, $c1010, $c1011];
+const $c1006 = new Map([["material", $c1007], ["installation", $c1008], ["currency", $c1009], ["area", $c1010], ["life_years", $c1011]]);
+const $c82 = $made(tables$Table, $c880, [Cost, $c1005, $c1006]);
+const $c972 = $made(Entry, $c895, ["cost", $c82, false, "", "", "cost", ""]);
+const $c1022 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
+const $c1021 = $made(Quantity, $c149, ["speed", $c1022]);
+const $c973 = $made(Entry, $c895, ["slip_speed", $c1021, false, "", "", "slip_speed", ""]);
+const $c1024 = $made(Limit, $c901, ["temperature", 0.0, Infinity, false, false]);
+const $c1023 = $made(Quantity, $c149, ["temperature", $c1024]);
+const $c974 = $made(Entry, $c895, ["temperature", $c1023, false, "", "", "temperature", ""]);
+const $c1031 = $made(Name, $c905, [60]);
+const $c1028 = $made(Entry, $c895, ["condition", $c1031, true, "", "", "condition", ""]);
+const $c1033 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
+const $c1032 = $made(Quantity, $c149, ["number", $c1033]);
+const $c1029 = $made(Entry, $c895, ["factor", $c1032, true, "", "", "factor", ""]);
+const $c1030 = $made(Entry, $c895, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c1026 = [$c1028, $c1029, $c1030];
+const $c1027 = new Map([["condition", $c1028], ["factor", $c1029], ["provenance", $c1030]]);
+const $c87 = $made(tables$Table, $c880, [ConditionFactor, $c1026, $c1027]);
+const $c1025 = $made(Rows, $c933, [$c87, 0, 20]);
+const $c975 = $made(Entry, $c895, ["condition_factor", $c1025, false, "", "", "condition_factor", ""]);
+const $c1035 = ["tag", "tables"];
+const $c1062 = ["integral-log"];
+const $c1061 = $made(Choice, $c917, [$c1062]);
+const $c1044 = $made(Entry, $c895, ["kind", $c1061, true, "", "", "kind", ""]);
+const $c1063 = $made(Name, $c905, [60]);
+const $c1045 = $made(Entry, $c895, ["condition", $c1063, false, "", "", "condition", ""]);
+const $c1046 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1047 = $made(Entry, $c895, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1076 = $made(Name, $c905, [120]);
+const $c1075 = $made(Rows, $c933, [$c1076, 1, 1000]);
+const $c1066 = $made(Entry, $c895, ["parameters", $c1075, true, "", "", "parameters", ""]);
+const $c1077 = $made(Rows, $c933, [$c1020, 1, 1000]);
+const $c1067 = $made(Entry, $c895, ["values", $c1077, true, "", "", "values", ""]);
+const $c1079 = $made(Rows, $c933, [$c1020, 1, 1000]);
+const $c1078 = $made(Rows, $c933, [$c1079, 1, 1000]);
+const $c1068 = $made(Entry, $c895, ["covariance", $c1078, true, "", "", "covariance", ""]);
+const $c1081 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
+const $c1080 = $made(Quantity, $c149, ["number", $c1081]);
+const $c1069 = $made(Entry, $c895, ["residual_noise", $c1080, false, "", "", "residual_noise", ""]);
+const $c1083 = $made(Limit, $c901, ["number", 1.0, Infinity, false, false]);
+const $c1082 = $made(Quantity, $c149, ["number", $c1083]);
+const $c1070 = $made(Entry, $c895, ["coverage_factor", $c1082, false, "", "", "coverage_factor", ""]);
+const $c1084 = $made(Text, $c898, [60, false]);
+const $c1071 = $made(Entry, $c895, ["date", $c1084, false, "", "", "date", ""]);
+const $c1085 = $made(Text, $c898, [500, false]);
+const $c1072 = $made(Entry, $c895, ["method", $c1085, false, "", "", "method", ""]);
+const $c1087 = $made(Text, $c898, [2000, true]);
+const $c1086 = $made(Rows, $c933, [$c1087, 0, 50]);
+const $c1073 = $made(Entry, $c895, ["misfit", $c1086, false, "", "", "misfit", ""]);
+const $c1088 = $made(Text, $c898, [500, false]);
+const $c1074 = $made(Entry, $c895, ["misfit_accepted", $c1088, false, "", "", "misfit_accepted", ""]);
+const $c1064 = [$c1066, $c1067, $c1068, $c1069, $c1070, $c1071, $c1072, $c1073, $c1074];
+const $c1065 = new Map([["parameters", $c1066], ["values", $c1067], ["covariance", $c1068], ["residual_noise", $c1069], ["coverage_factor", $c1070], ["date", $c1071], ["method", $c1072], ["misfit", $c1073], ["misfit_accepted", $c1074]]);
+const $c94 = $made(tables$Table, $c880, [Fit, $c1064, $c1065]);
+const $c1048 = $made(Entry, $c895, ["fit", $c94, false, "", "", "fit", ""]);
+const $c1091 = ["lagging shear", "cover shear"];
+const $c1090 = $made(Choice, $c917, [$c1091]);
+const $c1089 = $made(Rows, $c933, [$c1090, 0, 2]);
+const $c1049 = $made(Entry, $c895, ["slip_includes", $c1089, false, "", "", "slip_includes", ""]);
+const $c1098 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
+const $c1097 = $made(Quantity, $c149, ["speed", $c1098]);
+const $c1096 = $made(Rows, $c933, [$c1097, 2, 100]);
+const $c1094 = $made(Entry, $c895, ["slip_speed", $c1096, true, "", "", "at", ""]);
+const $c1099 = $made(Rows, $c933, [$c1032, 2, 100]);
+const $c1095 = $made(Entry, $c895, ["factor", $c1099, true, "", "", "factor", ""]);
+const $c1092 = [$c1094, $c1095, $c1030];
+const $c1093 = new Map([["slip_speed", $c1094], ["factor", $c1095], ["provenance", $c1030]]);
+const $c92 = $made(tables$Table, $c880, [FrictionFactor, $c1092, $c1093]);
+const $c1050 = $made(Entry, $c895, ["slip_speed_factor", $c92, false, "", "", "slip_speed_factor", ""]);
+const $c1105 = $made(Limit, $c901, ["temperature", 0.0, Infinity, false, false]);
+const $c1104 = $made(Quantity, $c149, ["temperature", $c1105]);
+const $c1103 = $made(Rows, $c933, [$c1104, 2, 100]);
+const $c1102 = $made(Entry, $c895, ["temperature", $c1103, true, "", "", "at", ""]);
+const $c1100 = [$c1102, $c1095, $c1030];
+const $c1101 = new Map([["temperature", $c1102], ["factor", $c1095], ["provenance", $c1030]]);
+const $c93 = $made(tables$Table, $c880, [FrictionFactor, $c1100, $c1101]);
+const $c1051 = $made(Entry, $c895, ["temperature_factor", $c93, false, "", "", "temperature_factor", ""]);
+const $c1052 = $made(Entry, $c895, ["notes", $c1086, false, "", "", "notes", ""]);
+const $c1108 = $made(Limit, $c901, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1107 = $made(Quantity, $c149, ["pressure", $c1108]);
+const $c1106 = $made(Rows, $c933, [$c1107, 2, 2]);
+const $c1053 = $made(Entry, $c895, ["tested_pressure", $c1106, false, "", "", "tested_pressure", ""]);
+const $c1110 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
+const $c1109 = $made(Quantity, $c149, ["length", $c1110]);
+const $c1054 = $made(Entry, $c895, ["tested_slip", $c1109, false, "", "", "tested_slip", ""]);
+const $c1112 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
+const $c1111 = $made(Quantity, $c149, ["speed", $c1112]);
+const $c1055 = $made(Entry, $c895, ["tested_slip_speed", $c1111, false, "", "", "tested_slip_speed", ""]);
+const $c1117 = $made(Entry, $c895, ["pressure", $c1107, true, "", "", "pressure", ""]);
+const $c1123 = $made(Limit, $c901, ["number", 0.0, 5.0, true, false]);
+const $c1122 = $made(Quantity, $c149, ["number", $c1123]);
+const $c1118 = $made(Entry, $c895, ["peak_friction", $c1122, true, "", "", "peak_friction", ""]);
+const $c1119 = $made(Entry, $c895, ["peak_slip", $c1109, true, "", "", "peak_slip", ""]);
+const $c1125 = $made(Limit, $c901, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1124 = $made(Quantity, $c149, ["per_length", $c1125]);
+const $c1120 = $made(Entry, $c895, ["post_peak_slope", $c1124, false, "", "", "post_peak_slope", ""]);
+const $c1121 = $made(Entry, $c895, ["residual_friction", $c1122, false, "", "", "residual_friction", ""]);
+const $c1115 = [$c1117, $c1118, $c1119, $c1120, $c1121];
+const $c1116 = new Map([["pressure", $c1117], ["peak_friction", $c1118], ["peak_slip", $c1119], ["post_peak_slope", $c1120], ["residual_friction", $c1121]]);
+const $c1114 = $made(tables$Table, $c880, [null, $c1115, $c1116]);
+const $c1113 = $made(Rows, $c933, [$c1114, 1, 200]);
+const $c1056 = $made(Entry, $c895, ["knots", $c1113, false, "", "", "knots", ""]);
+const $c1130 = $made(Entry, $c895, ["from", $c1107, true, "", "", "from", ""]);
+const $c1131 = $made(Entry, $c895, ["to", $c1107, true, "", "", "to", ""]);
+const $c1136 = $made(Text, $c898, [300, false]);
+const $c1132 = $made(Entry, $c895, ["A", $c1136, true, "", "", "A", ""]);
+const $c1133 = $made(Entry, $c895, ["b", $c1136, true, "", "", "b", ""]);
+const $c1134 = $made(Entry, $c895, ["post_peak_slope", $c1136, false, "", "", "post_peak_slope", ""]);
+const $c1135 = $made(Entry, $c895, ["residual_friction", $c1136, false, "", "", "residual_friction", ""]);
+const $c1128 = [$c1130, $c1131, $c1132, $c1133, $c1134, $c1135];
+const $c1129 = new Map([["from", $c1130], ["to", $c1131], ["A", $c1132], ["b", $c1133], ["post_peak_slope", $c1134], ["residual_friction", $c1135]]);
+const $c1127 = $made(tables$Table, $c880, [null, $c1128, $c1129]);
+const $c1126 = $made(Rows, $c933, [$c1127, 1, 50]);
+const $c1057 = $made(Entry, $c895, ["pieces", $c1126, false, "", "", "pieces", ""]);
+const $c1137 = $made(Text, $c898, [20, false]);
+const $c1058 = $made(Entry, $c895, ["slip_unit", $c1137, false, "", "", "slip_unit", ""]);
+const $c1138 = $made(Text, $c898, [20, false]);
+const $c1059 = $made(Entry, $c895, ["pressure_unit", $c1138, false, "", "", "pressure_unit", ""]);
+const $c1140 = $made(Limit, $c901, ["number", 0.0, 0.5, false, false]);
+const $c1139 = $made(Quantity, $c149, ["number", $c1140]);
+const $c1060 = $made(Entry, $c895, ["continuity", $c1139, false, "", "", "continuity", ""]);
+const $c1042 = [$c1044, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060];
+const $c1043 = new Map([["kind", $c1044], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["knots", $c1056], ["pieces", $c1057], ["slip_unit", $c1058], ["pressure_unit", $c1059], ["continuity", $c1060]]);
+const $c1037 = $made(tables$Table, $c880, [IntegralLog, $c1042, $c1043]);
+const $c1146 = ["constant"];
+const $c1145 = $made(Choice, $c917, [$c1146]);
+const $c1143 = $made(Entry, $c895, ["kind", $c1145, true, "", "", "kind", ""]);
+const $c1144 = $made(Entry, $c895, ["friction", $c1122, true, "", "", "friction_coefficient", ""]);
+const $c1141 = [$c1143, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1144];
+const $c1142 = new Map([["kind", $c1143], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["friction", $c1144]]);
+const $c1038 = $made(tables$Table, $c880, [Constant, $c1141, $c1142]);
+const $c1152 = ["elastic-plastic"];
+const $c1151 = $made(Choice, $c917, [$c1152]);
+const $c1149 = $made(Entry, $c895, ["kind", $c1151, true, "", "", "kind", ""]);
+const $c1154 = $made(Limit, $c901, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1153 = $made(Quantity, $c149, ["pressure_per_length", $c1154]);
+const $c1150 = $made(Entry, $c895, ["stiffness", $c1153, true, "", "", "stiffness", ""]);
+const $c1147 = [$c1149, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1150, $c1144];
+const $c1148 = new Map([["kind", $c1149], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["stiffness", $c1150], ["friction", $c1144]]);
+const $c1039 = $made(tables$Table, $c880, [ElasticPlastic, $c1147, $c1148]);
+const $c1162 = ["power"];
+const $c1161 = $made(Choice, $c917, [$c1162]);
+const $c1157 = $made(Entry, $c895, ["kind", $c1161, true, "", "", "kind", ""]);
+const $c1158 = $made(Entry, $c895, ["friction", $c1122, true, "", "", "friction_coefficient", ""]);
+const $c1159 = $made(Entry, $c895, ["reference_pressure", $c1107, true, "", "", "reference_pressure", ""]);
+const $c1160 = $made(Entry, $c895, ["exponent", $c1020, true, "", "", "exponent", ""]);
+const $c1155 = [$c1157, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1158, $c1159, $c1160];
+const $c1156 = new Map([["kind", $c1157], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["friction", $c1158], ["reference_pressure", $c1159], ["exponent", $c1160]]);
+const $c1040 = $made(tables$Table, $c880, [PressurePower, $c1155, $c1156]);
+const $c1169 = ["table"];
+const $c1168 = $made(Choice, $c917, [$c1169]);
+const $c1165 = $made(Entry, $c895, ["kind", $c1168, true, "", "", "kind", ""]);
+const $c1172 = $made(Limit, $c901, ["length", 0.0, 1.0, false, false]);
+const $c1171 = $made(Quantity, $c149, ["length", $c1172]);
+const $c1170 = $made(Rows, $c933, [$c1171, 2, 1000]);
+const $c1166 = $made(Entry, $c895, ["slip", $c1170, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
+const $c1177 = $made(Entry, $c895, ["pressure", $c1107, true, "", "", "pressure", ""]);
+const $c1181 = $made(Limit, $c901, ["number", 0.0, 5.0, false, false]);
+const $c1180 = $made(Quantity, $c149, ["number", $c1181]);
+const $c1179 = $made(Rows, $c933, [$c1180, 2, 1000]);
+const $c1178 = $made(Entry, $c895, ["friction", $c1179, true, "", "", "values", ""]);
+const $c1175 = [$c1177, $c1178];
+const $c1176 = new Map([["pressure", $c1177], ["friction", $c1178]]);
+const $c1174 = $made(tables$Table, $c880, [null, $c1175, $c1176]);
+const $c1173 = $made(Rows, $c933, [$c1174, 1, 200]);
+const $c1167 = $made(Entry, $c895, ["rows", $c1173, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
+const $c1163 = [$c1165, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1166, $c1167];
+const $c1164 = new Map([["kind", $c1165], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["slip", $c1166], ["rows", $c1167]]);
+const $c1041 = $made(tables$Table, $c880, [MeasuredTable, $c1163, $c1164]);
+const $c1036 = new Map([["integral-log", $c1037], ["constant", $c1038], ["elastic-plastic", $c1039], ["power", $c1040], ["table", $c1041]]);
+const $c90 = $made(Variant, $c1035, ["kind", $c1036]);
+const $c1034 = $made(OneOrMore, $c903, [$c90, 50]);
+const $c976 = $made(Entry, $c895, ["law", $c1034, false, "", "", "law", ""]);
+const $c977 = $made(Entry, $c895, ["notes", $c1086, false, "", "", "notes", ""]);
+const $c956 = [$c958, $c959, $c960, $c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c142, $c143, $c977];
+const $c957 = new Map([["preset", $c958], ["name", $c959], ["title", $c960], ["description", $c961], ["surface", $c962], ["thickness", $c963], ["elastic_modulus", $c964], ["shear_modulus", $c965], ["compression_modulus", $c966], ["block", $c967], ["wear_coefficient", $c968], ["belt_energy_share", $c969], ["bond_strength", $c970], ["fatigue_limit", $c971], ["cost", $c972], ["slip_speed", $c973], ["temperature", $c974], ["condition_factor", $c975], ["law", $c976], ["provenance", $c142], ["sources", $c143], ["notes", $c977]]);
+const $c955 = $made(tables$Table, $c880, [Lagging, $c956, $c957]);
+const $c209 = $made(TextOr, $c904, [$c211, $c955]);
+const $c189 = $made(Entry, $c895, ["lagging", $c209, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c190 = $made(Entry, $c895, ["condition", $c212, false, "", "", "condition", ""]);
+const $c215 = $made(Limit, $c901, ["force", 0.1, 1000000000.0, false, false]);
+const $c214 = $made(Quantity, $c149, ["force", $c215]);
+const $c191 = $made(Entry, $c895, ["entry_tension", $c214, false, "", "", "entry_tension", ""]);
+const $c192 = $made(Entry, $c895, ["exit_tension", $c214, false, "", "", "exit_tension", ""]);
+const $c216 = $made(Quantity, $c149, ["force", null]);
+const $c193 = $made(Entry, $c895, ["effective_tension", $c216, false, "", "", "effective_tension", ""]);
+const $c217 = $made(Quantity, $c149, ["torque", null]);
+const $c194 = $made(Entry, $c895, ["torque", $c217, false, "", "", "torque", ""]);
+const $c218 = $made(Quantity, $c149, ["power", null]);
+const $c195 = $made(Entry, $c895, ["power", $c218, false, "", "", "power", ""]);
+const $c221 = $made(Limit, $c901, ["length", -1.0, 1.0, false, false]);
+const $c220 = $made(Quantity, $c149, ["length", $c221]);
+const $c219 = $made(WordOr, $c931, ["formula", $c220, null]);
+const $c196 = $made(Entry, $c895, ["overrun", $c219, false, "", "", "overrun", ""]);
+const $c222 = $made(Flag, [], []);
+const $c197 = $made(Entry, $c895, ["recovery", $c222, false, "", "", "recovery", ""]);
+const $c224 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
+const $c223 = $made(Quantity, $c149, ["length", $c224]);
+const $c198 = $made(Entry, $c895, ["creep_limit", $c223, false, "", "", "creep_limit", ""]);
+const $c866 = ["pulley", "carry"];
+const $c225 = $made(Choice, $c917, [$c866]);
+const $c199 = $made(Entry, $c895, ["side", $c225, false, "", "", "side", ""]);
+const $c227 = $made(Limit, $c901, ["mass", 0.0, 1000000.0, true, false]);
+const $c226 = $made(Quantity, $c149, ["mass", $c227]);
+const $c200 = $made(Entry, $c895, ["mass", $c226, false, "", "", "mass", ""]);
+const $c1517 = ["dimension", "diameters", "rows", "within"];
+const $c1521 = ["kinds"];
+const $c1523 = $made(Quantity, $c149, ["length", null]);
+const $c1524 = $made(Quantity, $c149, ["length", null]);
+const $c1522 = [$c1523, $c1524];
+const $c1520 = $made(_Pair, $c1521, [$c1522]);
+const $c1518 = $made(Rows, $c933, [$c1520, 0, 500]);
+const $c1528 = $made(Entry, $c895, ["rows", $c1518, false, "", "", "rows", ""]);
+const $c1533 = $made(Quantity, $c149, ["length", null]);
+const $c1529 = $made(Entry, $c895, ["crown", $c1533, false, "", "", "crown", ""]);
+const $c1535 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
+const $c1534 = $made(Quantity, $c149, ["number", $c1535]);
+const $c1530 = $made(Entry, $c895, ["factor", $c1534, false, "", "", "factor", ""]);
+const $c1537 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
+const $c1536 = $made(Quantity, $c149, ["length", $c1537]);
+const $c1531 = $made(Entry, $c895, ["uncertainty", $c1536, false, "", "", "uncertainty", ""]);
+const $c1539 = ["radius", "diameter"];
+const $c1538 = $made(Choice, $c917, [$c1539]);
+const $c1532 = $made(Entry, $c895, ["on", $c1538, false, "", "", "on", ""]);
+const $c1526 = [$c1528, $c1529, $c1530, $c1531, $c1532];
+const $c1527 = new Map([["rows", $c1528], ["crown", $c1529], ["factor", $c1530], ["uncertainty", $c1531], ["on", $c1532]]);
+const $c1525 = $made(tables$Table, $c880, [null, $c1526, $c1527]);
+const $c1519 = $made(TextOr, $c904, [$c1518, $c1525]);
+const $c1193 = $made(Profile, $c1517, ["length", true, $c1518, $c1519]);
+const $c1184 = $made(Entry, $c895, ["shell_profile", $c1193, false, "", "", "shell_profile", ""]);
+const $c1544 = $made(Quantity, $c149, ["length", null]);
+const $c1545 = $made(Quantity, $c149, ["length", null]);
+const $c1543 = [$c1544, $c1545];
+const $c1542 = $made(_Pair, $c1521, [$c1543]);
+const $c1540 = $made(Rows, $c933, [$c1542, 0, 500]);
+const $c1549 = $made(Entry, $c895, ["rows", $c1540, false, "", "", "rows", ""]);
+const $c1554 = $made(Quantity, $c149, ["length", null]);
+const $c1550 = $made(Entry, $c895, ["crown", $c1554, false, "", "", "crown", ""]);
+const $c1556 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
+const $c1555 = $made(Quantity, $c149, ["number", $c1556]);
+const $c1551 = $made(Entry, $c895, ["factor", $c1555, false, "", "", "factor", ""]);
+const $c1558 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
+const $c1557 = $made(Quantity, $c149, ["length", $c1558]);
+const $c1552 = $made(Entry, $c895, ["uncertainty", $c1557, false, "", "", "uncertainty", ""]);
+const $c1559 = $made(Choice, $c917, [$c1539]);
+const $c1553 = $made(Entry, $c895, ["on", $c1559, false, "", "", "on", ""]);
+const $c1547 = [$c1549, $c1550, $c1551, $c1552, $c1553];
+const $c1548 = new Map([["rows", $c1549], ["crown", $c1550], ["factor", $c1551], ["uncertainty", $c1552], ["on", $c1553]]);
+const $c1546 = $made(tables$Table, $c880, [null, $c1547, $c1548]);
+const $c1541 = $made(TextOr, $c904, [$c1540, $c1546]);
+const $c1195 = $made(Profile, $c1517, ["length", true, $c1540, $c1541]);
+const $c1185 = $made(Entry, $c895, ["worn_depth", $c1195, false, "", "", "worn_depth", ""]);
+const $c1564 = $made(Quantity, $c149, ["length", null]);
+const $c1565 = $made(Quantity, $c149, ["length", null]);
+const $c1563 = [$c1564, $c1565];
+const $c1562 = $made(_Pair, $c1521, [$c1563]);
+const $c1560 = $made(Rows, $c933, [$c1562, 0, 500]);
+const $c1569 = $made(Entry, $c895, ["rows", $c1560, false, "", "", "rows", ""]);
+const $c1574 = $made(Quantity, $c149, ["length", null]);
+const $c1570 = $made(Entry, $c895, ["crown", $c1574, false, "", "", "crown", ""]);
+const $c1576 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
+const $c1575 = $made(Quantity, $c149, ["number", $c1576]);
+const $c1571 = $made(Entry, $c895, ["factor", $c1575, false, "", "", "factor", ""]);
+const $c1578 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
+const $c1577 = $made(Quantity, $c149, ["length", $c1578]);
+const $c1572 = $made(Entry, $c895, ["uncertainty", $c1577, false, "", "", "uncertainty", ""]);
+const $c1579 = $made(Choice, $c917, [$c1539]);
+const $c1573 = $made(Entry, $c895, ["on", $c1579, false, "", "", "on", ""]);
+const $c1567 = [$c1569, $c1570, $c1571, $c1572, $c1573];
+const $c1568 = new Map([["rows", $c1569], ["crown", $c1570], ["factor", $c1571], ["uncertainty", $c1572], ["on", $c1573]]);
+const $c1566 = $made(tables$Table, $c880, [null, $c1567, $c1568]);
+const $c1561 = $made(TextOr, $c904, [$c1560, $c1566]);
+const $c1196 = $made(Profile, $c1517, ["length", true, $c1560, $c1561]);
+const $c1186 = $made(Entry, $c895, ["build_up", $c1196, false, "", "", "build_up", ""]);
+const $c1198 = $made(Limit, $c901, ["number", -0.1, 0.1, false, false]);
+const $c1197 = $made(Quantity, $c149, ["number", $c1198]);
+const $c1187 = $made(Entry, $c895, ["misalignment", $c1197, false, "", "", "misalignment", ""]);
+const $c1200 = $made(Limit, $c901, ["length", -0.1, 0.1, false, false]);
+const $c1199 = $made(Quantity, $c149, ["length", $c1200]);
+const $c1188 = $made(Entry, $c895, ["deflection", $c1199, false, "", "", "deflection", ""]);
+const $c1584 = $made(Quantity, $c149, ["length", null]);
+const $c1585 = $made(Quantity, $c149, ["force_per_width", null]);
+const $c1583 = [$c1584, $c1585];
+const $c1582 = $made(_Pair, $c1521, [$c1583]);
+const $c1580 = $made(Rows, $c933, [$c1582, 0, 500]);
+const $c1589 = $made(Entry, $c895, ["rows", $c1580, false, "", "", "rows", ""]);
+const $c1593 = $made(Quantity, $c149, ["force_per_width", null]);
+const $c1590 = $made(Entry, $c895, ["crown", $c1593, false, "", "", "crown", ""]);
+const $c1595 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
+const $c1594 = $made(Quantity, $c149, ["number", $c1595]);
+const $c1591 = $made(Entry, $c895, ["factor", $c1594, false, "", "", "factor", ""]);
+const $c1597 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1596 = $made(Quantity, $c149, ["force_per_width", $c1597]);
+const $c1592 = $made(Entry, $c895, ["uncertainty", $c1596, false, "", "", "uncertainty", ""]);
+const $c1587 = [$c1589, $c1590, $c1591, $c1592];
+const $c1588 = new Map([["rows", $c1589], ["crown", $c1590], ["factor", $c1591], ["uncertainty", $c1592]]);
+const $c1586 = $made(tables$Table, $c880, [null, $c1587, $c1588]);
+const $c1581 = $made(TextOr, $c904, [$c1580, $c1586]);
+const $c1201 = $made(Profile, $c1517, ["force_per_width", false, $c1580, $c1581]);
+const $c1189 = $made(Entry, $c895, ["entry_profile", $c1201, false, "", "", "entry_profile", ""]);
+const $c1211 = ["pulley"];
+const $c1210 = $made(Choice, $c917, [$c1211]);
+const $c1208 = $made(Entry, $c895, ["kind", $c1210, true, "", "", "kind", ""]);
+const $c1213 = $made(Limit, $c901, ["length", 0.0, 100000.0, true, false]);
+const $c1212 = $made(Quantity, $c149, ["length", $c1213]);
+const $c1209 = $made(Entry, $c895, ["distance", $c1212, true, "", "", "distance", ""]);
+const $c1206 = [$c1208, $c1209];
+const $c1207 = new Map([["kind", $c1208], ["distance", $c1209]]);
+const $c1204 = $made(tables$Table, $c880, [GrippingPulley, $c1206, $c1207]);
+const $c1222 = ["transition"];
+const $c1221 = $made(Choice, $c917, [$c1222]);
+const $c1216 = $made(Entry, $c895, ["kind", $c1221, true, "", "", "kind", ""]);
+const $c1224 = $made(Limit, $c901, ["length", 0.0, 1000.0, true, false]);
+const $c1223 = $made(Quantity, $c149, ["length", $c1224]);
+const $c1217 = $made(Entry, $c895, ["length", $c1223, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1226 = $made(Limit, $c901, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1225 = $made(Quantity, $c149, ["angle", $c1226]);
+const $c1218 = $made(Entry, $c895, ["trough_angle", $c1225, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1228 = $made(Limit, $c901, ["length", 0.0, 100.0, false, false]);
+const $c1227 = $made(Quantity, $c149, ["length", $c1228]);
+const $c1219 = $made(Entry, $c895, ["centre_roll", $c1227, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1230 = ["full", "half"];
+const $c1229 = $made(Choice, $c917, [$c1230]);
+const $c1220 = $made(Entry, $c895, ["depth", $c1229, false, "", "", "depth", ""]);
+const $c1214 = [$c1216, $c1217, $c1218, $c1219, $c1220];
+const $c1215 = new Map([["kind", $c1216], ["length", $c1217], ["trough_angle", $c1218], ["centre_roll", $c1219], ["depth", $c1220]]);
+const $c1205 = $made(tables$Table, $c880, [Transition, $c1214, $c1215]);
+const $c1203 = new Map([["pulley", $c1204], ["transition", $c1205]]);
+const $c28 = $made(Variant, $c1035, ["kind", $c1203]);
+const $c1202 = $made(WordOr, $c931, ["far", $c28, null]);
+const $c1190 = $made(Entry, $c895, ["before", $c1202, false, "", "", "before", ""]);
+const $c1238 = ["pulley"];
+const $c1237 = $made(Choice, $c917, [$c1238]);
+const $c1236 = $made(Entry, $c895, ["kind", $c1237, true, "", "", "kind", ""]);
+const $c1234 = [$c1236, $c1209];
+const $c1235 = new Map([["kind", $c1236], ["distance", $c1209]]);
+const $c1233 = $made(tables$Table, $c880, [GrippingPulley, $c1234, $c1235]);
+const $c1232 = new Map([["pulley", $c1233]]);
+const $c29 = $made(Variant, $c1035, ["kind", $c1232]);
+const $c1231 = $made(WordOr, $c931, ["far", $c29, null]);
+const $c1191 = $made(Entry, $c895, ["after", $c1231, false, "", "", "after", ""]);
+const $c1240 = ["least", "most"];
+const $c1239 = $made(Count, $c1240, [4, 128]);
+const $c1192 = $made(Entry, $c895, ["strips", $c1239, false, "", "", "strips", ""]);
+const $c1182 = [$c1184, $c1185, $c1186, $c1187, $c1188, $c1189, $c1190, $c1191, $c1192];
+const $c1183 = new Map([["shell_profile", $c1184], ["worn_depth", $c1185], ["build_up", $c1186], ["misalignment", $c1187], ["deflection", $c1188], ["entry_profile", $c1189], ["before", $c1190], ["after", $c1191], ["strips", $c1192]]);
+const $c30 = $made(tables$Table, $c880, [Across, $c1182, $c1183]);
+const $c201 = $made(Entry, $c895, ["across", $c30, false, "", "", "across", ""]);
+const $c228 = $made(ByName, $c903, [$c2, 200]);
+const $c202 = $made(Entry, $c895, ["sources", $c228, false, "", "", "sources", ""]);
+const $c9 = [$c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202];
+const $c934 = new Map([["name", $c185], ["diameter", $c186], ["wrap_angle", $c187], ["belt_path", $c188], ["lagging", $c189], ["condition", $c190], ["entry_tension", $c191], ["exit_tension", $c192], ["effective_tension", $c193], ["torque", $c194], ["power", $c195], ["overrun", $c196], ["recovery", $c197], ["creep_limit", $c198], ["side", $c199], ["mass", $c200], ["across", $c201], ["sources", $c202]]);
+const $c31 = $made(tables$Table, $c880, [Pulley, $c9, $c934]);
+const $c932 = $made(Rows, $c933, [$c31, 1, 10]);
+const $c889 = $made(Entry, $c895, ["pulley", $c932, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1241 = $made(ByName, $c903, [$c955, 200]);
+const $c890 = $made(Entry, $c895, ["lagging", $c1241, false, "", "", "lagging", ""]);
+const $c1252 = $made(Name, $c905, [60]);
+const $c1246 = $made(Entry, $c895, ["name", $c1252, true, "", "name = \"start\"", "name", ""]);
+const $c1253 = $made(Text, $c898, [1000, true]);
+const $c1247 = $made(Entry, $c895, ["description", $c1253, false, "", "", "description", ""]);
+const $c99 = ["running", "starting", "braking"];
+const $c1254 = $made(Choice, $c917, [$c99]);
+const $c1248 = $made(Entry, $c895, ["kind", $c1254, false, "", "", "kind", ""]);
+const $c1249 = $made(Entry, $c895, ["condition", $c212, false, "", "", "condition", ""]);
+const $c1257 = [$c191, $c192, $c193, $c194, $c195];
+const $c1258 = new Map([["entry_tension", $c191], ["exit_tension", $c192], ["effective_tension", $c193], ["torque", $c194], ["power", $c195]]);
+const $c1256 = $made(tables$Table, $c880, [null, $c1257, $c1258]);
+const $c1255 = $made(ByName, $c903, [$c1256, 200]);
+const $c1250 = $made(Entry, $c895, ["pulley", $c1255, false, "", "", "pulley", ""]);
+const $c1259 = $made(Elsewhere, [], []);
+const $c1251 = $made(Entry, $c895, ["train", $c1259, false, "", "", "train", ""]);
+const $c1244 = [$c1246, $c1247, $c1248, $c1249, $c1250, $c1251];
+const $c1245 = new Map([["name", $c1246], ["description", $c1247], ["kind", $c1248], ["condition", $c1249], ["pulley", $c1250], ["train", $c1251]]);
+const $c1243 = $made(tables$Table, $c880, [null, $c1244, $c1245]);
+const $c1242 = $made(Rows, $c933, [$c1243, 1, 1000]);
+const $c891 = $made(Entry, $c895, ["load_case", $c1242, false, "", "", "load_case", ""]);
+const $c760 = $made(Limit, $c901, ["length", 0.0, 100000.0, true, false]);
+const $c1281 = $made(Quantity, $c149, ["length", $c760]);
+const $c1262 = $made(Entry, $c895, ["length", $c1281, true, "", "length = \"600 m\"", "length", ""]);
+const $c761 = $made(Limit, $c901, ["length", -5000.0, 5000.0, false, false]);
+const $c1282 = $made(Quantity, $c149, ["length", $c761]);
+const $c1263 = $made(Entry, $c895, ["lift", $c1282, false, "", "", "lift", ""]);
+const $c762 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1283 = $made(Quantity, $c149, ["mass_per_length", $c762]);
+const $c1264 = $made(Entry, $c895, ["belt_mass", $c1283, true, "", "", "belt_mass", ""]);
+const $c763 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1284 = $made(Quantity, $c149, ["mass_per_length", $c763]);
+const $c1265 = $made(Entry, $c895, ["carry_idler_mass", $c1284, true, "", "", "carry_idler_mass", ""]);
+const $c764 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1285 = $made(Quantity, $c149, ["mass_per_length", $c764]);
+const $c1266 = $made(Entry, $c895, ["return_idler_mass", $c1285, true, "", "", "return_idler_mass", ""]);
+const $c1286 = $made(Quantity, $c149, ["mass_per_length", $c762]);
+const $c1267 = $made(Entry, $c895, ["material_mass", $c1286, false, "", "", "material_mass", ""]);
+const $c765 = $made(Limit, $c901, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1287 = $made(Quantity, $c149, ["mass_flow", $c765]);
+const $c1268 = $made(Entry, $c895, ["capacity", $c1287, false, "", "", "capacity", ""]);
+const $c766 = $made(Limit, $c901, ["number", 0.005, 0.1, false, false]);
+const $c1288 = $made(Quantity, $c149, ["number", $c766]);
+const $c1269 = $made(Entry, $c895, ["friction_factor", $c1288, false, "", "", "friction_factor", ""]);
+const $c767 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
+const $c1289 = $made(Quantity, $c149, ["number", $c767]);
+const $c1270 = $made(Entry, $c895, ["length_coefficient", $c1289, false, "", "", "length_coefficient", ""]);
+const $c768 = $made(Limit, $c901, ["force", 0.0, 100000000.0, false, false]);
+const $c1290 = $made(Quantity, $c149, ["force", $c768]);
+const $c1271 = $made(Entry, $c895, ["secondary_resistance", $c1290, false, "", "", "secondary_resistance", ""]);
+const $c1291 = $made(Quantity, $c149, ["force", $c768]);
+const $c1272 = $made(Entry, $c895, ["special_resistance", $c1291, false, "", "", "special_resistance", ""]);
+const $c769 = $made(Limit, $c901, ["number", 0.0, 1.0, false, false]);
+const $c1292 = $made(Quantity, $c149, ["number", $c769]);
+const $c1273 = $made(Entry, $c895, ["return_share", $c1292, false, "", "", "return_share", ""]);
+const $c770 = $made(Limit, $c901, ["number", 1.0, 5.0, false, false]);
+const $c1293 = $made(Quantity, $c149, ["number", $c770]);
+const $c1274 = $made(Entry, $c895, ["start_factor", $c1293, false, "", "", "start_factor", ""]);
+const $c771 = $made(Limit, $c901, ["time", 0.0, 3600.0, true, false]);
+const $c1294 = $made(Quantity, $c149, ["time", $c771]);
+const $c1275 = $made(Entry, $c895, ["start_time", $c1294, false, "", "", "start_time", ""]);
+const $c1295 = $made(Quantity, $c149, ["time", $c771]);
+const $c1276 = $made(Entry, $c895, ["stop_time", $c1295, false, "", "", "stop_time", ""]);
+const $c772 = $made(Limit, $c901, ["force", 0.0, 100000000.0, true, false]);
+const $c1296 = $made(Quantity, $c149, ["force", $c772]);
+const $c1277 = $made(Entry, $c895, ["take_up_tension", $c1296, false, "", "", "take_up_tension", ""]);
+const $c773 = $made(Limit, $c901, ["mass", 0.0, 10000000.0, true, false]);
+const $c1297 = $made(Quantity, $c149, ["mass", $c773]);
+const $c1278 = $made(Entry, $c895, ["counterweight", $c1297, false, "", "", "counterweight", ""]);
+const $c774 = $made(Limit, $c901, ["length", 0.0, 100000.0, false, false]);
+const $c1298 = $made(Quantity, $c149, ["length", $c774]);
+const $c1279 = $made(Entry, $c895, ["take_up_distance", $c1298, false, "", "", "take_up_distance", ""]);
+const $c867 = ["head", "tail"];
+const $c1299 = $made(Choice, $c917, [$c867]);
+const $c1280 = $made(Entry, $c895, ["drive_at", $c1299, false, "", "", "drive_at", ""]);
+const $c1260 = [$c1262, $c1263, $c1264, $c1265, $c1266, $c1267, $c1268, $c1269, $c1270, $c1271, $c1272, $c1273, $c1274, $c1275, $c1276, $c1277, $c1278, $c1279, $c1280];
+const $c1261 = new Map([["length", $c1262], ["lift", $c1263], ["belt_mass", $c1264], ["carry_idler_mass", $c1265], ["return_idler_mass", $c1266], ["material_mass", $c1267], ["capacity", $c1268], ["friction_factor", $c1269], ["length_coefficient", $c1270], ["secondary_resistance", $c1271], ["special_resistance", $c1272], ["return_share", $c1273], ["start_factor", $c1274], ["start_time", $c1275], ["stop_time", $c1276], ["take_up_tension", $c1277], ["counterweight", $c1278], ["take_up_distance", $c1279], ["drive_at", $c1280]]);
+const $c35 = $made(tables$Table, $c880, [Conveyor, $c1260, $c1261]);
+const $c892 = $made(Entry, $c895, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c860 = ["gravity", "winch", "fixed"];
+const $c1305 = $made(Choice, $c917, [$c860]);
+const $c1302 = $made(Entry, $c895, ["kind", $c1305, false, "", "", "kind", ""]);
+const $c851 = $made(Limit, $c901, ["number", 0.01, 100.0, false, false]);
+const $c1306 = $made(Quantity, $c149, ["number", $c851]);
+const $c1303 = $made(Entry, $c895, ["sheave_ratio", $c1306, false, "", "", "sheave_ratio", ""]);
+const $c1307 = $made(Name, $c905, [60]);
+const $c1304 = $made(Entry, $c895, ["after", $c1307, false, "", "", "after", ""]);
+const $c1300 = [$c1302, $c1303, $c1304];
+const $c1301 = new Map([["kind", $c1302], ["sheave_ratio", $c1303], ["after", $c1304]]);
+const $c558 = $made(tables$Table, $c880, [TakeUp, $c1300, $c1301]);
+const $c554 = $made(Entry, $c895, ["take_up", $c558, false, "", "", "take_up", ""]);
+const $c861 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1315 = $made(Choice, $c917, [$c861]);
+const $c1310 = $made(Entry, $c895, ["name", $c1315, false, "", "", "name", ""]);
+const $c862 = ["dry", "wet", "wet and dirty"];
+const $c1316 = $made(Choice, $c917, [$c862]);
+const $c1311 = $made(Entry, $c895, ["condition", $c1316, false, "", "", "condition", ""]);
+const $c852 = $made(Limit, $c901, ["number", 0.01, 2.0, false, false]);
+const $c1317 = $made(Quantity, $c149, ["number", $c852]);
+const $c1312 = $made(Entry, $c895, ["friction", $c1317, false, "", "", "friction", ""]);
+const $c853 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
+const $c1318 = $made(Quantity, $c149, ["number", $c853]);
+const $c1313 = $made(Entry, $c895, ["start_factor", $c1318, false, "", "", "start_factor", ""]);
+const $c1319 = $made(Flag, [], []);
+const $c1314 = $made(Entry, $c895, ["binding", $c1319, false, "", "", "binding", ""]);
+const $c1308 = [$c1310, $c1311, $c1312, $c1313, $c1314];
+const $c1309 = new Map([["name", $c1310], ["condition", $c1311], ["friction", $c1312], ["start_factor", $c1313], ["binding", $c1314]]);
+const $c559 = $made(tables$Table, $c880, [DesignStandard, $c1308, $c1309]);
+const $c555 = $made(Entry, $c895, ["design_standard", $c559, false, "", "", "standard", ""]);
+const $c1326 = $made(Quantity, $c149, ["number", $c853]);
+const $c1322 = $made(Entry, $c895, ["running", $c1326, false, "", "", "running", ""]);
+const $c1327 = $made(Quantity, $c149, ["number", $c853]);
+const $c1323 = $made(Entry, $c895, ["starting", $c1327, false, "", "", "starting", ""]);
+const $c1328 = $made(Quantity, $c149, ["number", $c853]);
+const $c1324 = $made(Entry, $c895, ["braking", $c1328, false, "", "", "braking", ""]);
+const $c1329 = $made(Text, $c898, [500, false]);
+const $c1325 = $made(Entry, $c895, ["source", $c1329, false, "", "", "source", ""]);
+const $c1320 = [$c1322, $c1323, $c1324, $c1325];
+const $c1321 = new Map([["running", $c1322], ["starting", $c1323], ["braking", $c1324], ["source", $c1325]]);
+const $c560 = $made(tables$Table, $c880, [SafetyFactors, $c1320, $c1321]);
+const $c556 = $made(Entry, $c895, ["safety_factor", $c560, false, "", "", "safety", ""]);
+const $c1336 = $made(Limit, $c901, ["length", 0.0, 100.0, true, false]);
+const $c1335 = $made(Quantity, $c149, ["length", $c1336]);
+const $c1332 = $made(Entry, $c895, ["idler_spacing", $c1335, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1338 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1337 = $made(Quantity, $c149, ["mass_per_length", $c1338]);
+const $c1333 = $made(Entry, $c895, ["line_mass", $c1337, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1340 = $made(Limit, $c901, ["number", 0.0, 0.1, true, false]);
+const $c1339 = $made(Quantity, $c149, ["number", $c1340]);
+const $c1334 = $made(Entry, $c895, ["share", $c1339, false, "", "", "share", ""]);
+const $c1330 = [$c1332, $c1333, $c1334];
+const $c1331 = new Map([["idler_spacing", $c1332], ["line_mass", $c1333], ["share", $c1334]]);
+const $c561 = $made(tables$Table, $c880, [Sag, $c1330, $c1331]);
+const $c557 = $made(Entry, $c895, ["sag", $c561, false, "", "", "sag", ""]);
+const $c1341 = $made(Elsewhere, [], []);
+const $c893 = $made(Entry, $c895, ["train", $c1341, false, "", "", "train", ""]);
+const $c1342 = $made(Elsewhere, [], []);
+const $c894 = $made(Entry, $c895, ["motion", $c1342, false, "", "", "motion", ""]);
+const $c881 = [$c883, $c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c892, $c554, $c555, $c556, $c557, $c893, $c894];
+const $c882 = new Map([["format", $c883], ["title", $c884], ["description", $c885], ["creep_limit", $c886], ["condition", $c887], ["belt", $c888], ["pulley", $c889], ["lagging", $c890], ["load_case", $c891], ["conveyor", $c892], ["take_up", $c554], ["design_standard", $c555], ["safety_factor", $c556], ["sag", $c557], ["train", $c893], ["motion", $c894]]);
+const $c0 = $made(tables$Table, $c880, [Drive, $c881, $c882]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c144], ["modulus", $c149], ["rating", $c151], ["strength", $c153], ["speed", $c155], ["momentary_factor", $c157], ["least_pulley_diameter", $c159], ["largest_wrap_pressure", $c161], ["in_plane_shear_stiffness", $c163], ["pulley_cover", $c165], ["carry_cover", $c167], ["carcass", $c169], ["thickness", $c171], ["cover_shear_modulus", $c174], ["mass", $c176]]);
+const $c4 = new Map([["width", $c150], ["modulus", $c155], ["rating", $c157], ["strength", $c159], ["speed", $c161], ["momentary_factor", $c163], ["least_pulley_diameter", $c165], ["largest_wrap_pressure", $c167], ["in_plane_shear_stiffness", $c169], ["pulley_cover", $c171], ["carry_cover", $c173], ["carcass", $c175], ["thickness", $c177], ["cover_shear_modulus", $c180], ["mass", $c182]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c245 = [10000, "m"];
-const $c244 = [$c245];
-const $c222 = ["mm", $c244];
-const $c223 = ["kN", []];
-const $c224 = ["kN/m", []];
-const $c247 = [10000, "MPa"];
-const $c246 = [$c247];
-const $c225 = ["kPa", $c246];
-const $c226 = ["kPa/mm", []];
-const $c227 = ["m/s", []];
-const $c228 = ["deg", []];
-const $c229 = ["kW", []];
-const $c230 = ["kN m", []];
-const $c231 = ["m2", []];
-const $c232 = ["s", []];
-const $c233 = ["degC", []];
-const $c234 = ["1/mm", []];
-const $c235 = ["mm3/J", []];
-const $c236 = ["J/m2", []];
-const $c249 = [10000, "kW/m2"];
-const $c248 = [$c249];
-const $c237 = ["W/m2", $c248];
-const $c238 = ["rpm", []];
-const $c239 = ["kg", []];
-const $c240 = ["kg/m", []];
-const $c241 = ["t/h", []];
-const $c242 = ["kg m2", []];
-const $c243 = ["", []];
-const $c220 = new Map([["length", $c222], ["force", $c223], ["force_per_width", $c224], ["spring_rate", $c224], ["pressure", $c225], ["pressure_per_length", $c226], ["speed", $c227], ["angle", $c228], ["power", $c229], ["torque", $c230], ["area", $c231], ["time", $c232], ["temperature", $c233], ["per_length", $c234], ["wear_coefficient", $c235], ["energy_per_area", $c236], ["power_per_area", $c237], ["rotation_speed", $c238], ["mass", $c239], ["mass_per_length", $c240], ["mass_flow", $c241], ["moment_of_inertia", $c242], ["number", $c243]]);
-const $c270 = [400, "ft"];
-const $c269 = [$c270];
-const $c250 = ["in", $c269];
-const $c251 = ["lbf", []];
-const $c252 = ["PIW", []];
-const $c253 = ["lbf/in", []];
-const $c272 = [10000, "ksi"];
-const $c271 = [$c272];
-const $c254 = ["psi", $c271];
-const $c255 = ["psi/in", []];
-const $c256 = ["fpm", []];
-const $c257 = ["hp", []];
-const $c258 = ["lbf ft", []];
-const $c259 = ["in2", []];
-const $c260 = ["degF", []];
-const $c261 = ["1/in", []];
-const $c262 = ["in3/(ft lbf)", []];
-const $c263 = ["ft lbf/ft2", []];
-const $c264 = ["hp/ft2", []];
-const $c265 = ["lbm", []];
-const $c266 = ["lbm/ft", []];
-const $c267 = ["lbm/h", []];
-const $c268 = ["lbm ft2", []];
-const $c221 = new Map([["length", $c250], ["force", $c251], ["force_per_width", $c252], ["spring_rate", $c253], ["pressure", $c254], ["pressure_per_length", $c255], ["speed", $c256], ["angle", $c228], ["power", $c257], ["torque", $c258], ["area", $c259], ["time", $c232], ["temperature", $c260], ["per_length", $c261], ["wear_coefficient", $c262], ["energy_per_area", $c263], ["power_per_area", $c264], ["rotation_speed", $c238], ["mass", $c265], ["mass_per_length", $c266], ["mass_flow", $c267], ["moment_of_inertia", $c268], ["number", $c243]]);
-const $c11 = new Map([["si", $c220], ["us", $c221]]);
-const $c273 = new DimensionText("m", "a length", "1200 mm");
-const $c274 = new DimensionText("N", "a force", "150 kN");
-const $c275 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c276 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c277 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c278 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c279 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c280 = new DimensionText("rad", "an angle", "180 deg");
-const $c281 = new DimensionText("W", "a power", "250 kW");
-const $c282 = new DimensionText("N m", "a torque", "40 kN m");
-const $c283 = new DimensionText("m2", "an area", "2500 mm2");
-const $c284 = new DimensionText("s", "a time", "10 s");
-const $c285 = new DimensionText("K", "a temperature", "20 degC");
-const $c286 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c287 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c288 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c289 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c290 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c291 = new DimensionText("kg", "a mass", "500 kg");
-const $c292 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c293 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c294 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c295 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c273], ["force", $c274], ["force_per_width", $c275], ["spring_rate", $c276], ["pressure", $c277], ["pressure_per_length", $c278], ["speed", $c279], ["angle", $c280], ["power", $c281], ["torque", $c282], ["area", $c283], ["time", $c284], ["temperature", $c285], ["per_length", $c286], ["wear_coefficient", $c287], ["energy_per_area", $c288], ["power_per_area", $c289], ["rotation_speed", $c290], ["mass", $c291], ["mass_per_length", $c292], ["mass_flow", $c293], ["moment_of_inertia", $c294], ["number", $c295]]);
+const $c254 = [10000, "m"];
+const $c253 = [$c254];
+const $c231 = ["mm", $c253];
+const $c232 = ["kN", []];
+const $c233 = ["kN/m", []];
+const $c256 = [10000, "MPa"];
+const $c255 = [$c256];
+const $c234 = ["kPa", $c255];
+const $c235 = ["kPa/mm", []];
+const $c236 = ["m/s", []];
+const $c237 = ["deg", []];
+const $c238 = ["kW", []];
+const $c239 = ["kN m", []];
+const $c240 = ["m2", []];
+const $c241 = ["s", []];
+const $c242 = ["degC", []];
+const $c243 = ["1/mm", []];
+const $c244 = ["mm3/J", []];
+const $c245 = ["J/m2", []];
+const $c258 = [10000, "kW/m2"];
+const $c257 = [$c258];
+const $c246 = ["W/m2", $c257];
+const $c247 = ["rpm", []];
+const $c248 = ["kg", []];
+const $c249 = ["kg/m", []];
+const $c250 = ["t/h", []];
+const $c251 = ["kg m2", []];
+const $c252 = ["", []];
+const $c229 = new Map([["length", $c231], ["force", $c232], ["force_per_width", $c233], ["spring_rate", $c233], ["pressure", $c234], ["pressure_per_length", $c235], ["speed", $c236], ["angle", $c237], ["power", $c238], ["torque", $c239], ["area", $c240], ["time", $c241], ["temperature", $c242], ["per_length", $c243], ["wear_coefficient", $c244], ["energy_per_area", $c245], ["power_per_area", $c246], ["rotation_speed", $c247], ["mass", $c248], ["mass_per_length", $c249], ["mass_flow", $c250], ["moment_of_inertia", $c251], ["number", $c252]]);
+const $c279 = [400, "ft"];
+const $c278 = [$c279];
+const $c259 = ["in", $c278];
+const $c260 = ["lbf", []];
+const $c261 = ["PIW", []];
+const $c262 = ["lbf/in", []];
+const $c281 = [10000, "ksi"];
+const $c280 = [$c281];
+const $c263 = ["psi", $c280];
+const $c264 = ["psi/in", []];
+const $c265 = ["fpm", []];
+const $c266 = ["hp", []];
+const $c267 = ["lbf ft", []];
+const $c268 = ["in2", []];
+const $c269 = ["degF", []];
+const $c270 = ["1/in", []];
+const $c271 = ["in3/(ft lbf)", []];
+const $c272 = ["ft lbf/ft2", []];
+const $c273 = ["hp/ft2", []];
+const $c274 = ["lbm", []];
+const $c275 = ["lbm/ft", []];
+const $c276 = ["lbm/h", []];
+const $c277 = ["lbm ft2", []];
+const $c230 = new Map([["length", $c259], ["force", $c260], ["force_per_width", $c261], ["spring_rate", $c262], ["pressure", $c263], ["pressure_per_length", $c264], ["speed", $c265], ["angle", $c237], ["power", $c266], ["torque", $c267], ["area", $c268], ["time", $c241], ["temperature", $c269], ["per_length", $c270], ["wear_coefficient", $c271], ["energy_per_area", $c272], ["power_per_area", $c273], ["rotation_speed", $c247], ["mass", $c274], ["mass_per_length", $c275], ["mass_flow", $c276], ["moment_of_inertia", $c277], ["number", $c252]]);
+const $c11 = new Map([["si", $c229], ["us", $c230]]);
+const $c282 = new DimensionText("m", "a length", "1200 mm");
+const $c283 = new DimensionText("N", "a force", "150 kN");
+const $c284 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c285 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c286 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c287 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c288 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c289 = new DimensionText("rad", "an angle", "180 deg");
+const $c290 = new DimensionText("W", "a power", "250 kW");
+const $c291 = new DimensionText("N m", "a torque", "40 kN m");
+const $c292 = new DimensionText("m2", "an area", "2500 mm2");
+const $c293 = new DimensionText("s", "a time", "10 s");
+const $c294 = new DimensionText("K", "a temperature", "20 degC");
+const $c295 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c296 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c297 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c298 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c299 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c300 = new DimensionText("kg", "a mass", "500 kg");
+const $c301 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c302 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c303 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c304 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c282], ["force", $c283], ["force_per_width", $c284], ["spring_rate", $c285], ["pressure", $c286], ["pressure_per_length", $c287], ["speed", $c288], ["angle", $c289], ["power", $c290], ["torque", $c291], ["area", $c292], ["time", $c293], ["temperature", $c294], ["per_length", $c295], ["wear_coefficient", $c296], ["energy_per_area", $c297], ["power_per_area", $c298], ["rotation_speed", $c299], ["mass", $c300], ["mass_per_length", $c301], ["mass_flow", $c302], ["moment_of_inertia", $c303], ["number", $c304]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -7809,659 +8544,659 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c358 = ["meter", "meters", "metre", "metres"];
-const $c359 = $Decimal.of("1");
-const $c360 = $Decimal.of("0");
-const $c296 = new Definition($c358, $c359, "m", $c360);
-const $c361 = ["km"];
-const $c362 = $Decimal.of("1000");
-const $c363 = $Decimal.of("0");
-const $c297 = new Definition($c361, $c362, "m", $c363);
-const $c364 = ["dm"];
-const $c365 = $Decimal.of("0.1");
-const $c366 = $Decimal.of("0");
-const $c298 = new Definition($c364, $c365, "m", $c366);
-const $c367 = ["cm"];
-const $c368 = $Decimal.of("0.01");
+const $c367 = ["meter", "meters", "metre", "metres"];
+const $c368 = $Decimal.of("1");
 const $c369 = $Decimal.of("0");
-const $c299 = new Definition($c367, $c368, "m", $c369);
-const $c370 = ["mm"];
-const $c371 = $Decimal.of("0.001");
+const $c305 = new Definition($c367, $c368, "m", $c369);
+const $c370 = ["km"];
+const $c371 = $Decimal.of("1000");
 const $c372 = $Decimal.of("0");
-const $c300 = new Definition($c370, $c371, "m", $c372);
-const $c373 = ["um", "micron", "microns"];
-const $c374 = $Decimal.of("0.000001");
+const $c306 = new Definition($c370, $c371, "m", $c372);
+const $c373 = ["dm"];
+const $c374 = $Decimal.of("0.1");
 const $c375 = $Decimal.of("0");
-const $c301 = new Definition($c373, $c374, "m", $c375);
-const $c376 = ["in", "inch", "inches", "\""];
-const $c377 = $Decimal.of("0.0254");
+const $c307 = new Definition($c373, $c374, "m", $c375);
+const $c376 = ["cm"];
+const $c377 = $Decimal.of("0.01");
 const $c378 = $Decimal.of("0");
-const $c302 = new Definition($c376, $c377, "m", $c378);
-const $c379 = ["ft", "foot", "feet"];
-const $c380 = $Decimal.of("12");
+const $c308 = new Definition($c376, $c377, "m", $c378);
+const $c379 = ["mm"];
+const $c380 = $Decimal.of("0.001");
 const $c381 = $Decimal.of("0");
-const $c303 = new Definition($c379, $c380, "in", $c381);
-const $c382 = ["yd"];
-const $c383 = $Decimal.of("3");
+const $c309 = new Definition($c379, $c380, "m", $c381);
+const $c382 = ["um", "micron", "microns"];
+const $c383 = $Decimal.of("0.000001");
 const $c384 = $Decimal.of("0");
-const $c304 = new Definition($c382, $c383, "ft", $c384);
-const $c385 = ["mi", "mile", "miles"];
-const $c386 = $Decimal.of("5280");
+const $c310 = new Definition($c382, $c383, "m", $c384);
+const $c385 = ["in", "inch", "inches", "\""];
+const $c386 = $Decimal.of("0.0254");
 const $c387 = $Decimal.of("0");
-const $c305 = new Definition($c385, $c386, "ft", $c387);
-const $c388 = ["thou"];
-const $c389 = $Decimal.of("0.001");
+const $c311 = new Definition($c385, $c386, "m", $c387);
+const $c388 = ["ft", "foot", "feet"];
+const $c389 = $Decimal.of("12");
 const $c390 = $Decimal.of("0");
-const $c306 = new Definition($c388, $c389, "in", $c390);
-const $c391 = ["g"];
-const $c392 = $Decimal.of("0.001");
+const $c312 = new Definition($c388, $c389, "in", $c390);
+const $c391 = ["yd"];
+const $c392 = $Decimal.of("3");
 const $c393 = $Decimal.of("0");
-const $c307 = new Definition($c391, $c392, "kg", $c393);
-const $c394 = ["t", "tonne", "tonnes"];
-const $c395 = $Decimal.of("1000");
+const $c313 = new Definition($c391, $c392, "ft", $c393);
+const $c394 = ["mi", "mile", "miles"];
+const $c395 = $Decimal.of("5280");
 const $c396 = $Decimal.of("0");
-const $c308 = new Definition($c394, $c395, "kg", $c396);
-const $c397 = ["lbm"];
-const $c398 = $Decimal.of("0.45359237");
+const $c314 = new Definition($c394, $c395, "ft", $c396);
+const $c397 = ["thou"];
+const $c398 = $Decimal.of("0.001");
 const $c399 = $Decimal.of("0");
-const $c309 = new Definition($c397, $c398, "kg", $c399);
-const $c400 = ["sec", "second", "seconds"];
-const $c401 = $Decimal.of("1");
+const $c315 = new Definition($c397, $c398, "in", $c399);
+const $c400 = ["g"];
+const $c401 = $Decimal.of("0.001");
 const $c402 = $Decimal.of("0");
-const $c310 = new Definition($c400, $c401, "s", $c402);
-const $c403 = ["ms"];
-const $c404 = $Decimal.of("0.001");
+const $c316 = new Definition($c400, $c401, "kg", $c402);
+const $c403 = ["t", "tonne", "tonnes"];
+const $c404 = $Decimal.of("1000");
 const $c405 = $Decimal.of("0");
-const $c311 = new Definition($c403, $c404, "s", $c405);
-const $c406 = ["min", "minute", "minutes"];
-const $c407 = $Decimal.of("60");
+const $c317 = new Definition($c403, $c404, "kg", $c405);
+const $c406 = ["lbm"];
+const $c407 = $Decimal.of("0.45359237");
 const $c408 = $Decimal.of("0");
-const $c312 = new Definition($c406, $c407, "s", $c408);
-const $c409 = ["h", "hr", "hour", "hours"];
-const $c410 = $Decimal.of("60");
+const $c318 = new Definition($c406, $c407, "kg", $c408);
+const $c409 = ["sec", "second", "seconds"];
+const $c410 = $Decimal.of("1");
 const $c411 = $Decimal.of("0");
-const $c313 = new Definition($c409, $c410, "min", $c411);
-const $c412 = ["d", "day", "days"];
-const $c413 = $Decimal.of("24");
+const $c319 = new Definition($c409, $c410, "s", $c411);
+const $c412 = ["ms"];
+const $c413 = $Decimal.of("0.001");
 const $c414 = $Decimal.of("0");
-const $c314 = new Definition($c412, $c413, "h", $c414);
-const $c415 = ["N", "newton", "newtons"];
-const $c416 = $Decimal.of("1");
+const $c320 = new Definition($c412, $c413, "s", $c414);
+const $c415 = ["min", "minute", "minutes"];
+const $c416 = $Decimal.of("60");
 const $c417 = $Decimal.of("0");
-const $c315 = new Definition($c415, $c416, "kg m/s2", $c417);
-const $c418 = ["mN"];
-const $c419 = $Decimal.of("0.001");
+const $c321 = new Definition($c415, $c416, "s", $c417);
+const $c418 = ["h", "hr", "hour", "hours"];
+const $c419 = $Decimal.of("60");
 const $c420 = $Decimal.of("0");
-const $c316 = new Definition($c418, $c419, "N", $c420);
-const $c421 = ["daN"];
-const $c422 = $Decimal.of("10");
+const $c322 = new Definition($c418, $c419, "min", $c420);
+const $c421 = ["d", "day", "days"];
+const $c422 = $Decimal.of("24");
 const $c423 = $Decimal.of("0");
-const $c317 = new Definition($c421, $c422, "N", $c423);
-const $c424 = ["kN"];
-const $c425 = $Decimal.of("1000");
+const $c323 = new Definition($c421, $c422, "h", $c423);
+const $c424 = ["N", "newton", "newtons"];
+const $c425 = $Decimal.of("1");
 const $c426 = $Decimal.of("0");
-const $c318 = new Definition($c424, $c425, "N", $c426);
-const $c427 = ["MN"];
-const $c428 = $Decimal.of("1E+6");
+const $c324 = new Definition($c424, $c425, "kg m/s2", $c426);
+const $c427 = ["mN"];
+const $c428 = $Decimal.of("0.001");
 const $c429 = $Decimal.of("0");
-const $c319 = new Definition($c427, $c428, "N", $c429);
-const $c430 = ["kgf", "kp"];
-const $c431 = $Decimal.of("9.80665");
+const $c325 = new Definition($c427, $c428, "N", $c429);
+const $c430 = ["daN"];
+const $c431 = $Decimal.of("10");
 const $c432 = $Decimal.of("0");
-const $c320 = new Definition($c430, $c431, "N", $c432);
-const $c433 = ["gf"];
-const $c434 = $Decimal.of("0.001");
+const $c326 = new Definition($c430, $c431, "N", $c432);
+const $c433 = ["kN"];
+const $c434 = $Decimal.of("1000");
 const $c435 = $Decimal.of("0");
-const $c321 = new Definition($c433, $c434, "kgf", $c435);
-const $c436 = ["tf"];
-const $c437 = $Decimal.of("1000");
+const $c327 = new Definition($c433, $c434, "N", $c435);
+const $c436 = ["MN"];
+const $c437 = $Decimal.of("1E+6");
 const $c438 = $Decimal.of("0");
-const $c322 = new Definition($c436, $c437, "kgf", $c438);
-const $c439 = ["lbf", "lb", "lbs"];
-const $c440 = $Decimal.of("4.4482216152605");
+const $c328 = new Definition($c436, $c437, "N", $c438);
+const $c439 = ["kgf", "kp"];
+const $c440 = $Decimal.of("9.80665");
 const $c441 = $Decimal.of("0");
-const $c323 = new Definition($c439, $c440, "N", $c441);
-const $c442 = ["klbf", "kip", "kips"];
-const $c443 = $Decimal.of("1000");
+const $c329 = new Definition($c439, $c440, "N", $c441);
+const $c442 = ["gf"];
+const $c443 = $Decimal.of("0.001");
 const $c444 = $Decimal.of("0");
-const $c324 = new Definition($c442, $c443, "lbf", $c444);
-const $c445 = ["PIW", "piw", "PLI", "pli"];
-const $c446 = $Decimal.of("1");
+const $c330 = new Definition($c442, $c443, "kgf", $c444);
+const $c445 = ["tf"];
+const $c446 = $Decimal.of("1000");
 const $c447 = $Decimal.of("0");
-const $c325 = new Definition($c445, $c446, "lbf/in", $c447);
-const $c448 = ["Pa"];
-const $c449 = $Decimal.of("1");
+const $c331 = new Definition($c445, $c446, "kgf", $c447);
+const $c448 = ["lbf", "lb", "lbs"];
+const $c449 = $Decimal.of("4.4482216152605");
 const $c450 = $Decimal.of("0");
-const $c326 = new Definition($c448, $c449, "N/m2", $c450);
-const $c451 = ["hPa"];
-const $c452 = $Decimal.of("100");
+const $c332 = new Definition($c448, $c449, "N", $c450);
+const $c451 = ["klbf", "kip", "kips"];
+const $c452 = $Decimal.of("1000");
 const $c453 = $Decimal.of("0");
-const $c327 = new Definition($c451, $c452, "Pa", $c453);
-const $c454 = ["kPa"];
-const $c455 = $Decimal.of("1000");
+const $c333 = new Definition($c451, $c452, "lbf", $c453);
+const $c454 = ["PIW", "piw", "PLI", "pli"];
+const $c455 = $Decimal.of("1");
 const $c456 = $Decimal.of("0");
-const $c328 = new Definition($c454, $c455, "Pa", $c456);
-const $c457 = ["MPa"];
-const $c458 = $Decimal.of("1E+6");
+const $c334 = new Definition($c454, $c455, "lbf/in", $c456);
+const $c457 = ["Pa"];
+const $c458 = $Decimal.of("1");
 const $c459 = $Decimal.of("0");
-const $c329 = new Definition($c457, $c458, "Pa", $c459);
-const $c460 = ["GPa"];
-const $c461 = $Decimal.of("1E+9");
+const $c335 = new Definition($c457, $c458, "N/m2", $c459);
+const $c460 = ["hPa"];
+const $c461 = $Decimal.of("100");
 const $c462 = $Decimal.of("0");
-const $c330 = new Definition($c460, $c461, "Pa", $c462);
-const $c463 = ["bar"];
-const $c464 = $Decimal.of("1E+5");
+const $c336 = new Definition($c460, $c461, "Pa", $c462);
+const $c463 = ["kPa"];
+const $c464 = $Decimal.of("1000");
 const $c465 = $Decimal.of("0");
-const $c331 = new Definition($c463, $c464, "Pa", $c465);
-const $c466 = ["mbar"];
-const $c467 = $Decimal.of("100");
+const $c337 = new Definition($c463, $c464, "Pa", $c465);
+const $c466 = ["MPa"];
+const $c467 = $Decimal.of("1E+6");
 const $c468 = $Decimal.of("0");
-const $c332 = new Definition($c466, $c467, "Pa", $c468);
-const $c469 = ["psi", "PSI"];
-const $c470 = $Decimal.of("1");
+const $c338 = new Definition($c466, $c467, "Pa", $c468);
+const $c469 = ["GPa"];
+const $c470 = $Decimal.of("1E+9");
 const $c471 = $Decimal.of("0");
-const $c333 = new Definition($c469, $c470, "lbf/in2", $c471);
-const $c472 = ["ksi"];
-const $c473 = $Decimal.of("1000");
+const $c339 = new Definition($c469, $c470, "Pa", $c471);
+const $c472 = ["bar"];
+const $c473 = $Decimal.of("1E+5");
 const $c474 = $Decimal.of("0");
-const $c334 = new Definition($c472, $c473, "psi", $c474);
-const $c475 = ["J", "joule"];
-const $c476 = $Decimal.of("1");
+const $c340 = new Definition($c472, $c473, "Pa", $c474);
+const $c475 = ["mbar"];
+const $c476 = $Decimal.of("100");
 const $c477 = $Decimal.of("0");
-const $c335 = new Definition($c475, $c476, "N m", $c477);
-const $c478 = ["mJ"];
-const $c479 = $Decimal.of("0.001");
+const $c341 = new Definition($c475, $c476, "Pa", $c477);
+const $c478 = ["psi", "PSI"];
+const $c479 = $Decimal.of("1");
 const $c480 = $Decimal.of("0");
-const $c336 = new Definition($c478, $c479, "J", $c480);
-const $c481 = ["kJ"];
+const $c342 = new Definition($c478, $c479, "lbf/in2", $c480);
+const $c481 = ["ksi"];
 const $c482 = $Decimal.of("1000");
 const $c483 = $Decimal.of("0");
-const $c337 = new Definition($c481, $c482, "J", $c483);
-const $c484 = ["MJ"];
-const $c485 = $Decimal.of("1E+6");
+const $c343 = new Definition($c481, $c482, "psi", $c483);
+const $c484 = ["J", "joule"];
+const $c485 = $Decimal.of("1");
 const $c486 = $Decimal.of("0");
-const $c338 = new Definition($c484, $c485, "J", $c486);
-const $c487 = ["Nm"];
-const $c488 = $Decimal.of("1");
+const $c344 = new Definition($c484, $c485, "N m", $c486);
+const $c487 = ["mJ"];
+const $c488 = $Decimal.of("0.001");
 const $c489 = $Decimal.of("0");
-const $c339 = new Definition($c487, $c488, "N m", $c489);
-const $c490 = ["kNm"];
+const $c345 = new Definition($c487, $c488, "J", $c489);
+const $c490 = ["kJ"];
 const $c491 = $Decimal.of("1000");
 const $c492 = $Decimal.of("0");
-const $c340 = new Definition($c490, $c491, "N m", $c492);
-const $c493 = ["MNm"];
+const $c346 = new Definition($c490, $c491, "J", $c492);
+const $c493 = ["MJ"];
 const $c494 = $Decimal.of("1E+6");
 const $c495 = $Decimal.of("0");
-const $c341 = new Definition($c493, $c494, "N m", $c495);
-const $c496 = ["W", "watt", "watts"];
+const $c347 = new Definition($c493, $c494, "J", $c495);
+const $c496 = ["Nm"];
 const $c497 = $Decimal.of("1");
 const $c498 = $Decimal.of("0");
-const $c342 = new Definition($c496, $c497, "J/s", $c498);
-const $c499 = ["kW"];
+const $c348 = new Definition($c496, $c497, "N m", $c498);
+const $c499 = ["kNm"];
 const $c500 = $Decimal.of("1000");
 const $c501 = $Decimal.of("0");
-const $c343 = new Definition($c499, $c500, "W", $c501);
-const $c502 = ["MW"];
+const $c349 = new Definition($c499, $c500, "N m", $c501);
+const $c502 = ["MNm"];
 const $c503 = $Decimal.of("1E+6");
 const $c504 = $Decimal.of("0");
-const $c344 = new Definition($c502, $c503, "W", $c504);
-const $c505 = ["hp", "HP", "bhp", "BHP"];
-const $c506 = $Decimal.of("550");
+const $c350 = new Definition($c502, $c503, "N m", $c504);
+const $c505 = ["W", "watt", "watts"];
+const $c506 = $Decimal.of("1");
 const $c507 = $Decimal.of("0");
-const $c345 = new Definition($c505, $c506, "ft lbf/s", $c507);
-const $c508 = ["PS", "cv", "CV", "hp(metric)"];
-const $c509 = $Decimal.of("75");
+const $c351 = new Definition($c505, $c506, "J/s", $c507);
+const $c508 = ["kW"];
+const $c509 = $Decimal.of("1000");
 const $c510 = $Decimal.of("0");
-const $c346 = new Definition($c508, $c509, "kgf m/s", $c510);
-const $c511 = ["fpm", "FPM"];
-const $c512 = $Decimal.of("1");
+const $c352 = new Definition($c508, $c509, "W", $c510);
+const $c511 = ["MW"];
+const $c512 = $Decimal.of("1E+6");
 const $c513 = $Decimal.of("0");
-const $c347 = new Definition($c511, $c512, "ft/min", $c513);
-const $c514 = ["fps"];
-const $c515 = $Decimal.of("1");
+const $c353 = new Definition($c511, $c512, "W", $c513);
+const $c514 = ["hp", "HP", "bhp", "BHP"];
+const $c515 = $Decimal.of("550");
 const $c516 = $Decimal.of("0");
-const $c348 = new Definition($c514, $c515, "ft/s", $c516);
-const $c517 = ["kph", "kmh"];
-const $c518 = $Decimal.of("1");
+const $c354 = new Definition($c514, $c515, "ft lbf/s", $c516);
+const $c517 = ["PS", "cv", "CV", "hp(metric)"];
+const $c518 = $Decimal.of("75");
 const $c519 = $Decimal.of("0");
-const $c349 = new Definition($c517, $c518, "km/h", $c519);
-const $c520 = ["mph"];
+const $c355 = new Definition($c517, $c518, "kgf m/s", $c519);
+const $c520 = ["fpm", "FPM"];
 const $c521 = $Decimal.of("1");
 const $c522 = $Decimal.of("0");
-const $c350 = new Definition($c520, $c521, "mi/h", $c522);
-const $c523 = ["mrad"];
-const $c524 = $Decimal.of("0.001");
+const $c356 = new Definition($c520, $c521, "ft/min", $c522);
+const $c523 = ["fps"];
+const $c524 = $Decimal.of("1");
 const $c525 = $Decimal.of("0");
-const $c351 = new Definition($c523, $c524, "rad", $c525);
-const $c526 = ["deg", "degree", "degrees", "°"];
-const $c527 = $Decimal.of("0.01745329251994329576923690768");
+const $c357 = new Definition($c523, $c524, "ft/s", $c525);
+const $c526 = ["kph", "kmh"];
+const $c527 = $Decimal.of("1");
 const $c528 = $Decimal.of("0");
-const $c352 = new Definition($c526, $c527, "rad", $c528);
-const $c529 = ["rev", "turn", "turns"];
-const $c530 = $Decimal.of("360");
+const $c358 = new Definition($c526, $c527, "km/h", $c528);
+const $c529 = ["mph"];
+const $c530 = $Decimal.of("1");
 const $c531 = $Decimal.of("0");
-const $c353 = new Definition($c529, $c530, "deg", $c531);
-const $c532 = ["rpm", "RPM"];
-const $c533 = $Decimal.of("1");
+const $c359 = new Definition($c529, $c530, "mi/h", $c531);
+const $c532 = ["mrad"];
+const $c533 = $Decimal.of("0.001");
 const $c534 = $Decimal.of("0");
-const $c354 = new Definition($c532, $c533, "rev/min", $c534);
-const $c535 = ["degC", "°C"];
-const $c536 = $Decimal.of("1");
-const $c537 = $Decimal.of("-273.15");
-const $c355 = new Definition($c535, $c536, "K", $c537);
-const $c538 = ["degF", "°F"];
-const $c539 = $Decimal.of("0.5555555555555555555555555556");
-const $c540 = $Decimal.of("-459.67");
-const $c356 = new Definition($c538, $c539, "K", $c540);
-const $c541 = ["%", "percent"];
-const $c542 = $Decimal.of("0.01");
+const $c360 = new Definition($c532, $c533, "rad", $c534);
+const $c535 = ["deg", "degree", "degrees", "°"];
+const $c536 = $Decimal.of("0.01745329251994329576923690768");
+const $c537 = $Decimal.of("0");
+const $c361 = new Definition($c535, $c536, "rad", $c537);
+const $c538 = ["rev", "turn", "turns"];
+const $c539 = $Decimal.of("360");
+const $c540 = $Decimal.of("0");
+const $c362 = new Definition($c538, $c539, "deg", $c540);
+const $c541 = ["rpm", "RPM"];
+const $c542 = $Decimal.of("1");
 const $c543 = $Decimal.of("0");
-const $c357 = new Definition($c541, $c542, "", $c543);
-const $c22 = [$c296, $c297, $c298, $c299, $c300, $c301, $c302, $c303, $c304, $c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357];
+const $c363 = new Definition($c541, $c542, "rev/min", $c543);
+const $c544 = ["degC", "°C"];
+const $c545 = $Decimal.of("1");
+const $c546 = $Decimal.of("-273.15");
+const $c364 = new Definition($c544, $c545, "K", $c546);
+const $c547 = ["degF", "°F"];
+const $c548 = $Decimal.of("0.5555555555555555555555555556");
+const $c549 = $Decimal.of("-459.67");
+const $c365 = new Definition($c547, $c548, "K", $c549);
+const $c550 = ["%", "percent"];
+const $c551 = $Decimal.of("0.01");
+const $c552 = $Decimal.of("0");
+const $c366 = new Definition($c550, $c551, "", $c552);
+const $c22 = [$c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c544 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c544, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c545, $c546, $c547, $c548];
+const $c553 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c553, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c554, $c555, $c556, $c557];
 const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c553 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c554 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c555 = ["length_coefficient", "secondary_resistance", ""];
-const $c556 = ["start_factor", "start_time", ""];
-const $c36 = [$c553, $c554, $c555, $c556];
+const $c562 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c563 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c564 = ["length_coefficient", "secondary_resistance", ""];
+const $c565 = ["start_factor", "start_time", ""];
+const $c36 = [$c562, $c563, $c564, $c565];
 const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1345 = $made(Quantity, $c143, ["force", $c206]);
-const $c1338 = $made(Entry, $c876, ["entry_tension", $c1345, false, "", "", "entry_tension", ""]);
-const $c1339 = $made(Entry, $c876, ["exit_tension", $c1345, false, "", "", "exit_tension", ""]);
-const $c1346 = $made(Quantity, $c143, ["force", null]);
-const $c1340 = $made(Entry, $c876, ["effective_tension", $c1346, false, "", "", "effective_tension", ""]);
-const $c1347 = $made(Quantity, $c143, ["power", null]);
-const $c1341 = $made(Entry, $c876, ["power", $c1347, false, "", "", "power", ""]);
-const $c1349 = $made(Quantity, $c143, ["force", null]);
-const $c1348 = $made(ByName, $c884, [$c1349, 200]);
-const $c1342 = $made(Entry, $c876, ["run", $c1348, false, "", "", "run", ""]);
-const $c1581 = ["first", "second", "words"];
-const $c1584 = $made(Limit, $c882, ["number", -100.0, 100.0, false, false]);
-const $c1582 = $made(Quantity, $c143, ["number", $c1584]);
-const $c1583 = $made(Quantity, $c143, ["power", null]);
-const $c1351 = $made(Either, $c1581, [$c1582, $c1583, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1350 = $made(Rows, $c915, [$c1351, 1, 10]);
-const $c1343 = $made(Entry, $c876, ["share", $c1350, false, "", "", "share", ""]);
-const $c1353 = $made(SpeedList, [], []);
-const $c1344 = $made(Entry, $c876, ["speeds", $c1353, false, "", "", "speeds", ""]);
-const $c1336 = [$c1338, $c1339, $c1340, $c1341, $c1342, $c1343, $c1344];
-const $c1337 = new Map([["entry_tension", $c1338], ["exit_tension", $c1339], ["effective_tension", $c1340], ["power", $c1341], ["run", $c1342], ["share", $c1343], ["speeds", $c1344]]);
-const $c1335 = $made(tables$Table, $c861, [null, $c1336, $c1337]);
-const $c1334 = $made(Entry, $c876, ["train", $c1335, false, "", "", "train", ""]);
-const $c1332 = [$c1229, $c1230, $c1231, $c1232, $c1233, $c1334];
-const $c1333 = new Map([["name", $c1229], ["description", $c1230], ["kind", $c1231], ["condition", $c1232], ["pulley", $c1233], ["train", $c1334]]);
-const $c1331 = $made(tables$Table, $c861, [null, $c1332, $c1333]);
-const $c1330 = $made(Rows, $c915, [$c1331, 1, 1000]);
-const $c1328 = $made(Entry, $c876, ["load_case", $c1330, false, "", "", "load_case", ""]);
-const $c1360 = $made(Quantity, $c143, ["length", $c199]);
-const $c1359 = $made(Rows, $c915, [$c1360, 1, 10]);
-const $c1357 = $made(Entry, $c876, ["diameters", $c1359, false, "", "", "diameters", ""]);
-const $c1376 = ["converter"];
-const $c1375 = $made(Choice, $c899, [$c1376]);
-const $c1364 = $made(Entry, $c876, ["kind", $c1375, true, "", "", "kind", ""]);
-const $c814 = $made(Limit, $c882, ["power", 0.0, 1000000000.0, true, false]);
-const $c1377 = $made(Quantity, $c143, ["power", $c814]);
-const $c1365 = $made(Entry, $c876, ["rated_power", $c1377, true, "", "", "rated_power", ""]);
-const $c815 = $made(Limit, $c882, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1378 = $made(Quantity, $c143, ["rotation_speed", $c815]);
-const $c1366 = $made(Entry, $c876, ["rated_speed", $c1378, true, "", "", "rated_speed", ""]);
-const $c816 = $made(Limit, $c882, ["number", 0.0, 10000.0, true, false]);
-const $c1379 = $made(Quantity, $c143, ["number", $c816]);
-const $c1367 = $made(Entry, $c876, ["gear_ratio", $c1379, false, "", "", "gear_ratio", ""]);
-const $c817 = $made(Limit, $c882, ["number", 0.05, 1.0, false, false]);
-const $c1380 = $made(Quantity, $c143, ["number", $c817]);
-const $c1368 = $made(Entry, $c876, ["gear_efficiency", $c1380, false, "", "", "gear_efficiency", ""]);
-const $c818 = $made(Limit, $c882, ["number", 0.05, 1.0, false, false]);
-const $c1381 = $made(Quantity, $c143, ["number", $c818]);
-const $c1369 = $made(Entry, $c876, ["motor_efficiency", $c1381, false, "", "", "motor_efficiency", ""]);
-const $c1382 = $made(Count, $c1223, [1, 8]);
-const $c1370 = $made(Entry, $c876, ["count", $c1382, false, "", "", "count", ""]);
-const $c1383 = $made(Flag, [], []);
-const $c1371 = $made(Entry, $c876, ["brakes", $c1383, false, "", "", "brakes", ""]);
-const $c820 = $made(Limit, $c882, ["number", 0.01, 3.0, false, false]);
-const $c1384 = $made(Quantity, $c143, ["number", $c820]);
-const $c1372 = $made(Entry, $c876, ["setting", $c1384, false, "", "", "setting", ""]);
-const $c821 = $made(Limit, $c882, ["number", 0.0, 0.5, false, false]);
-const $c1385 = $made(Quantity, $c143, ["number", $c821]);
-const $c1373 = $made(Entry, $c876, ["droop", $c1385, false, "", "", "droop", ""]);
-const $c822 = $made(Limit, $c882, ["number", 0.0, Infinity, true, true]);
-const $c1387 = $made(Quantity, $c143, ["number", $c822]);
-const $c1386 = $made(WordOr, $c913, ["rigid", $c1387, Infinity]);
-const $c1374 = $made(Entry, $c876, ["torque_limit", $c1386, false, "", "", "torque_limit", ""]);
-const $c1362 = [$c1364, $c1365, $c1366, $c1367, $c1368, $c1369, $c1370, $c1371, $c1372, $c1373, $c1374];
-const $c1363 = new Map([["kind", $c1364], ["rated_power", $c1365], ["rated_speed", $c1366], ["gear_ratio", $c1367], ["gear_efficiency", $c1368], ["motor_efficiency", $c1369], ["count", $c1370], ["brakes", $c1371], ["setting", $c1372], ["droop", $c1373], ["torque_limit", $c1374]]);
-const $c801 = $made(tables$Table, $c861, [VariableSpeed, $c1362, $c1363]);
-const $c1400 = ["induction"];
-const $c1399 = $made(Choice, $c899, [$c1400]);
-const $c1390 = $made(Entry, $c876, ["kind", $c1399, true, "", "", "kind", ""]);
-const $c1401 = $made(Quantity, $c143, ["power", $c814]);
-const $c1391 = $made(Entry, $c876, ["rated_power", $c1401, true, "", "", "rated_power", ""]);
-const $c1402 = $made(Quantity, $c143, ["rotation_speed", $c815]);
-const $c1392 = $made(Entry, $c876, ["rated_speed", $c1402, true, "", "", "rated_speed", ""]);
-const $c1403 = $made(Quantity, $c143, ["number", $c816]);
-const $c1393 = $made(Entry, $c876, ["gear_ratio", $c1403, false, "", "", "gear_ratio", ""]);
-const $c1404 = $made(Quantity, $c143, ["number", $c817]);
-const $c1394 = $made(Entry, $c876, ["gear_efficiency", $c1404, false, "", "", "gear_efficiency", ""]);
-const $c1405 = $made(Quantity, $c143, ["number", $c818]);
-const $c1395 = $made(Entry, $c876, ["motor_efficiency", $c1405, false, "", "", "motor_efficiency", ""]);
-const $c1406 = $made(Flag, [], []);
-const $c1396 = $made(Entry, $c876, ["brakes", $c1406, false, "", "", "brakes", ""]);
-const $c1408 = $made(Limit, $c882, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1407 = $made(Quantity, $c143, ["rotation_speed", $c1408]);
-const $c1397 = $made(Entry, $c876, ["synchronous_speed", $c1407, true, "", "", "synchronous_speed", ""]);
-const $c1410 = $made(Limit, $c882, ["number", 1.1, 10.0, false, false]);
-const $c1409 = $made(Quantity, $c143, ["number", $c1410]);
-const $c1398 = $made(Entry, $c876, ["breakdown_ratio", $c1409, false, "", "", "breakdown_ratio", ""]);
-const $c1388 = [$c1390, $c1391, $c1392, $c1393, $c1394, $c1395, $c1370, $c1396, $c1397, $c1398];
-const $c1389 = new Map([["kind", $c1390], ["rated_power", $c1391], ["rated_speed", $c1392], ["gear_ratio", $c1393], ["gear_efficiency", $c1394], ["motor_efficiency", $c1395], ["count", $c1370], ["brakes", $c1396], ["synchronous_speed", $c1397], ["breakdown_ratio", $c1398]]);
-const $c802 = $made(tables$Table, $c861, [Induction, $c1388, $c1389]);
-const $c1425 = ["fluid-coupling"];
-const $c1424 = $made(Choice, $c899, [$c1425]);
-const $c1413 = $made(Entry, $c876, ["kind", $c1424, true, "", "", "kind", ""]);
-const $c1426 = $made(Quantity, $c143, ["power", $c814]);
-const $c1414 = $made(Entry, $c876, ["rated_power", $c1426, true, "", "", "rated_power", ""]);
-const $c1427 = $made(Quantity, $c143, ["rotation_speed", $c815]);
-const $c1415 = $made(Entry, $c876, ["rated_speed", $c1427, true, "", "", "rated_speed", ""]);
-const $c1428 = $made(Quantity, $c143, ["number", $c816]);
-const $c1416 = $made(Entry, $c876, ["gear_ratio", $c1428, false, "", "", "gear_ratio", ""]);
-const $c1429 = $made(Quantity, $c143, ["number", $c817]);
-const $c1417 = $made(Entry, $c876, ["gear_efficiency", $c1429, false, "", "", "gear_efficiency", ""]);
-const $c1430 = $made(Quantity, $c143, ["number", $c818]);
-const $c1418 = $made(Entry, $c876, ["motor_efficiency", $c1430, false, "", "", "motor_efficiency", ""]);
-const $c1431 = $made(Flag, [], []);
-const $c1419 = $made(Entry, $c876, ["brakes", $c1431, false, "", "", "brakes", ""]);
-const $c1432 = $made(Quantity, $c143, ["rotation_speed", $c1408]);
-const $c1420 = $made(Entry, $c876, ["synchronous_speed", $c1432, true, "", "", "synchronous_speed", ""]);
-const $c1433 = $made(Quantity, $c143, ["number", $c1410]);
-const $c1421 = $made(Entry, $c876, ["breakdown_ratio", $c1433, false, "", "", "breakdown_ratio", ""]);
-const $c1436 = $made(Limit, $c882, ["number", 0.0, 10.0, false, false]);
-const $c1435 = $made(Quantity, $c143, ["number", $c1436]);
-const $c1434 = $made(Rows, $c915, [$c1435, 2, 200]);
-const $c1422 = $made(Entry, $c876, ["coupling_load", $c1434, true, "", "", "coupling_load", ""]);
-const $c1423 = $made(Entry, $c876, ["coupling_slip", $c1434, true, "", "", "coupling_slip", ""]);
-const $c1411 = [$c1413, $c1414, $c1415, $c1416, $c1417, $c1418, $c1370, $c1419, $c1420, $c1421, $c1422, $c1423];
-const $c1412 = new Map([["kind", $c1413], ["rated_power", $c1414], ["rated_speed", $c1415], ["gear_ratio", $c1416], ["gear_efficiency", $c1417], ["motor_efficiency", $c1418], ["count", $c1370], ["brakes", $c1419], ["synchronous_speed", $c1420], ["breakdown_ratio", $c1421], ["coupling_load", $c1422], ["coupling_slip", $c1423]]);
-const $c803 = $made(tables$Table, $c861, [FluidCoupling, $c1411, $c1412]);
-const $c1443 = ["follower"];
-const $c1442 = $made(Choice, $c899, [$c1443]);
-const $c1439 = $made(Entry, $c876, ["kind", $c1442, true, "", "", "kind", ""]);
-const $c1444 = $made(Name, $c887, [60]);
-const $c1440 = $made(Entry, $c876, ["master", $c1444, true, "", "", "master", ""]);
-const $c831 = $made(Limit, $c882, ["number", -10.0, 10.0, false, false]);
-const $c1445 = $made(Quantity, $c143, ["number", $c831]);
-const $c1441 = $made(Entry, $c876, ["ratio", $c1445, false, "", "", "ratio", ""]);
-const $c1437 = [$c1439, $c1440, $c1441];
-const $c1438 = new Map([["kind", $c1439], ["master", $c1440], ["ratio", $c1441]]);
-const $c804 = $made(tables$Table, $c861, [TorqueFollower, $c1437, $c1438]);
-const $c96 = new Map([["converter", $c801], ["induction", $c802], ["fluid-coupling", $c803], ["follower", $c804]]);
-const $c97 = $made(Variant, $c1018, ["kind", $c96]);
-const $c1361 = $made(ByName, $c884, [$c97, 200]);
-const $c1358 = $made(Entry, $c876, ["motor", $c1361, false, "", "", "motor", ""]);
-const $c1355 = [$c1338, $c1339, $c1340, $c1341, $c1342, $c1343, $c1344, $c1357, $c1358];
-const $c1356 = new Map([["entry_tension", $c1338], ["exit_tension", $c1339], ["effective_tension", $c1340], ["power", $c1341], ["run", $c1342], ["share", $c1343], ["speeds", $c1344], ["diameters", $c1357], ["motor", $c1358]]);
-const $c1354 = $made(tables$Table, $c861, [null, $c1355, $c1356]);
-const $c1329 = $made(Entry, $c876, ["train", $c1354, false, "", "", "train", ""]);
-const $c1326 = [$c864, $c865, $c866, $c867, $c868, $c869, $c870, $c871, $c1328, $c873, $c545, $c546, $c547, $c548, $c1329, $c875];
-const $c1327 = new Map([["format", $c864], ["title", $c865], ["description", $c866], ["creep_limit", $c867], ["condition", $c868], ["belt", $c869], ["pulley", $c870], ["lagging", $c871], ["load_case", $c1328], ["conveyor", $c873], ["take_up", $c545], ["design_standard", $c546], ["safety_factor", $c547], ["sag", $c548], ["train", $c1329], ["motion", $c875]]);
-const $c38 = $made(tables$Table, $c861, [Drive, $c1326, $c1327]);
+const $c1362 = $made(Quantity, $c149, ["force", $c215]);
+const $c1355 = $made(Entry, $c895, ["entry_tension", $c1362, false, "", "", "entry_tension", ""]);
+const $c1356 = $made(Entry, $c895, ["exit_tension", $c1362, false, "", "", "exit_tension", ""]);
+const $c1363 = $made(Quantity, $c149, ["force", null]);
+const $c1357 = $made(Entry, $c895, ["effective_tension", $c1363, false, "", "", "effective_tension", ""]);
+const $c1364 = $made(Quantity, $c149, ["power", null]);
+const $c1358 = $made(Entry, $c895, ["power", $c1364, false, "", "", "power", ""]);
+const $c1366 = $made(Quantity, $c149, ["force", null]);
+const $c1365 = $made(ByName, $c903, [$c1366, 200]);
+const $c1359 = $made(Entry, $c895, ["run", $c1365, false, "", "", "run", ""]);
+const $c1598 = ["first", "second", "words"];
+const $c1601 = $made(Limit, $c901, ["number", -100.0, 100.0, false, false]);
+const $c1599 = $made(Quantity, $c149, ["number", $c1601]);
+const $c1600 = $made(Quantity, $c149, ["power", null]);
+const $c1368 = $made(Either, $c1598, [$c1599, $c1600, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1367 = $made(Rows, $c933, [$c1368, 1, 10]);
+const $c1360 = $made(Entry, $c895, ["share", $c1367, false, "", "", "share", ""]);
+const $c1370 = $made(SpeedList, [], []);
+const $c1361 = $made(Entry, $c895, ["speeds", $c1370, false, "", "", "speeds", ""]);
+const $c1353 = [$c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361];
+const $c1354 = new Map([["entry_tension", $c1355], ["exit_tension", $c1356], ["effective_tension", $c1357], ["power", $c1358], ["run", $c1359], ["share", $c1360], ["speeds", $c1361]]);
+const $c1352 = $made(tables$Table, $c880, [null, $c1353, $c1354]);
+const $c1351 = $made(Entry, $c895, ["train", $c1352, false, "", "", "train", ""]);
+const $c1349 = [$c1246, $c1247, $c1248, $c1249, $c1250, $c1351];
+const $c1350 = new Map([["name", $c1246], ["description", $c1247], ["kind", $c1248], ["condition", $c1249], ["pulley", $c1250], ["train", $c1351]]);
+const $c1348 = $made(tables$Table, $c880, [null, $c1349, $c1350]);
+const $c1347 = $made(Rows, $c933, [$c1348, 1, 1000]);
+const $c1345 = $made(Entry, $c895, ["load_case", $c1347, false, "", "", "load_case", ""]);
+const $c1377 = $made(Quantity, $c149, ["length", $c205]);
+const $c1376 = $made(Rows, $c933, [$c1377, 1, 10]);
+const $c1374 = $made(Entry, $c895, ["diameters", $c1376, false, "", "", "diameters", ""]);
+const $c1393 = ["converter"];
+const $c1392 = $made(Choice, $c917, [$c1393]);
+const $c1381 = $made(Entry, $c895, ["kind", $c1392, true, "", "", "kind", ""]);
+const $c833 = $made(Limit, $c901, ["power", 0.0, 1000000000.0, true, false]);
+const $c1394 = $made(Quantity, $c149, ["power", $c833]);
+const $c1382 = $made(Entry, $c895, ["rated_power", $c1394, true, "", "", "rated_power", ""]);
+const $c834 = $made(Limit, $c901, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1395 = $made(Quantity, $c149, ["rotation_speed", $c834]);
+const $c1383 = $made(Entry, $c895, ["rated_speed", $c1395, true, "", "", "rated_speed", ""]);
+const $c835 = $made(Limit, $c901, ["number", 0.0, 10000.0, true, false]);
+const $c1396 = $made(Quantity, $c149, ["number", $c835]);
+const $c1384 = $made(Entry, $c895, ["gear_ratio", $c1396, false, "", "", "gear_ratio", ""]);
+const $c836 = $made(Limit, $c901, ["number", 0.05, 1.0, false, false]);
+const $c1397 = $made(Quantity, $c149, ["number", $c836]);
+const $c1385 = $made(Entry, $c895, ["gear_efficiency", $c1397, false, "", "", "gear_efficiency", ""]);
+const $c837 = $made(Limit, $c901, ["number", 0.05, 1.0, false, false]);
+const $c1398 = $made(Quantity, $c149, ["number", $c837]);
+const $c1386 = $made(Entry, $c895, ["motor_efficiency", $c1398, false, "", "", "motor_efficiency", ""]);
+const $c1399 = $made(Count, $c1240, [1, 8]);
+const $c1387 = $made(Entry, $c895, ["count", $c1399, false, "", "", "count", ""]);
+const $c1400 = $made(Flag, [], []);
+const $c1388 = $made(Entry, $c895, ["brakes", $c1400, false, "", "", "brakes", ""]);
+const $c839 = $made(Limit, $c901, ["number", 0.01, 3.0, false, false]);
+const $c1401 = $made(Quantity, $c149, ["number", $c839]);
+const $c1389 = $made(Entry, $c895, ["setting", $c1401, false, "", "", "setting", ""]);
+const $c840 = $made(Limit, $c901, ["number", 0.0, 0.5, false, false]);
+const $c1402 = $made(Quantity, $c149, ["number", $c840]);
+const $c1390 = $made(Entry, $c895, ["droop", $c1402, false, "", "", "droop", ""]);
+const $c841 = $made(Limit, $c901, ["number", 0.0, Infinity, true, true]);
+const $c1404 = $made(Quantity, $c149, ["number", $c841]);
+const $c1403 = $made(WordOr, $c931, ["rigid", $c1404, Infinity]);
+const $c1391 = $made(Entry, $c895, ["torque_limit", $c1403, false, "", "", "torque_limit", ""]);
+const $c1379 = [$c1381, $c1382, $c1383, $c1384, $c1385, $c1386, $c1387, $c1388, $c1389, $c1390, $c1391];
+const $c1380 = new Map([["kind", $c1381], ["rated_power", $c1382], ["rated_speed", $c1383], ["gear_ratio", $c1384], ["gear_efficiency", $c1385], ["motor_efficiency", $c1386], ["count", $c1387], ["brakes", $c1388], ["setting", $c1389], ["droop", $c1390], ["torque_limit", $c1391]]);
+const $c820 = $made(tables$Table, $c880, [VariableSpeed, $c1379, $c1380]);
+const $c1417 = ["induction"];
+const $c1416 = $made(Choice, $c917, [$c1417]);
+const $c1407 = $made(Entry, $c895, ["kind", $c1416, true, "", "", "kind", ""]);
+const $c1418 = $made(Quantity, $c149, ["power", $c833]);
+const $c1408 = $made(Entry, $c895, ["rated_power", $c1418, true, "", "", "rated_power", ""]);
+const $c1419 = $made(Quantity, $c149, ["rotation_speed", $c834]);
+const $c1409 = $made(Entry, $c895, ["rated_speed", $c1419, true, "", "", "rated_speed", ""]);
+const $c1420 = $made(Quantity, $c149, ["number", $c835]);
+const $c1410 = $made(Entry, $c895, ["gear_ratio", $c1420, false, "", "", "gear_ratio", ""]);
+const $c1421 = $made(Quantity, $c149, ["number", $c836]);
+const $c1411 = $made(Entry, $c895, ["gear_efficiency", $c1421, false, "", "", "gear_efficiency", ""]);
+const $c1422 = $made(Quantity, $c149, ["number", $c837]);
+const $c1412 = $made(Entry, $c895, ["motor_efficiency", $c1422, false, "", "", "motor_efficiency", ""]);
+const $c1423 = $made(Flag, [], []);
+const $c1413 = $made(Entry, $c895, ["brakes", $c1423, false, "", "", "brakes", ""]);
+const $c1425 = $made(Limit, $c901, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1424 = $made(Quantity, $c149, ["rotation_speed", $c1425]);
+const $c1414 = $made(Entry, $c895, ["synchronous_speed", $c1424, true, "", "", "synchronous_speed", ""]);
+const $c1427 = $made(Limit, $c901, ["number", 1.1, 10.0, false, false]);
+const $c1426 = $made(Quantity, $c149, ["number", $c1427]);
+const $c1415 = $made(Entry, $c895, ["breakdown_ratio", $c1426, false, "", "", "breakdown_ratio", ""]);
+const $c1405 = [$c1407, $c1408, $c1409, $c1410, $c1411, $c1412, $c1387, $c1413, $c1414, $c1415];
+const $c1406 = new Map([["kind", $c1407], ["rated_power", $c1408], ["rated_speed", $c1409], ["gear_ratio", $c1410], ["gear_efficiency", $c1411], ["motor_efficiency", $c1412], ["count", $c1387], ["brakes", $c1413], ["synchronous_speed", $c1414], ["breakdown_ratio", $c1415]]);
+const $c821 = $made(tables$Table, $c880, [Induction, $c1405, $c1406]);
+const $c1442 = ["fluid-coupling"];
+const $c1441 = $made(Choice, $c917, [$c1442]);
+const $c1430 = $made(Entry, $c895, ["kind", $c1441, true, "", "", "kind", ""]);
+const $c1443 = $made(Quantity, $c149, ["power", $c833]);
+const $c1431 = $made(Entry, $c895, ["rated_power", $c1443, true, "", "", "rated_power", ""]);
+const $c1444 = $made(Quantity, $c149, ["rotation_speed", $c834]);
+const $c1432 = $made(Entry, $c895, ["rated_speed", $c1444, true, "", "", "rated_speed", ""]);
+const $c1445 = $made(Quantity, $c149, ["number", $c835]);
+const $c1433 = $made(Entry, $c895, ["gear_ratio", $c1445, false, "", "", "gear_ratio", ""]);
+const $c1446 = $made(Quantity, $c149, ["number", $c836]);
+const $c1434 = $made(Entry, $c895, ["gear_efficiency", $c1446, false, "", "", "gear_efficiency", ""]);
+const $c1447 = $made(Quantity, $c149, ["number", $c837]);
+const $c1435 = $made(Entry, $c895, ["motor_efficiency", $c1447, false, "", "", "motor_efficiency", ""]);
+const $c1448 = $made(Flag, [], []);
+const $c1436 = $made(Entry, $c895, ["brakes", $c1448, false, "", "", "brakes", ""]);
+const $c1449 = $made(Quantity, $c149, ["rotation_speed", $c1425]);
+const $c1437 = $made(Entry, $c895, ["synchronous_speed", $c1449, true, "", "", "synchronous_speed", ""]);
+const $c1450 = $made(Quantity, $c149, ["number", $c1427]);
+const $c1438 = $made(Entry, $c895, ["breakdown_ratio", $c1450, false, "", "", "breakdown_ratio", ""]);
+const $c1453 = $made(Limit, $c901, ["number", 0.0, 10.0, false, false]);
+const $c1452 = $made(Quantity, $c149, ["number", $c1453]);
+const $c1451 = $made(Rows, $c933, [$c1452, 2, 200]);
+const $c1439 = $made(Entry, $c895, ["coupling_load", $c1451, true, "", "", "coupling_load", ""]);
+const $c1440 = $made(Entry, $c895, ["coupling_slip", $c1451, true, "", "", "coupling_slip", ""]);
+const $c1428 = [$c1430, $c1431, $c1432, $c1433, $c1434, $c1435, $c1387, $c1436, $c1437, $c1438, $c1439, $c1440];
+const $c1429 = new Map([["kind", $c1430], ["rated_power", $c1431], ["rated_speed", $c1432], ["gear_ratio", $c1433], ["gear_efficiency", $c1434], ["motor_efficiency", $c1435], ["count", $c1387], ["brakes", $c1436], ["synchronous_speed", $c1437], ["breakdown_ratio", $c1438], ["coupling_load", $c1439], ["coupling_slip", $c1440]]);
+const $c822 = $made(tables$Table, $c880, [FluidCoupling, $c1428, $c1429]);
+const $c1460 = ["follower"];
+const $c1459 = $made(Choice, $c917, [$c1460]);
+const $c1456 = $made(Entry, $c895, ["kind", $c1459, true, "", "", "kind", ""]);
+const $c1461 = $made(Name, $c905, [60]);
+const $c1457 = $made(Entry, $c895, ["master", $c1461, true, "", "", "master", ""]);
+const $c850 = $made(Limit, $c901, ["number", -10.0, 10.0, false, false]);
+const $c1462 = $made(Quantity, $c149, ["number", $c850]);
+const $c1458 = $made(Entry, $c895, ["ratio", $c1462, false, "", "", "ratio", ""]);
+const $c1454 = [$c1456, $c1457, $c1458];
+const $c1455 = new Map([["kind", $c1456], ["master", $c1457], ["ratio", $c1458]]);
+const $c823 = $made(tables$Table, $c880, [TorqueFollower, $c1454, $c1455]);
+const $c102 = new Map([["converter", $c820], ["induction", $c821], ["fluid-coupling", $c822], ["follower", $c823]]);
+const $c103 = $made(Variant, $c1035, ["kind", $c102]);
+const $c1378 = $made(ByName, $c903, [$c103, 200]);
+const $c1375 = $made(Entry, $c895, ["motor", $c1378, false, "", "", "motor", ""]);
+const $c1372 = [$c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361, $c1374, $c1375];
+const $c1373 = new Map([["entry_tension", $c1355], ["exit_tension", $c1356], ["effective_tension", $c1357], ["power", $c1358], ["run", $c1359], ["share", $c1360], ["speeds", $c1361], ["diameters", $c1374], ["motor", $c1375]]);
+const $c1371 = $made(tables$Table, $c880, [null, $c1372, $c1373]);
+const $c1346 = $made(Entry, $c895, ["train", $c1371, false, "", "", "train", ""]);
+const $c1343 = [$c883, $c884, $c885, $c886, $c887, $c888, $c889, $c890, $c1345, $c892, $c554, $c555, $c556, $c557, $c1346, $c894];
+const $c1344 = new Map([["format", $c883], ["title", $c884], ["description", $c885], ["creep_limit", $c886], ["condition", $c887], ["belt", $c888], ["pulley", $c889], ["lagging", $c890], ["load_case", $c1345], ["conveyor", $c892], ["take_up", $c554], ["design_standard", $c555], ["safety_factor", $c556], ["sag", $c557], ["train", $c1346], ["motion", $c894]]);
+const $c38 = $made(tables$Table, $c880, [Drive, $c1343, $c1344]);
 const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c42 = ["illustrative", "calibrated", "estimated"];
 const $c43 = new WeakMap();
-const $c584 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
-const $c557 = $made(Rule, $c584, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
-const $c558 = $made(Rule, $c584, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
-const $c559 = $made(Rule, $c584, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
-const $c560 = $made(Rule, $c584, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
-const $c561 = $made(Rule, $c584, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
-const $c562 = $made(Rule, $c584, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
-const $c563 = $made(Rule, $c584, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
-const $c564 = $made(Rule, $c584, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
-const $c565 = $made(Rule, $c584, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
-const $c566 = $made(Rule, $c584, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c567 = $made(Rule, $c584, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c568 = $made(Rule, $c584, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
-const $c569 = $made(Rule, $c584, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
-const $c570 = $made(Rule, $c584, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
-const $c571 = $made(Rule, $c584, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
-const $c572 = $made(Rule, $c584, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
-const $c573 = $made(Rule, $c584, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
-const $c574 = $made(Rule, $c584, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c575 = $made(Rule, $c584, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
-const $c576 = $made(Rule, $c584, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
-const $c577 = $made(Rule, $c584, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
-const $c578 = $made(Rule, $c584, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
-const $c579 = $made(Rule, $c584, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
-const $c580 = $made(Rule, $c584, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
-const $c581 = $made(Rule, $c584, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
-const $c582 = $made(Rule, $c584, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
-const $c583 = $made(Rule, $c584, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c44 = new Map([["gross_slip", $c557], ["design_standard", $c558], ["creep", $c559], ["cover_creep", $c560], ["creep_interval", $c561], ["belt_tension", $c562], ["momentary_tension", $c563], ["belt_safety", $c564], ["face_pressure", $c565], ["bond_stress", $c566], ["fatigue_stress", $c567], ["tested_pressure_max", $c568], ["tested_pressure_min", $c569], ["condition", $c570], ["fit", $c571], ["tested_slip", $c572], ["tested_slip_speed", $c573], ["balance", $c574], ["sag", $c575], ["taut", $c576], ["pulley_diameter", $c577], ["belt_thickness", $c578], ["usual_sizes", $c579], ["motor_load", $c580], ["momentary_load", $c581], ["motor_heat", $c582], ["train_balance", $c583]]);
+const $c593 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
+const $c566 = $made(Rule, $c593, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
+const $c567 = $made(Rule, $c593, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
+const $c568 = $made(Rule, $c593, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
+const $c569 = $made(Rule, $c593, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
+const $c570 = $made(Rule, $c593, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
+const $c571 = $made(Rule, $c593, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
+const $c572 = $made(Rule, $c593, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
+const $c573 = $made(Rule, $c593, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
+const $c574 = $made(Rule, $c593, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
+const $c575 = $made(Rule, $c593, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c576 = $made(Rule, $c593, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
+const $c577 = $made(Rule, $c593, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
+const $c578 = $made(Rule, $c593, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
+const $c579 = $made(Rule, $c593, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
+const $c580 = $made(Rule, $c593, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
+const $c581 = $made(Rule, $c593, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
+const $c582 = $made(Rule, $c593, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
+const $c583 = $made(Rule, $c593, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c584 = $made(Rule, $c593, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
+const $c585 = $made(Rule, $c593, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
+const $c586 = $made(Rule, $c593, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
+const $c587 = $made(Rule, $c593, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
+const $c588 = $made(Rule, $c593, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
+const $c589 = $made(Rule, $c593, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
+const $c590 = $made(Rule, $c593, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
+const $c591 = $made(Rule, $c593, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
+const $c592 = $made(Rule, $c593, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
+const $c44 = new Map([["gross_slip", $c566], ["design_standard", $c567], ["creep", $c568], ["cover_creep", $c569], ["creep_interval", $c570], ["belt_tension", $c571], ["momentary_tension", $c572], ["belt_safety", $c573], ["face_pressure", $c574], ["bond_stress", $c575], ["fatigue_stress", $c576], ["tested_pressure_max", $c577], ["tested_pressure_min", $c578], ["condition", $c579], ["fit", $c580], ["tested_slip", $c581], ["tested_slip_speed", $c582], ["balance", $c583], ["sag", $c584], ["taut", $c585], ["pulley_diameter", $c586], ["belt_thickness", $c587], ["usual_sizes", $c588], ["motor_load", $c589], ["momentary_load", $c590], ["motor_heat", $c591], ["train_balance", $c592]]);
 const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
 const $c46 = ["Speed"];
 const $c47 = ["Motor"];
-const $c585 = ["by creep", "The belt slides (creep of {slides})"];
-const $c586 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
-const $c587 = ["by the largest friction", "The friction of the whole wrap is used up"];
-const $c48 = new Map([[0, $c585], [1, $c586], [2, $c587]]);
-const $c590 = [180.0, 1.2];
-const $c591 = [200.0, 1.0];
-const $c592 = [210.0, 1.0];
-const $c593 = [220.0, 0.9];
-const $c594 = [240.0, 0.8];
-const $c588 = [$c590, $c591, $c592, $c593, $c594];
-const $c595 = [180.0, 0.8];
-const $c596 = [200.0, 0.7];
-const $c597 = [210.0, 0.7];
-const $c598 = [220.0, 0.6];
-const $c599 = [240.0, 0.6];
-const $c589 = [$c595, $c596, $c597, $c598, $c599];
-const $c49 = new Map([["bare", $c588], ["lagged", $c589]]);
-const $c621 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c622 = [0.25, 0.25];
-const $c623 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c600 = $made(DesignFriction, $c621, ["CEMA", "bare", "", $c622, $c623]);
-const $c624 = [0.35, 0.35];
-const $c625 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c601 = $made(DesignFriction, $c621, ["CEMA", "rubber", "", $c624, $c625]);
-const $c626 = [0.5, 0.5];
-const $c627 = $made(Provenance, $c544, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c602 = $made(DesignFriction, $c621, ["CEMA", "ceramic", "", $c626, $c627]);
-const $c628 = [0.35, 0.4];
-const $c629 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c603 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "dry", $c628, $c629]);
-const $c630 = [0.1, 0.1];
-const $c631 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c604 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "wet", $c630, $c631]);
-const $c632 = [0.05, 0.1];
-const $c633 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c605 = $made(DesignFriction, $c621, ["DIN 22101", "bare", "wet and dirty", $c632, $c633]);
-const $c634 = [0.4, 0.45];
-const $c635 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c606 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "dry", $c634, $c635]);
-const $c636 = [0.35, 0.35];
-const $c637 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c607 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "wet", $c636, $c637]);
-const $c638 = [0.25, 0.3];
-const $c639 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c608 = $made(DesignFriction, $c621, ["DIN 22101", "rubber", "wet and dirty", $c638, $c639]);
-const $c640 = [0.35, 0.4];
-const $c641 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c609 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "dry", $c640, $c641]);
-const $c642 = [0.35, 0.35];
-const $c643 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c610 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "wet", $c642, $c643]);
-const $c644 = [0.2, 0.2];
-const $c645 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c611 = $made(DesignFriction, $c621, ["DIN 22101", "polyurethane", "wet and dirty", $c644, $c645]);
-const $c646 = [0.4, 0.45];
-const $c647 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c612 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "dry", $c646, $c647]);
-const $c648 = [0.35, 0.4];
-const $c649 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c613 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "wet", $c648, $c649]);
-const $c650 = [0.35, 0.35];
-const $c651 = $made(Provenance, $c544, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c614 = $made(DesignFriction, $c621, ["DIN 22101", "ceramic", "wet and dirty", $c650, $c651]);
-const $c652 = [0.35, 0.35];
-const $c653 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c615 = $made(DesignFriction, $c621, ["practice", "rubber", "dry", $c652, $c653]);
-const $c654 = [0.35, 0.35];
-const $c655 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c616 = $made(DesignFriction, $c621, ["practice", "rubber", "wet", $c654, $c655]);
-const $c656 = [0.3, 0.3];
-const $c657 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c617 = $made(DesignFriction, $c621, ["practice", "rubber", "wet and dirty", $c656, $c657]);
-const $c658 = [0.8, 0.8];
-const $c659 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c618 = $made(DesignFriction, $c621, ["practice", "ceramic", "dry", $c658, $c659]);
-const $c660 = [0.45, 0.45];
-const $c661 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c619 = $made(DesignFriction, $c621, ["practice", "ceramic", "wet", $c660, $c661]);
-const $c662 = [0.35, 0.35];
-const $c663 = $made(Provenance, $c544, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c620 = $made(DesignFriction, $c621, ["practice", "ceramic", "wet and dirty", $c662, $c663]);
-const $c50 = [$c600, $c601, $c602, $c603, $c604, $c605, $c606, $c607, $c608, $c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620];
+const $c594 = ["by creep", "The belt slides (creep of {slides})"];
+const $c595 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
+const $c596 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c48 = new Map([[0, $c594], [1, $c595], [2, $c596]]);
+const $c599 = [180.0, 1.2];
+const $c600 = [200.0, 1.0];
+const $c601 = [210.0, 1.0];
+const $c602 = [220.0, 0.9];
+const $c603 = [240.0, 0.8];
+const $c597 = [$c599, $c600, $c601, $c602, $c603];
+const $c604 = [180.0, 0.8];
+const $c605 = [200.0, 0.7];
+const $c606 = [210.0, 0.7];
+const $c607 = [220.0, 0.6];
+const $c608 = [240.0, 0.6];
+const $c598 = [$c604, $c605, $c606, $c607, $c608];
+const $c49 = new Map([["bare", $c597], ["lagged", $c598]]);
+const $c630 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c631 = [0.25, 0.25];
+const $c632 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c609 = $made(DesignFriction, $c630, ["CEMA", "bare", "", $c631, $c632]);
+const $c633 = [0.35, 0.35];
+const $c634 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c610 = $made(DesignFriction, $c630, ["CEMA", "rubber", "", $c633, $c634]);
+const $c635 = [0.5, 0.5];
+const $c636 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c611 = $made(DesignFriction, $c630, ["CEMA", "ceramic", "", $c635, $c636]);
+const $c637 = [0.35, 0.4];
+const $c638 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c612 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "dry", $c637, $c638]);
+const $c639 = [0.1, 0.1];
+const $c640 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c613 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "wet", $c639, $c640]);
+const $c641 = [0.05, 0.1];
+const $c642 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c614 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "wet and dirty", $c641, $c642]);
+const $c643 = [0.4, 0.45];
+const $c644 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c615 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "dry", $c643, $c644]);
+const $c645 = [0.35, 0.35];
+const $c646 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c616 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "wet", $c645, $c646]);
+const $c647 = [0.25, 0.3];
+const $c648 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c617 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "wet and dirty", $c647, $c648]);
+const $c649 = [0.35, 0.4];
+const $c650 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c618 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "dry", $c649, $c650]);
+const $c651 = [0.35, 0.35];
+const $c652 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c619 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "wet", $c651, $c652]);
+const $c653 = [0.2, 0.2];
+const $c654 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c620 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "wet and dirty", $c653, $c654]);
+const $c655 = [0.4, 0.45];
+const $c656 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c621 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "dry", $c655, $c656]);
+const $c657 = [0.35, 0.4];
+const $c658 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c622 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "wet", $c657, $c658]);
+const $c659 = [0.35, 0.35];
+const $c660 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c623 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "wet and dirty", $c659, $c660]);
+const $c661 = [0.35, 0.35];
+const $c662 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c624 = $made(DesignFriction, $c630, ["practice", "rubber", "dry", $c661, $c662]);
+const $c663 = [0.35, 0.35];
+const $c664 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c625 = $made(DesignFriction, $c630, ["practice", "rubber", "wet", $c663, $c664]);
+const $c665 = [0.3, 0.3];
+const $c666 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c626 = $made(DesignFriction, $c630, ["practice", "rubber", "wet and dirty", $c665, $c666]);
+const $c667 = [0.8, 0.8];
+const $c668 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c627 = $made(DesignFriction, $c630, ["practice", "ceramic", "dry", $c667, $c668]);
+const $c669 = [0.45, 0.45];
+const $c670 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c628 = $made(DesignFriction, $c630, ["practice", "ceramic", "wet", $c669, $c670]);
+const $c671 = [0.35, 0.35];
+const $c672 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c629 = $made(DesignFriction, $c630, ["practice", "ceramic", "wet and dirty", $c671, $c672]);
+const $c50 = [$c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629];
 const $c51 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $c52 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
 const $c53 = ["Transition", "GrippingPulley"];
-const $c679 = [1.0, 2.0];
-const $c680 = [5000.0, 5000000.0];
-const $c681 = [0.0004, 0.025];
-const $c682 = [0.0004, 0.035];
-const $c683 = [0.0004, 0.03];
-const $c684 = [0.0015, 0.06];
-const $c685 = [300000.0, 5000000.0];
-const $c664 = new Map([["momentary_factor", $c679], ["in_plane_shear_stiffness", $c680], ["pulley_cover", $c681], ["carry_cover", $c682], ["carcass", $c683], ["thickness", $c684], ["cover_shear_modulus", $c685]]);
-const $c686 = [0.2, 8.0];
-const $c665 = new Map([["sheave_ratio", $c686]]);
-const $c687 = [0.1, 0.9];
-const $c688 = [1.0, 2.5];
-const $c666 = new Map([["friction", $c687], ["start_factor", $c688]]);
-const $c689 = [1.05, 6.0];
-const $c690 = [1.0, 4.0];
-const $c667 = new Map([["running", $c689], ["starting", $c690], ["braking", $c690]]);
-const $c691 = [0.3, 8.0];
-const $c692 = [1.0, 3000.0];
-const $c693 = [0.002, 0.05];
-const $c668 = new Map([["spacing", $c691], ["line_mass", $c692], ["share", $c693]]);
-const $c694 = [1.0, 9.5];
-const $c695 = [1.05, 2.5];
-const $c669 = new Map([["length_coefficient", $c694], ["start_factor", $c695]]);
-const $c696 = [300000.0, 100000000.0];
-const $c697 = [1e-13, 1e-10];
-const $c698 = [0.01, 1.0];
-const $c670 = new Map([["elastic_modulus", $c696], ["wear_coefficient", $c697], ["belt_energy_share", $c698]]);
-const $c699 = [0.002, 0.5];
-const $c700 = [0.0005, 0.06];
-const $c701 = [0.1, 4.0];
-const $c702 = [0.15, 1.0];
-const $c671 = new Map([["width", $c699], ["height", $c700], ["stiffening", $c701], ["contact_fraction", $c702]]);
-const $c703 = [0.05, 200.0];
-const $c672 = new Map([["area", $c703]]);
-const $c704 = [0.05, 1.3];
-const $c673 = new Map([["factor", $c704]]);
-const $c705 = [0.3, 500.0];
-const $c674 = new Map([["distance", $c705]]);
-const $c706 = [0.2, 20.0];
-const $c707 = [0.08726646259971647, 1.2217304763960306];
-const $c708 = [0.05, 2.0];
-const $c675 = new Map([["length", $c706], ["trough_angle", $c707], ["centre_roll", $c708]]);
-const $c709 = [-0.01, 0.01];
-const $c710 = [-0.005, 0.005];
-const $c676 = new Map([["misalignment", $c709], ["deflection", $c710]]);
-const $c711 = [1.0, 250.0];
-const $c712 = [0.6, 1.0];
-const $c713 = [0.5, 1.0];
-const $c714 = [0.001, 0.15];
-const $c715 = [0.8, 4.0];
-const $c716 = [1.5, 5.0];
-const $c677 = new Map([["gear_ratio", $c711], ["gear_efficiency", $c712], ["motor_efficiency", $c713], ["droop", $c714], ["torque_limit", $c715], ["breakdown_ratio", $c716]]);
-const $c717 = [0.1, 5.0];
-const $c678 = new Map([["ratio", $c717]]);
-const $c54 = new Map([["Belt", $c664], ["TakeUp", $c665], ["DesignStandard", $c666], ["SafetyFactors", $c667], ["Sag", $c668], ["Conveyor", $c669], ["Lagging", $c670], ["Block", $c671], ["Cost", $c672], ["ConditionFactor", $c673], ["GrippingPulley", $c674], ["Transition", $c675], ["Across", $c676], ["Motor", $c677], ["TorqueFollower", $c678]]);
-const $c718 = ["mm", "m", "cm", "in", "ft"];
-const $c719 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c720 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c721 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c722 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c723 = ["deg", "rad"];
-const $c724 = ["kW", "W", "hp", "MW"];
-const $c725 = ["t", "kg", "g"];
-const $c726 = ["kg/m", "g/m", "t/m"];
-const $c727 = ["t/h", "kg/s", "kg/h"];
-const $c728 = ["kg m2", "t m2", "kg cm2"];
-const $c729 = ["kN m", "N m", "MN m"];
-const $c730 = ["s", "min", "ms", "h"];
-const $c55 = new Map([["length", $c718], ["force", $c719], ["force_per_width", $c720], ["pressure", $c721], ["speed", $c722], ["angle", $c723], ["power", $c724], ["mass", $c725], ["mass_per_length", $c726], ["mass_flow", $c727], ["moment_of_inertia", $c728], ["torque", $c729], ["time", $c730]]);
+const $c688 = [1.0, 2.0];
+const $c689 = [5000.0, 5000000.0];
+const $c690 = [0.0004, 0.025];
+const $c691 = [0.0004, 0.035];
+const $c692 = [0.0004, 0.03];
+const $c693 = [0.0015, 0.06];
+const $c694 = [300000.0, 5000000.0];
+const $c673 = new Map([["momentary_factor", $c688], ["in_plane_shear_stiffness", $c689], ["pulley_cover", $c690], ["carry_cover", $c691], ["carcass", $c692], ["thickness", $c693], ["cover_shear_modulus", $c694]]);
+const $c695 = [0.2, 8.0];
+const $c674 = new Map([["sheave_ratio", $c695]]);
+const $c696 = [0.1, 0.9];
+const $c697 = [1.0, 2.5];
+const $c675 = new Map([["friction", $c696], ["start_factor", $c697]]);
+const $c698 = [1.05, 6.0];
+const $c699 = [1.0, 4.0];
+const $c676 = new Map([["running", $c698], ["starting", $c699], ["braking", $c699]]);
+const $c700 = [0.3, 8.0];
+const $c701 = [1.0, 3000.0];
+const $c702 = [0.002, 0.05];
+const $c677 = new Map([["spacing", $c700], ["line_mass", $c701], ["share", $c702]]);
+const $c703 = [1.0, 9.5];
+const $c704 = [1.05, 2.5];
+const $c678 = new Map([["length_coefficient", $c703], ["start_factor", $c704]]);
+const $c705 = [300000.0, 100000000.0];
+const $c706 = [1e-13, 1e-10];
+const $c707 = [0.01, 1.0];
+const $c679 = new Map([["elastic_modulus", $c705], ["wear_coefficient", $c706], ["belt_energy_share", $c707]]);
+const $c708 = [0.002, 0.5];
+const $c709 = [0.0005, 0.06];
+const $c710 = [0.1, 4.0];
+const $c711 = [0.15, 1.0];
+const $c680 = new Map([["width", $c708], ["height", $c709], ["stiffening", $c710], ["contact_fraction", $c711]]);
+const $c712 = [0.05, 200.0];
+const $c681 = new Map([["area", $c712]]);
+const $c713 = [0.05, 1.3];
+const $c682 = new Map([["factor", $c713]]);
+const $c714 = [0.3, 500.0];
+const $c683 = new Map([["distance", $c714]]);
+const $c715 = [0.2, 20.0];
+const $c716 = [0.08726646259971647, 1.2217304763960306];
+const $c717 = [0.05, 2.0];
+const $c684 = new Map([["length", $c715], ["trough_angle", $c716], ["centre_roll", $c717]]);
+const $c718 = [-0.01, 0.01];
+const $c719 = [-0.005, 0.005];
+const $c685 = new Map([["misalignment", $c718], ["deflection", $c719]]);
+const $c720 = [1.0, 250.0];
+const $c721 = [0.6, 1.0];
+const $c722 = [0.5, 1.0];
+const $c723 = [0.001, 0.15];
+const $c724 = [0.8, 4.0];
+const $c725 = [1.5, 5.0];
+const $c686 = new Map([["gear_ratio", $c720], ["gear_efficiency", $c721], ["motor_efficiency", $c722], ["droop", $c723], ["torque_limit", $c724], ["breakdown_ratio", $c725]]);
+const $c726 = [0.1, 5.0];
+const $c687 = new Map([["ratio", $c726]]);
+const $c54 = new Map([["Belt", $c673], ["TakeUp", $c674], ["DesignStandard", $c675], ["SafetyFactors", $c676], ["Sag", $c677], ["Conveyor", $c678], ["Lagging", $c679], ["Block", $c680], ["Cost", $c681], ["ConditionFactor", $c682], ["GrippingPulley", $c683], ["Transition", $c684], ["Across", $c685], ["Motor", $c686], ["TorqueFollower", $c687]]);
+const $c727 = ["mm", "m", "cm", "in", "ft"];
+const $c728 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c729 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c730 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c731 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c732 = ["deg", "rad"];
+const $c733 = ["kW", "W", "hp", "MW"];
+const $c734 = ["t", "kg", "g"];
+const $c735 = ["kg/m", "g/m", "t/m"];
+const $c736 = ["t/h", "kg/s", "kg/h"];
+const $c737 = ["kg m2", "t m2", "kg cm2"];
+const $c738 = ["kN m", "N m", "MN m"];
+const $c739 = ["s", "min", "ms", "h"];
+const $c55 = new Map([["length", $c727], ["force", $c728], ["force_per_width", $c729], ["pressure", $c730], ["speed", $c731], ["angle", $c732], ["power", $c733], ["mass", $c734], ["mass_per_length", $c735], ["mass_flow", $c736], ["moment_of_inertia", $c737], ["torque", $c738], ["time", $c739]]);
 const $c56 = new Place("", "", "");
 const $c57 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c731 = ["rated power of the motor", "power"];
-const $c732 = ["rated speed of the motor", "rotation_speed"];
-const $c733 = ["speed of the drum over that of the belt", "number"];
-const $c58 = [$c731, $c732, $c733];
-const $c734 = [250.0, 20000000.0];
-const $c735 = [10.0, 400.0];
-const $c736 = [0.95, 1.05];
-const $c59 = [$c734, $c735, $c736];
-const $c737 = ["length", 3.0, 30000.0];
-const $c738 = ["lift", -1500.0, 1500.0];
-const $c739 = ["belt_mass", 3.0, 100.0];
-const $c740 = ["carry_idler_mass", 2.0, 60.0];
-const $c741 = ["return_idler_mass", 0.7, 30.0];
-const $c742 = ["material_mass", 0.5, 4000.0];
-const $c743 = ["capacity", 0.1, 15000.0];
-const $c744 = ["friction_factor", 0.01, 0.04];
-const $c745 = ["secondary_resistance", 10.0, 500000.0];
-const $c746 = ["special_resistance", 10.0, 200000.0];
-const $c747 = ["start_time", 1.0, 600.0];
-const $c748 = ["stop_time", 1.0, 600.0];
-const $c749 = ["take_up_tension", 300.0, 2000000.0];
-const $c750 = ["counterweight", 30.0, 200000.0];
-const $c60 = [$c737, $c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750];
+const $c740 = ["rated power of the motor", "power"];
+const $c741 = ["rated speed of the motor", "rotation_speed"];
+const $c742 = ["speed of the drum over that of the belt", "number"];
+const $c58 = [$c740, $c741, $c742];
+const $c743 = [250.0, 20000000.0];
+const $c744 = [10.0, 400.0];
+const $c745 = [0.95, 1.05];
+const $c59 = [$c743, $c744, $c745];
+const $c746 = ["length", 3.0, 30000.0];
+const $c747 = ["lift", -1500.0, 1500.0];
+const $c748 = ["belt_mass", 3.0, 100.0];
+const $c749 = ["carry_idler_mass", 2.0, 60.0];
+const $c750 = ["return_idler_mass", 0.7, 30.0];
+const $c751 = ["material_mass", 0.5, 4000.0];
+const $c752 = ["capacity", 0.1, 15000.0];
+const $c753 = ["friction_factor", 0.01, 0.04];
+const $c754 = ["secondary_resistance", 10.0, 500000.0];
+const $c755 = ["special_resistance", 10.0, 200000.0];
+const $c756 = ["start_time", 1.0, 600.0];
+const $c757 = ["stop_time", 1.0, 600.0];
+const $c758 = ["take_up_tension", 300.0, 2000000.0];
+const $c759 = ["counterweight", 30.0, 200000.0];
+const $c60 = [$c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758, $c759];
 const $c61 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $c766 = $made(Limit, $c882, ["speed", 0.0, Infinity, true, false]);
-const $c767 = $made(Limit, $c882, ["number", 0.01, 100.0, false, false]);
-const $c62 = new Map([["length", $c751], ["lift", $c752], ["belt_mass", $c753], ["carry_idler_mass", $c754], ["return_idler_mass", $c755], ["material_mass", $c753], ["capacity", $c756], ["friction_factor", $c757], ["length_coefficient", $c758], ["secondary_resistance", $c759], ["special_resistance", $c759], ["return_share", $c760], ["start_factor", $c761], ["start_time", $c762], ["stop_time", $c762], ["take_up_tension", $c763], ["counterweight", $c764], ["take_up_distance", $c765], ["speed", $c766], ["sheave_ratio", $c767]]);
-const $c768 = [0.2, 4.0];
-const $c769 = [100000.0, 1000000000.0];
-const $c770 = [0.05, 15.0];
-const $c771 = [0.15, 3.0];
-const $c772 = [0.17453292519943295, 4.71238898038469];
-const $c773 = [2.0943951023931953, 4.71238898038469];
-const $c774 = [0.0005, 0.061];
-const $c775 = [-0.002, 0.002];
-const $c776 = [0.0, 0.06];
-const $c777 = [100000.0, 50000000.0];
-const $c778 = [100000.0, 5000000000.0];
-const $c779 = [5000.0, 2000000.0];
-const $c780 = [10000.0, 50000000.0];
-const $c781 = [50000.0, 10000000.0];
-const $c782 = [0.1, 3.0];
-const $c783 = [500.0, 10000000.0];
-const $c784 = [4.0, 20.0];
-const $c785 = [15.0, 1000.0];
-const $c786 = [0.0, 1600000.0];
-const $c787 = [1.0, 130.0];
-const $c63 = [$c768, $c769, $c770, $c771, $c772, $c773, $c774, $c775, $c776, $c777, $c778, $c779, $c780, $c780, $c781, $c782, $c783, $c784, $c785, $c786, $c783, $c783, $c734, $c787];
-const $c792 = [500.0, 2000000.0];
-const $c788 = ["least tested pressure", "pressure", $c792];
-const $c793 = [10000.0, 10000000.0];
-const $c789 = ["largest tested pressure", "pressure", $c793];
-const $c794 = [5e-05, 0.3];
-const $c790 = ["largest tested slip", "length", $c794];
-const $c795 = [2e-06, 0.3];
-const $c791 = ["tested slip speed", "speed", $c795];
-const $c64 = new Map([["pressure_min", $c788], ["pressure_max", $c789], ["slip_max", $c790], ["slip_speed", $c791]]);
+const $c775 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
+const $c776 = $made(Limit, $c901, ["number", 0.01, 100.0, false, false]);
+const $c62 = new Map([["length", $c760], ["lift", $c761], ["belt_mass", $c762], ["carry_idler_mass", $c763], ["return_idler_mass", $c764], ["material_mass", $c762], ["capacity", $c765], ["friction_factor", $c766], ["length_coefficient", $c767], ["secondary_resistance", $c768], ["special_resistance", $c768], ["return_share", $c769], ["start_factor", $c770], ["start_time", $c771], ["stop_time", $c771], ["take_up_tension", $c772], ["counterweight", $c773], ["take_up_distance", $c774], ["speed", $c775], ["sheave_ratio", $c776]]);
+const $c777 = [0.2, 4.0];
+const $c778 = [100000.0, 1000000000.0];
+const $c779 = [0.05, 15.0];
+const $c780 = [0.15, 3.0];
+const $c781 = [0.17453292519943295, 4.71238898038469];
+const $c782 = [2.0943951023931953, 4.71238898038469];
+const $c783 = [0.0005, 0.061];
+const $c784 = [-0.002, 0.002];
+const $c785 = [0.0, 0.06];
+const $c786 = [100000.0, 50000000.0];
+const $c787 = [100000.0, 5000000000.0];
+const $c788 = [5000.0, 2000000.0];
+const $c789 = [10000.0, 50000000.0];
+const $c790 = [50000.0, 10000000.0];
+const $c791 = [0.1, 3.0];
+const $c792 = [500.0, 10000000.0];
+const $c793 = [4.0, 20.0];
+const $c794 = [15.0, 1000.0];
+const $c795 = [0.0, 1600000.0];
+const $c796 = [1.0, 130.0];
+const $c63 = [$c777, $c778, $c779, $c780, $c781, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c792, $c792, $c743, $c796];
+const $c801 = [500.0, 2000000.0];
+const $c797 = ["least tested pressure", "pressure", $c801];
+const $c802 = [10000.0, 10000000.0];
+const $c798 = ["largest tested pressure", "pressure", $c802];
+const $c803 = [5e-05, 0.3];
+const $c799 = ["largest tested slip", "length", $c803];
+const $c804 = [2e-06, 0.3];
+const $c800 = ["tested slip speed", "speed", $c804];
+const $c64 = new Map([["pressure_min", $c797], ["pressure_max", $c798], ["slip_max", $c799], ["slip_speed", $c800]]);
 const $c65 = [0.03, 1.9];
 const $c66 = ["force", "mass_per_length"];
 const $c67 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
@@ -8469,133 +9204,150 @@ const $c68 = new WeakMap();
 const $c69 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
 const $c70 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c71 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c72 = new WeakMap();
-const $c73 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
-const $c74 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c75 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
-const $c77 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c78 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c79 = new Map([["width", $c796], ["height", $c797], ["stiffening", $c798], ["contact_fraction", $c799]]);
-const $c82 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c83 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c85 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1457 = $made(Name, $c887, [60]);
-const $c1448 = $made(Entry, $c876, ["name", $c1457, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1458 = $made(Quantity, $c143, ["length", $c823]);
-const $c1449 = $made(Entry, $c876, ["thickness", $c1458, false, "", "", "thickness", ""]);
-const $c1459 = $made(Quantity, $c143, ["pressure", $c826]);
-const $c1450 = $made(Entry, $c876, ["elastic_modulus", $c1459, false, "", "", "elastic_modulus", ""]);
-const $c1461 = $made(Quantity, $c143, ["pressure", $c824]);
-const $c1460 = $made(WordOr, $c913, ["rigid", $c1461, Infinity]);
-const $c1451 = $made(Entry, $c876, ["shear_modulus", $c1460, false, "", "", "shear_modulus", ""]);
-const $c1463 = $made(Quantity, $c143, ["pressure", $c825]);
-const $c1462 = $made(WordOr, $c913, ["rigid", $c1463, Infinity]);
-const $c1452 = $made(Entry, $c876, ["compression_modulus", $c1462, false, "", "", "compression_modulus", ""]);
-const $c1464 = $made(Quantity, $c143, ["wear_coefficient", $c827]);
-const $c1453 = $made(Entry, $c876, ["wear_coefficient", $c1464, false, "", "", "wear_coefficient", ""]);
-const $c1465 = $made(Quantity, $c143, ["number", $c828]);
-const $c1454 = $made(Entry, $c876, ["belt_energy_share", $c1465, false, "", "", "belt_energy_share", ""]);
-const $c1466 = $made(Quantity, $c143, ["pressure", $c829]);
-const $c1455 = $made(Entry, $c876, ["bond_strength", $c1466, false, "", "", "bond_strength", ""]);
-const $c1467 = $made(Quantity, $c143, ["pressure", $c830]);
-const $c1456 = $made(Entry, $c876, ["fatigue_limit", $c1467, false, "", "", "fatigue_limit", ""]);
-const $c1446 = [$c864, $c1448, $c943, $c944, $c945, $c1449, $c1450, $c1451, $c1452, $c950, $c1453, $c1454, $c1455, $c1456, $c955, $c956, $c957, $c958, $c959, $c136, $c137, $c960];
-const $c1447 = new Map([["format", $c864], ["name", $c1448], ["title", $c943], ["description", $c944], ["surface", $c945], ["thickness", $c1449], ["elastic_modulus", $c1450], ["shear_modulus", $c1451], ["compression_modulus", $c1452], ["block", $c950], ["wear_coefficient", $c1453], ["belt_energy_share", $c1454], ["bond_strength", $c1455], ["fatigue_limit", $c1456], ["cost", $c955], ["slip_speed", $c956], ["temperature", $c957], ["condition_factor", $c958], ["law", $c959], ["provenance", $c136], ["sources", $c137], ["notes", $c960]]);
-const $c89 = $made(tables$Table, $c861, [Lagging, $c1446, $c1447]);
-const $c800 = ["compression_modulus", "block"];
-const $c90 = [$c800];
-const $c91 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c92 = new RunsGain(0.0, 0.0);
-const $c94 = ["effective_tension", "torque", "power"];
-const $c95 = ["share", "speeds", "motor"];
-const $c98 = ["data", "sense"];
-const $c99 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c100 = $Decimal.of("0");
-const $c101 = [""];
-const $c805 = ["form", "coefficients", "sign"];
-const $c806 = [0.0];
-const $c102 = $made(Trend, $c805, ["polynomial", $c806, 1]);
-const $c807 = [1000000000.0];
-const $c103 = $made(Trend, $c805, ["polynomial", $c807, 1]);
-const $c104 = new Map([["factor", $c808]]);
-const $c105 = new Map([["x", $c809], ["y", $c809], ["diameter", $c810]]);
-const $c811 = $made(Limit, $c882, ["force", 0.1, 1000000000.0, false, false]);
-const $c106 = new Map([["entry", $c206], ["exit", $c811]]);
-const $c107 = new Map([["creep_limit", $c812]]);
-const $c813 = $made(Limit, $c882, ["length", 0.0, Infinity, true, false]);
-const $c108 = new Map([["creep_limit", $c813]]);
-const $c819 = $made(Limit, $c882, ["number", 1, 8, false, false]);
-const $c109 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819]]);
-const $c110 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819], ["setting", $c820], ["droop", $c821], ["torque_limit", $c822]]);
-const $c111 = new Map([["thickness", $c823], ["shear_modulus", $c824], ["compression_modulus", $c825], ["elastic_modulus", $c826], ["wear_coefficient", $c827], ["belt_energy_share", $c828], ["bond_strength", $c829], ["fatigue_limit", $c830]]);
-const $c112 = new Map([["ratio", $c831]]);
-const $c113 = new Map([["entry_tension", $c206], ["exit_tension", $c811]]);
-const $c114 = new Map([["sheave_ratio", $c832]]);
-const $c115 = new Map([["friction", $c833], ["start_factor", $c834]]);
-const $c116 = new Map([["running", $c834], ["starting", $c834], ["braking", $c834]]);
-const $c117 = ["of"];
-const $c138 = ["key", "kind", "example", "attribute"];
-const $c145 = ["dimension", "least"];
-const $c147 = ["word", "kind"];
-const $c178 = ["kind"];
-const $c835 = ["balance", "train_balance", "across_balance"];
-const $c836 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c837 = ["gross_slip", "operating_point", "fight"];
-const $c838 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1468 = [false, false];
-const $c1469 = [true, false];
-const $c1470 = [true, true];
-const $c1471 = [false, true];
-const $c839 = new Map([["polynomial", $c1468], ["logarithmic", $c1469], ["power", $c1470], ["exponential", $c1471]]);
-const $c844 = $made(_OfClass, [], []);
-const $c845 = new Map([[10, null], [9, null]]);
-const $c846 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
-const $c1472 = [80.0, 1.92];
-const $c1473 = [90.0, 1.86];
-const $c1474 = [100.0, 1.78];
-const $c1475 = [120.0, 1.7];
-const $c1476 = [140.0, 1.63];
-const $c1477 = [160.0, 1.56];
-const $c1478 = [180.0, 1.5];
-const $c1479 = [200.0, 1.45];
-const $c1480 = [250.0, 1.38];
-const $c1481 = [300.0, 1.31];
-const $c1482 = [350.0, 1.27];
-const $c1483 = [400.0, 1.25];
-const $c1484 = [450.0, 1.22];
-const $c1485 = [500.0, 1.2];
-const $c1486 = [550.0, 1.18];
-const $c1487 = [600.0, 1.17];
-const $c1488 = [700.0, 1.14];
-const $c1489 = [800.0, 1.12];
-const $c1490 = [900.0, 1.1];
-const $c1491 = [1000.0, 1.09];
-const $c1492 = [1500.0, 1.06];
-const $c1493 = [2000.0, 1.05];
-const $c849 = [$c1472, $c1473, $c1474, $c1475, $c1476, $c1477, $c1478, $c1479, $c1480, $c1481, $c1482, $c1483, $c1484, $c1485, $c1486, $c1487, $c1488, $c1489, $c1490, $c1491, $c1492, $c1493];
-const $c1494 = $made(Limit, $c882, ["number", 0.0, Infinity, false, false]);
-const $c1495 = $made(Limit, $c882, ["number", 1.0, Infinity, false, false]);
-const $c851 = new Map([["residual_noise", $c1494], ["coverage_factor", $c1495]]);
-const $c852 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c853 = $Decimal.of("0");
-const $c854 = new Map([["misalignment", $c1181], ["deflection", $c1183]]);
-const $c855 = new Map([["diameter", $c199], ["wrap_angle", $c201], ["overrun", $c212], ["creep_limit", $c215], ["mass", $c218]]);
-const $c856 = new Map([["spacing", $c1319], ["line_mass", $c1321], ["share", $c1323]]);
-const $c857 = new Map([["material", $c996], ["installation", $c998], ["area", $c1001]]);
-const $c1496 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
-const $c858 = new Map([["factor", $c1496]]);
-const $c859 = new Map([["rated_power", $c814], ["rated_speed", $c815], ["gear_ratio", $c816], ["gear_efficiency", $c817], ["motor_efficiency", $c818], ["count", $c819], ["synchronous_speed", $c1408], ["breakdown_ratio", $c1410]]);
-const $c860 = new Map([["length", $c1207], ["trough_angle", $c1209], ["centre_roll", $c1211]]);
-const $c1177 = ["dimension"];
-const $c1352 = ["words"];
-const $c1497 = [0.016, 0.03];
-const $c1498 = new Map([["distance", $c1196]]);
-const $c1588 = $made(Limit, $c882, ["number", 0.0, 10.0, true, false]);
-const $c1586 = $made(Quantity, $c143, ["number", $c1588]);
-const $c1589 = $made(Limit, $c882, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1587 = $made(Quantity, $c143, ["rotation_speed", $c1589]);
-const $c1585 = $made(Either, $c1581, [$c1586, $c1587, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1499 = $made(Rows, $c915, [$c1585, 1, 10]);
+const $c72 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
+const $c73 = new WeakMap();
+const $c808 = ["name", "surface", "material", "life_years", "provenance"];
+const $c809 = [1, 2];
+const $c810 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c805 = $made(LaggingCost, $c808, ["rubber", "rubber", 625, $c809, $c810]);
+const $c811 = [10, 10];
+const $c812 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c806 = $made(LaggingCost, $c808, ["ceramic, cold bonded", "ceramic", 4600, $c811, $c812]);
+const $c813 = [10, 10];
+const $c814 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c807 = $made(LaggingCost, $c808, ["ceramic, hot vulcanised", "ceramic", 4950, $c813, $c814]);
+const $c74 = [$c805, $c806, $c807];
+const $c75 = $made(Provenance, $c553, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
+const $c76 = $made(Provenance, $c553, ["given", "", "", ""]);
+const $c77 = $made(Provenance, $c553, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
+const $c78 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
+const $c79 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
+const $c80 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c81 = ["name", "title", "description", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit"];
+const $c83 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c84 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c85 = new Map([["width", $c815], ["height", $c816], ["stiffening", $c817], ["contact_fraction", $c818]]);
+const $c88 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c89 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c91 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1474 = $made(Name, $c905, [60]);
+const $c1465 = $made(Entry, $c895, ["name", $c1474, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1475 = $made(Quantity, $c149, ["length", $c842]);
+const $c1466 = $made(Entry, $c895, ["thickness", $c1475, false, "", "", "thickness", ""]);
+const $c1476 = $made(Quantity, $c149, ["pressure", $c845]);
+const $c1467 = $made(Entry, $c895, ["elastic_modulus", $c1476, false, "", "", "elastic_modulus", ""]);
+const $c1478 = $made(Quantity, $c149, ["pressure", $c843]);
+const $c1477 = $made(WordOr, $c931, ["rigid", $c1478, Infinity]);
+const $c1468 = $made(Entry, $c895, ["shear_modulus", $c1477, false, "", "", "shear_modulus", ""]);
+const $c1480 = $made(Quantity, $c149, ["pressure", $c844]);
+const $c1479 = $made(WordOr, $c931, ["rigid", $c1480, Infinity]);
+const $c1469 = $made(Entry, $c895, ["compression_modulus", $c1479, false, "", "", "compression_modulus", ""]);
+const $c1481 = $made(Quantity, $c149, ["wear_coefficient", $c846]);
+const $c1470 = $made(Entry, $c895, ["wear_coefficient", $c1481, false, "", "", "wear_coefficient", ""]);
+const $c1482 = $made(Quantity, $c149, ["number", $c847]);
+const $c1471 = $made(Entry, $c895, ["belt_energy_share", $c1482, false, "", "", "belt_energy_share", ""]);
+const $c1483 = $made(Quantity, $c149, ["pressure", $c848]);
+const $c1472 = $made(Entry, $c895, ["bond_strength", $c1483, false, "", "", "bond_strength", ""]);
+const $c1484 = $made(Quantity, $c149, ["pressure", $c849]);
+const $c1473 = $made(Entry, $c895, ["fatigue_limit", $c1484, false, "", "", "fatigue_limit", ""]);
+const $c1463 = [$c883, $c1465, $c960, $c961, $c962, $c1466, $c1467, $c1468, $c1469, $c967, $c1470, $c1471, $c1472, $c1473, $c972, $c973, $c974, $c975, $c976, $c142, $c143, $c977];
+const $c1464 = new Map([["format", $c883], ["name", $c1465], ["title", $c960], ["description", $c961], ["surface", $c962], ["thickness", $c1466], ["elastic_modulus", $c1467], ["shear_modulus", $c1468], ["compression_modulus", $c1469], ["block", $c967], ["wear_coefficient", $c1470], ["belt_energy_share", $c1471], ["bond_strength", $c1472], ["fatigue_limit", $c1473], ["cost", $c972], ["slip_speed", $c973], ["temperature", $c974], ["condition_factor", $c975], ["law", $c976], ["provenance", $c142], ["sources", $c143], ["notes", $c977]]);
+const $c95 = $made(tables$Table, $c880, [Lagging, $c1463, $c1464]);
+const $c819 = ["compression_modulus", "block"];
+const $c96 = [$c819];
+const $c97 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c98 = new RunsGain(0.0, 0.0);
+const $c100 = ["effective_tension", "torque", "power"];
+const $c101 = ["share", "speeds", "motor"];
+const $c104 = ["data", "sense"];
+const $c105 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c106 = $Decimal.of("0");
+const $c107 = [""];
+const $c824 = ["form", "coefficients", "sign"];
+const $c825 = [0.0];
+const $c108 = $made(Trend, $c824, ["polynomial", $c825, 1]);
+const $c826 = [1000000000.0];
+const $c109 = $made(Trend, $c824, ["polynomial", $c826, 1]);
+const $c110 = new Map([["factor", $c827]]);
+const $c111 = new Map([["x", $c828], ["y", $c828], ["diameter", $c829]]);
+const $c830 = $made(Limit, $c901, ["force", 0.1, 1000000000.0, false, false]);
+const $c112 = new Map([["entry", $c215], ["exit", $c830]]);
+const $c113 = new Map([["creep_limit", $c831]]);
+const $c832 = $made(Limit, $c901, ["length", 0.0, Infinity, true, false]);
+const $c114 = new Map([["creep_limit", $c832]]);
+const $c838 = $made(Limit, $c901, ["number", 1, 8, false, false]);
+const $c115 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838]]);
+const $c116 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838], ["setting", $c839], ["droop", $c840], ["torque_limit", $c841]]);
+const $c117 = new Map([["thickness", $c842], ["shear_modulus", $c843], ["compression_modulus", $c844], ["elastic_modulus", $c845], ["wear_coefficient", $c846], ["belt_energy_share", $c847], ["bond_strength", $c848], ["fatigue_limit", $c849]]);
+const $c118 = new Map([["ratio", $c850]]);
+const $c119 = new Map([["entry_tension", $c215], ["exit_tension", $c830]]);
+const $c120 = new Map([["sheave_ratio", $c851]]);
+const $c121 = new Map([["friction", $c852], ["start_factor", $c853]]);
+const $c122 = new Map([["running", $c853], ["starting", $c853], ["braking", $c853]]);
+const $c123 = ["of"];
+const $c144 = ["key", "kind", "example", "attribute"];
+const $c151 = ["dimension", "least"];
+const $c153 = ["word", "kind"];
+const $c184 = ["kind"];
+const $c210 = ["text"];
+const $c854 = ["balance", "train_balance", "across_balance"];
+const $c855 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c856 = ["gross_slip", "operating_point", "fight"];
+const $c857 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1485 = [false, false];
+const $c1486 = [true, false];
+const $c1487 = [true, true];
+const $c1488 = [false, true];
+const $c858 = new Map([["polynomial", $c1485], ["logarithmic", $c1486], ["power", $c1487], ["exponential", $c1488]]);
+const $c863 = $made(_OfClass, [], []);
+const $c864 = new Map([[10, null], [9, null]]);
+const $c865 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
+const $c1489 = [80.0, 1.92];
+const $c1490 = [90.0, 1.86];
+const $c1491 = [100.0, 1.78];
+const $c1492 = [120.0, 1.7];
+const $c1493 = [140.0, 1.63];
+const $c1494 = [160.0, 1.56];
+const $c1495 = [180.0, 1.5];
+const $c1496 = [200.0, 1.45];
+const $c1497 = [250.0, 1.38];
+const $c1498 = [300.0, 1.31];
+const $c1499 = [350.0, 1.27];
+const $c1500 = [400.0, 1.25];
+const $c1501 = [450.0, 1.22];
+const $c1502 = [500.0, 1.2];
+const $c1503 = [550.0, 1.18];
+const $c1504 = [600.0, 1.17];
+const $c1505 = [700.0, 1.14];
+const $c1506 = [800.0, 1.12];
+const $c1507 = [900.0, 1.1];
+const $c1508 = [1000.0, 1.09];
+const $c1509 = [1500.0, 1.06];
+const $c1510 = [2000.0, 1.05];
+const $c868 = [$c1489, $c1490, $c1491, $c1492, $c1493, $c1494, $c1495, $c1496, $c1497, $c1498, $c1499, $c1500, $c1501, $c1502, $c1503, $c1504, $c1505, $c1506, $c1507, $c1508, $c1509, $c1510];
+const $c1511 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
+const $c1512 = $made(Limit, $c901, ["number", 1.0, Infinity, false, false]);
+const $c870 = new Map([["residual_noise", $c1511], ["coverage_factor", $c1512]]);
+const $c871 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c872 = $Decimal.of("0");
+const $c873 = new Map([["misalignment", $c1198], ["deflection", $c1200]]);
+const $c874 = new Map([["diameter", $c205], ["wrap_angle", $c207], ["overrun", $c221], ["creep_limit", $c224], ["mass", $c227]]);
+const $c875 = new Map([["spacing", $c1336], ["line_mass", $c1338], ["share", $c1340]]);
+const $c876 = new Map([["material", $c1013], ["installation", $c1015], ["area", $c1018]]);
+const $c1513 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
+const $c877 = new Map([["factor", $c1513]]);
+const $c878 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838], ["synchronous_speed", $c1425], ["breakdown_ratio", $c1427]]);
+const $c879 = new Map([["length", $c1224], ["trough_angle", $c1226], ["centre_roll", $c1228]]);
+const $c1194 = ["dimension"];
+const $c1369 = ["words"];
+const $c1514 = [0.016, 0.03];
+const $c1515 = new Map([["distance", $c1213]]);
+const $c1605 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
+const $c1603 = $made(Quantity, $c149, ["number", $c1605]);
+const $c1606 = $made(Limit, $c901, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1604 = $made(Quantity, $c149, ["rotation_speed", $c1606]);
+const $c1602 = $made(Either, $c1598, [$c1603, $c1604, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1516 = $made(Rows, $c933, [$c1602, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
@@ -8604,10 +9356,10 @@ $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c104;
+Condition.LIMITS = Condition.prototype.LIMITS = $c110;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c105;
+Point.LIMITS = Point.prototype.LIMITS = $c111;
 $sig(_UnitTextError, ["message", "remedy"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
@@ -8618,12 +9370,12 @@ Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c106;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c112;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c107;
+Drive.LIMITS = Drive.prototype.LIMITS = $c113;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c108;
+Train.LIMITS = Train.prototype.LIMITS = $c114;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
@@ -8633,7 +9385,7 @@ in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c109;
+Motor.LIMITS = Motor.prototype.LIMITS = $c115;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
@@ -8643,15 +9395,22 @@ Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
 Asked.$compared = Asked.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c110;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c116;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
 LeastTension.$compared = LeastTension.$names;
 Verdict.$compared = Verdict.$names;
 Row.$compared = Row.$names;
 Table.$compared = Table.$names;
-TestedRange.$compared = TestedRange.$names;
 FrictionLaw.$compared = FrictionLaw.$names;
+Constant.$compared = Constant.$names;
+Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
+PressurePower.$compared = PressurePower.$names;
+PressurePower.title = PressurePower.prototype.title = "power of pressure";
+ClassicalDrive.$compared = ClassicalDrive.$names;
+Input.$compared = Input.$names;
+$sig(Sources, [], false);
+TestedRange.$compared = TestedRange.$names;
 MeasuredTable.$compared = MeasuredTable.$names;
 MeasuredTable.title = MeasuredTable.prototype.title = "measured table";
 _Term.$compared = _Term.$names;
@@ -8663,75 +9422,74 @@ IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c111;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c117;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c112;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c118;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c113;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c119;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Description.$compared = Description.$names;
+CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c114;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c120;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c115;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c121;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c116;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c122;
 $sig(Kind.prototype.built, ["value", "report"], true);
-$sig(tables$Table, ["title", "of", "on_one_line"], false);
+$sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
 Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c854;
+Across.LIMITS = Across.prototype.LIMITS = $c873;
 DimensionText.$compared = DimensionText.$names;
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c855;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c874;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c856;
+Sag.LIMITS = Sag.prototype.LIMITS = $c875;
 Conveyor.$compared = Conveyor.$names;
 Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c62;
 Rule.$compared = Rule.$names;
 DesignFriction.$compared = DesignFriction.$names;
+LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c857;
+Cost.LIMITS = Cost.prototype.LIMITS = $c876;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c79;
+Block.LIMITS = Block.prototype.LIMITS = $c85;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c858;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c877;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c859;
+Induction.LIMITS = Induction.prototype.LIMITS = $c878;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c860;
+Transition.LIMITS = Transition.prototype.LIMITS = $c879;
 State.$compared = State.$names;
 Resistance.$compared = Resistance.$names;
-Constant.$compared = Constant.$names;
-Constant.title = Constant.prototype.title = "constant friction (Euler-Eytelwein)";
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
-PressurePower.$compared = PressurePower.$names;
-PressurePower.title = PressurePower.prototype.title = "power of pressure";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1498;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1515;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1499;
-CompactLaw.$compared = CompactLaw.$names;
+SpeedList.rows = SpeedList.prototype.rows = $c1516;
 $sig(_Pair, ["dimension"], false);
+$sig(sheet__row_of, null);
+$sig(sheet__between, ["name", "first", "last", "form"], false);
 export { drive_file__drive_from_document as readDrive };
 export { file__train_from_document as readTrain };
 export { InputError as InputError };
@@ -8759,4 +9517,7 @@ export { least_tension__least_table as leastTable };
 export { least_tension__shown_least as shownLeast };
 export { checks_table__check_table as checkTable };
 export { words__short as short };
+export { drive_sheet__summary_table as summaryTable };
+export { drive_sheet__arc_tables as arcTables };
+export { Sources as Sources };
 export { words__alone_of as aloneOf };

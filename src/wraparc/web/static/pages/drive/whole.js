@@ -1,143 +1,10 @@
 // A judged drive as an answer of the server tells one, for what the page has put together itself.
-import { app } from "../../base/design.js";
-import { cellOf } from "../../base/digits.js";
-import { cell__percent as percent, cell__quantity as quantity } from "../../cells.js";
+import { arcTables, Sources, summaryTable } from "../../reader.js";
 import { leastAlone, leastTold } from "./least.js";
-import { barsOf, checkTable, remarksOf, verdictOf } from "./words.js";
+import { barsOf, checkTable, driveIn, remarksOf, resultsIn, tableOf, verdictOf } from "./words.js";
 
 /** @import { Assembled, FullAnswer, FullArc, QuickAnswer } from "../../types.d.ts" */
-/** @import { Table, TableRow } from "../../types.d.ts" */
 /** @import { Judged } from "./judge.js" */
-
-/** Numbers of an arc that stand in tables, by the table. @type {[string, string, string[]][]} */
-const TABLES = [
-  [
-    "capacity",
-    "Capacity",
-    [
-      ...["creep_limit_capacity", "creep_limit_margin", "equivalent_friction"],
-      ...["tested_slip_capacity", "tested_slip_margin", "gross_slip_capacity"],
-      ...["gross_slip_margin", "least_exit_tension", "largest_effective_tension"],
-    ],
-  ],
-  [
-    "answer",
-    "Result",
-    [
-      ...["exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip"],
-      ...["peak_shear_angle", "peak_shear_stress", "mean_friction", "active_arc", "k_factor"],
-      ...["entry_tension", "exit_tension", "effective_tension", "tension_ratio"],
-      ...["resultant_force", "resultant_angle", "belt_safety"],
-      ...["most_shaft_load", "least_shaft_load"],
-    ],
-  ],
-  [
-    "energy",
-    "Energy",
-    [
-      ...["transmitted_power", "sliding_power", "shear_loss", "power_loss", "efficiency"],
-      ...["frictional_energy", "wear_rate"],
-    ],
-  ],
-];
-/** A value with its unit; what has no bound or is none is said. @param {string} name
- * @param {number} v */
-function told(name, v) {
-  const { dimension } = app.form.glossary[name];
-  if (name === "efficiency") return percent(v, 4);
-  return quantity(v, dimension);
-}
-/** @param {Record<string, number>} numbers @returns {Table[]} */
-const tablesOf = (numbers) =>
-  TABLES.map(([key, title, names]) => {
-    const known = names.filter(
-      (n) => app.form.glossary[n] && !Number.isNaN(numbers[n] ?? Number.NaN),
-    );
-    const rows = known.map((name) => {
-      const { title, symbol } = app.form.glossary[name];
-      return row(name, title, symbol, [told(name, numbers[name])]);
-    });
-    return { key, name: "", title, heads: [""], note: "", rows };
-  });
-/** @param {string} name @param {string} title @param {string} symbol @param {string[]} cells
- * @param {any} [note] @param {any} [level] @returns {TableRow} */
-const row = (name, title, symbol, cells, note = "", level = null) => ({
-  ...{ name, title, symbol, note, level },
-  values: cells,
-});
-
-/** Numbers that an arc was found from, by their names in the glossary. */
-const GIVEN = {
-  belt_width: "width",
-  belt_modulus: "modulus",
-  belt_speed: "speed",
-  diameter: "diameter",
-  wrap_angle: "wrap_angle",
-  lagging_thickness: "thickness",
-  shear_modulus: "shear_modulus",
-  compression_modulus: "compression_modulus",
-  creep_limit: "creep_limit",
-};
-/** What an arc was found from: a sheet of paper has no form.
- * @param {Assembled["cases"][number]} c @returns {Table} */
-function inputsOf({ prepared: { given }, condition, lagging: of, belt }) {
-  const numbers = Object.entries(GIVEN).map(
-    ([name, key]) => /** @type {const} */ ([name, +given[key]]),
-  );
-  const lagging = `${of} (${condition})`;
-  const rows = numbers
-    .filter(([name, v]) => !Number.isNaN(v) && app.form.glossary[name])
-    .map(([name, v]) => {
-      const { title, symbol } = app.form.glossary[name];
-      return row(name, title, symbol, [Number.isFinite(v) ? told(name, v) : "rigid"]);
-    });
-  const words = [row("", "Belt", "", [belt]), row("", "Lagging", "", [lagging])];
-  const shown = [...words, ...rows];
-  return { key: "inputs", name: "", title: "Inputs", heads: [""], note: "", rows: shown };
-}
-
-/** All load cases side by side, and all pulleys. @param {Judged} judged
- * @returns {Table | null} */
-function summaryOf(judged) {
-  const { arcs } = judged;
-  if (arcs.length < 2) return null;
-  const several = arcs.some((a) => a.pulley !== arcs[0].pulley);
-  const rows = arcs.map((arc, i) => {
-    const { load_case, pulley, solved, numbers: n } = arc;
-    const { level, short } = verdictOf(judged, load_case, pulley);
-    const limit = +judged.of.cases[i].prepared.given.creep_limit;
-    const part = Math.abs(n.exit_creep) / limit;
-    const creep = solved ? [bare(n.exit_creep, "length"), percent(part)] : ["-", "-"];
-    const cells = [
-      ...[bare(n.entry_tension, "force"), bare(n.exit_tension, "force"), bare(n.tension_ratio)],
-      ...[...creep, several ? "-" : leastIn(judged, i), short],
-    ];
-    return row("", several ? `${load_case}: ${pulley}` : load_case, "", cells, "", level);
-  });
-  const [force, length] = ["force", "length"].map((of) => cellOf(0, of, undefined, "unit"));
-  const heads = [
-    ...[`T1 [${force}]`, `T2 [${force}]`, "T1/T2", `creep [${length}]`],
-    ...["of limit", `least T2 [${force}]`, ""],
-  ];
-  return {
-    key: "summary",
-    name: "cases",
-    title: several ? "All load cases and pulleys" : "All load cases",
-    heads,
-    note: "",
-    rows,
-  };
-}
-/** Least slack-side tension of one arc alone. @param {Judged} judged @param {number} i */
-function leastIn(judged, i) {
-  const found = leastAlone(judged, i);
-  if (!found) return "-";
-  if (!Number.isFinite(found.tension)) return "none";
-  return cellOf(found.tension, "force", undefined, "bare up");
-}
-/** A value in the unit of its table. @param {number} v @param {string} [dimension] */
-const bare = (v, dimension = "number") =>
-  Number.isFinite(v) ? cellOf(v, dimension, undefined, "bare") : quantity(v, dimension);
 
 /**
  * The answer of a drive that the page has put together.
@@ -156,7 +23,7 @@ export function wholeOf(judged) {
     conditions: null,
     checks: checkTable(judged),
     least_tension,
-    summary: summaryOf(judged),
+    summary: arcs.length > 1 ? tableOf(summaryTable([driveIn(judged.result)]), "summary") : null,
     sources: judged.of.kinds.map((kind) => ({ kind })),
     remarks: remarksOf(judged),
     judging: null,
@@ -167,8 +34,12 @@ function arcOf(judged, i) {
   const { load_case, pulley, solved, numbers } = judged.arcs[i];
   const { level, levels, short } = verdictOf(judged, load_case, pulley);
   const c = judged.of.cases[i];
-  // in gross slip there is no state at rest to tell of
-  const told = tablesOf(numbers).filter((t) => solved || t.key === "capacity");
+  /** @type {Pick<FullArc, "tables" | "table_sources"> | null} */
+  let made = null;
+  const told = () => {
+    made ??= tablesOf(judged, i);
+    return made;
+  };
   return {
     pulley,
     load_case,
@@ -181,10 +52,21 @@ function arcOf(judged, i) {
     profile: {},
     tested: c.tested,
     outside: [],
-    tables: [...told.filter((t) => t.rows.length > 0), inputsOf(c)],
-    table_sources: [],
+    // while a slider moves nobody reads them
+    get tables() {
+      return told().tables;
+    },
+    get table_sources() {
+      return told().table_sources;
+    },
     paper: null,
   };
+}
+/** The tables of an arc, and their sources. @param {Judged} judged @param {number} i */
+function tablesOf({ result }, i) {
+  const of = new Sources();
+  const made = [...arcTables(driveIn(result), [resultsIn(result)[i]], of)];
+  return { tables: made.map(([key, t]) => tableOf(t, key)), table_sources: [...of.listed()] };
 }
 /** Numbers as JSON has them: none for what there is none of or has no bound.
  * @param {Record<string, number>} of @returns {Record<string, any>} */

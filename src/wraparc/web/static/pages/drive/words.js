@@ -46,7 +46,9 @@ function shortOf({ result, arcs }, verdict, load_case, pulley) {
   return short(result, resultsIn(result)[one.i]);
 }
 /** The arcs of a drive or a train as results. @param {any} result @returns {any[]} */
-export const resultsIn = (result) => [...(result.arcs ?? result.drive_result().arcs)];
+export const resultsIn = (result) => [...driveIn(result).arcs];
+/** @param {any} result of a drive, or of a train */
+export const driveIn = (result) => (result.arcs ? result : result.drive_result());
 
 /** On what data an answer stands. @param {Judged} judged @returns {string[]} */
 export const remarksOf = ({ of, verdict }) => remarksOn(of.drive, verdict);
