@@ -106,15 +106,15 @@ def test_memory_does_not_grow_with_the_event() -> None:
     """Ten times as long: the same memory, once as many rows are kept as ever are."""
     station, most = moving("fabric", Droop(), Droop()), []
     simulate(station, Event(duration=1.0), points=10)  # loads what is loaded once
-    for duration in (3.0, 30.0):  # with as many rows and pictures each
+    for duration in (2.0, 20.0):  # with as many rows and pictures each
         event = Event(duration=duration)
         gc.collect()
         tracemalloc.start()
-        simulate(station, event, points=10, step=0.05, every=duration / 30, sink=lambda row: None)
+        simulate(station, event, points=10, step=0.05, every=duration / 20, sink=lambda row: None)
         most.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
     # when what is not used any more is collected moves it by some per cent; one array of ten
-    # numbers kept by each of the 540 more steps would be a third
+    # numbers kept by each of the 360 more steps would be a quarter
     assert most[1] < 1.2 * most[0]
 
 
