@@ -249,7 +249,7 @@ def test_nothing_moves_while_a_handle_is_dragged(opened: Visitor, name: str) -> 
 
     page.on("request", listen)
     dx, dy = HANDLES[name]
-    drag(page, x, y, (x + dx, y + dy), 60)
+    drag(page, x, y, (x + dx, y + dy), 24)
     found, frames = page.evaluate(MOVED)
     now = page.locator(handle(name)).get_attribute("aria-valuetext")
     during = [r.url for r in asked if "/api/" in r.url]
@@ -276,7 +276,7 @@ def test_nothing_moves_while_a_slider_is_dragged(opened: Visitor, name: str) -> 
     x, y = box["x"] + 8 + part * (box["width"] - 16), box["y"] + box["height"] / 2
     page.wait_for_selector(".ways li")  # of the drive as it is again
     page.evaluate(WATCH, STILL)
-    drag(page, x, y, (box["x"] + box["width"] - 2, y), 60)
+    drag(page, x, y, (box["x"] + box["width"] - 2, y), 24)
     found, _ = page.evaluate(MOVED)
     now = page.locator(slider).evaluate(value)[1]
     page.keyboard.press("Escape")
