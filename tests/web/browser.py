@@ -20,7 +20,7 @@ Calculator = tuple[Browser, Process]
 _LONG = 120e3
 STUDY = 1e3 * PATIENCE
 #: Most time between two questions of a page, whether its server is there [ms].
-LATER = 30_000
+LATER = 5_000
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",

@@ -136,7 +136,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     page = opened(visitor, text.replace(start, back), tmp_path)
     minutes(page)
     page.click("#follow")
-    page.get_by_role("button", name="Cancel").click()
+    page.locator("#events").get_by_role("button", name="Cancel").click()
     expect(page.locator("#events .say")).to_contain_text("Cancelled.")
     page.fill("#e-step", "")
     page.press("#e-step", "Tab")

@@ -446,7 +446,7 @@ if ($truth($m.match($c15, stripped))) {
 return numbers___refused(text, "not a finite number", "Give the size that was measured or meant.");
 }
 if ($truth($b.any((function* () { for (const c of $iter(stripped)) { yield $and($m.isdecimal(c), () => !$truth($m.isascii(c))); } })()))) {
-return numbers___refused(text, "digits other than 0-9", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+return numbers___refused(text, "digits other than 0-9", "Type digits and a decimal point, such as 1234.5.");
 }
 if (($in(",", digits))) {
 (message = "a comma can mean a decimal point or a thousands separator");
@@ -457,12 +457,12 @@ if (($truth($m.search($c17, digits)) && (!$in("/", digits)))) {
 return numbers___refused(text, message, numbers___write([$m.sub($c17, "", digits)], rest));
 }
 if (($in("/", digits))) {
-return numbers___refused(text, "a fraction, where a decimal number is needed", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+return numbers___refused(text, "a fraction, where a decimal number is needed", "Type digits and a decimal point, such as 1234.5.");
 }
 if (($in("−", digits))) {
 return numbers___refused(text, "a typographic minus sign", "Use the plain hyphen-minus '-'.");
 }
-return numbers___refused(text, "does not begin with one plain number", "Use the digits 0-9, a point for decimals, and nothing between thousands.");
+return numbers___refused(text, "not a plain number", "Type digits and a decimal point, such as 1234.5.");
 }
 function numbers___comma_readings(digits) {
 let _, bare_whole, decimal, decimals, exponent, joined, power, readings, whole;
@@ -481,7 +481,7 @@ return [...(function* () { for (const reading of $iter(readings)) { yield $add(r
 }
 function numbers___write(readings, rest) {
 if (!$truth($b.all((function* () { for (const reading of $iter(readings)) { yield $m.fullmatch($c13, reading); } })()))) {
-return "Use the digits 0-9, a point for decimals, and nothing between thousands.";
+return "Type digits and a decimal point, such as 1234.5.";
 }
 return $add($add("Write ", $m.join(" or ", (function* () { for (const r of $iter(readings)) { yield $shown($m.strip(("" + $str(r) + " " + $str(rest)))); } })())), ".");
 }

@@ -111,6 +111,7 @@ export interface Verdict {
   level: Level;
   word?: string;
   headline: Text;
+  action?: Text;
   sentences: Text[];
 }
 export interface TableRow {

@@ -18,7 +18,7 @@ const verdictAt = ({ verdict }, load_case, pulley) =>
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
 export function verdictOf(judged, load_case, pulley) {
   const verdict = verdictAt(judged, load_case, pulley);
-  const { level, word, lead, others, listed } = verdict;
+  const { level, word, lead, action, others, listed } = verdict;
   const levels = listed
     .filter((/** @type {any} */ c) => c.level !== NOT_CHECKED)
     .map((/** @type {any} */ c) => [c.name, c.level]);
@@ -26,6 +26,7 @@ export function verdictOf(judged, load_case, pulley) {
     level,
     word,
     headline: lead,
+    action,
     sentences: [...others],
     short: shortOf(judged, verdict, load_case, pulley),
     levels: Object.fromEntries(levels),
