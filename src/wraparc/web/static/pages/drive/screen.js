@@ -261,7 +261,7 @@ export class Screen extends Component {
 /** What is under the fold, closed at first. @param {string} id @param {any} onToggle
  * @param {Children} inside */
 export const fold = (id, onToggle, inside) =>
-  h("details", { id, class: "card", onToggle, key: id }, h("summary", {}, "Details"), inside);
+  h("details", { id, class: "card", onToggle }, h("summary", {}, "Details"), inside);
 const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 
 // The verdict.

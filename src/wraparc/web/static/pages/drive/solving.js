@@ -116,11 +116,10 @@ export function solve() {
  * what the page solves itself. */
 let waits = false;
 const moving = () => {
-  waits ||= gripped() && Boolean(answer.quick?.own || app.page !== "drive");
+  waits ||= gripped() && Boolean(answer.quick?.own);
   return waits && gripped();
 };
 function rest() {
-  if (wanted && !busy) quick();
   if (!waits || gripped()) return;
   waits = false;
   confirmed();
@@ -136,7 +135,7 @@ onReturn(() => {
 /** One arc; while it is on its way only the newest change waits. */
 async function quick() {
   wanted = true;
-  if (busy || (gripped() && app.page !== "drive")) return;
+  if (busy) return;
   busy = true;
   while (wanted) {
     wanted = false;
