@@ -5,7 +5,7 @@ import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import { checkOf, fold, foot, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer } from "../pages/drive/solving.js";
-import { h } from "../vendor/preact.js";
+import { cloneElement, h } from "../vendor/preact.js";
 import { list } from "./answers.js";
 
 /** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
@@ -29,7 +29,7 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
       h(
         "section",
         { class: `hero card ${tall ? "tall" : ""}`, "aria-label": "Answer" },
-        say,
+        cloneElement(/** @type {any} */ (say), { id: `${of}-verdict` }),
         hero ?? [
           h("div", { class: "stage-box", key: "drawing" }, drawing),
           h("div", { class: "curve", key: "curve" }, curve),
@@ -41,10 +41,9 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
     fold(`${of}-details`, undefined, h("div", { class: "details" }, ...below)),
   );
 
-const idOf = () => `${app.page}-verdict`;
 /** Nothing is answered yet. @param {string} text @param {Children} [more]
  * @param {Children} [action] */
-export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, idOf());
+export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);
 /** The first sentence of a verdict; of a design before it only what becomes of it.
  * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action]
  * @param {Problem[]} [problems] */
@@ -53,7 +52,7 @@ export function saying(how, v, more, action, problems = []) {
   if (how !== "fresh")
     return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.", action);
   const [one, rest] = leadOf(v);
-  return said(v.level, one, more ?? rest, action, words(v.headline), null, idOf());
+  return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
 }
 /** The first sentence of a verdict without its place, and the rest. @param {Verdict} v */
 export function leadOf({ headline }) {
@@ -70,7 +69,7 @@ export const notComputed = (head, problems, action) =>
     null,
     "",
     [h("p", {}, head, " ", action), list(problems.map(sentence), "reasons")],
-    idOf(),
+    null,
   );
 
 const chosen = { check: "" };

@@ -175,7 +175,10 @@ export class Player extends Component {
     return [
       h(
         "div",
-        { class: "stage-box player", role: "group", "aria-label": `Event ${run.event}`, key: "s" },
+        {
+          ...{ class: "stage-box player", key: "s", tabIndex: 0 },
+          ...{ role: "group", "aria-label": `Event ${run.event}` },
+        },
         h(
           "div",
           { class: "drums" },
