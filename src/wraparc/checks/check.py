@@ -369,7 +369,8 @@ class Verdict:
 
     def within(self, load_case: str) -> Verdict:
         """Return the verdict on all pulleys in one load case."""
-        return Verdict(tuple(c for c in self.checks if c.place.load_case in ("", load_case)))
+        own = tuple(c for c in self.checks if c.place.load_case in ("", load_case))
+        return self if len(own) == len(self.checks) else Verdict(own)
 
     @cached_property
     def _at(self) -> dict[str, dict[str, Verdict]]:

@@ -6181,8 +6181,10 @@ $put(known, pulley, (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self :
 return $at(known, pulley);
 }
 within(load_case) {
-const self = this; 
-return new Verdict($b.tuple((function* () { for (const c of $iter(self.checks)) { if (!(($in(c.place.load_case, ["", load_case])))) continue; yield c; } })()));
+const self = this; let own;
+
+(own = $b.tuple((function* () { for (const c of $iter(self.checks)) { if (!(($in(c.place.load_case, ["", load_case])))) continue; yield c; } })()));
+return (($eq($b.len(own), $b.len($bound(self, "checks")))) ? self : new Verdict(own));
 }
 $find__at() {
 const self = this; return $map([]);
