@@ -27,7 +27,7 @@ from wraparc.shear_test.derivative import derivative_check
 from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
-from wraparc.units import in_unit, unit_of
+from wraparc.units import in_unit, quantity, unit_of
 
 Array = NDArray[np.float64]
 
@@ -135,7 +135,7 @@ def _remainders(result: PlanResult) -> str:
     largest = max(swings, default=None)
     stick_slip = (
         f" Stick-slip swings friction by up to {100 * largest.size:.0f} %, every "
-        f"{largest.period * 1e3:.2g} mm."
+        f"{quantity(largest.period, 'length', 2)}."
         if largest
         else ""
     )

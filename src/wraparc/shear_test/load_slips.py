@@ -58,7 +58,7 @@ def load_questions(
     return found
 
 
-def set_question(plan: TestPlan, tests: Sequence[TestResult]) -> str:
+def set_questions(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
     """Ask about a measured normal force that is off the set one by one factor in all tests.
 
     Parameters
@@ -68,8 +68,8 @@ def set_question(plan: TestPlan, tests: Sequence[TestResult]) -> str:
 
     Returns
     -------
-    str
-        The question; empty where the tests agree with what was set, or each is off by its own.
+    list of str
+        None where the tests agree with what was set, or each is off by its own.
     """
     ratios = np.array([
         test.curve.pressure * plan.rig.area / force
@@ -77,10 +77,10 @@ def set_question(plan: TestPlan, tests: Sequence[TestResult]) -> str:
         if test.record.normal_force is not None and (force := plan.set_force(test.test))
     ])  # fmt: skip
     if len(ratios) < 2 or float(ratios.max() / ratios.min()) > _ONE_FACTOR:
-        return ""
+        return []
     factor = float(np.exp(np.log(ratios).mean()))
     if 1.0 / _ONE_FACTOR < factor < _ONE_FACTOR:
-        return ""
+        return []
     text = (
         f"in {len(ratios)} of {len(tests)} tests the measured normal force is {factor:.3g} times "
         "what was set: see its column and unit (wraparc read FILE)"
@@ -90,7 +90,7 @@ def set_question(plan: TestPlan, tests: Sequence[TestResult]) -> str:
             f", and sample_area: {_area(plan.rig.area)} is given, "
             f"{_area(plan.rig.area * factor)} would agree"
         )
-    return f"{text}. The measured force was used"
+    return [f"{text}. The measured force was used"]
 
 
 def _area(value: float) -> str:

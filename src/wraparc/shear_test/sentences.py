@@ -10,7 +10,7 @@ from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE, Uncertainty
 from wraparc.shear_test.campaign import lot_sentences, order_sentences
 from wraparc.shear_test.consistency import FAR, USUAL
 from wraparc.shear_test.curve_fit import fit_curve
-from wraparc.shear_test.load_slips import load_questions, set_question, surface_questions
+from wraparc.shear_test.load_slips import load_questions, set_questions, surface_questions
 from wraparc.shear_test.misfit import OTHER_PRESSURE
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
@@ -38,11 +38,9 @@ def law_sentences(plan: TestPlan, found: Findings) -> tuple[tuple[str, ...], tup
         tests, found.points, told=found.separated.by_slip_speed is not None
     )
     order_remarks: list[str] = []
-    question = set_question(plan, tests)
-    misfit = [question] if question else []
-    misfit += (
-        _of_curves(tests, OTHER_PRESSURE if question else "") + _repeats(tests, found) + by_speed
-    )
+    misfit = set_questions(plan, tests)
+    misfit += _of_curves(tests, OTHER_PRESSURE if misfit else "")
+    misfit += _repeats(tests, found) + by_speed
     misfit += load_questions(tests, found.points, found.flagged)
     if law is not None:
         misfit += _curves_off(tests, law, found)
@@ -191,12 +189,17 @@ def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> s
         _range([test.curve.pressure for test in tests], "pressure"),
         _slip_reached(tests, levels),
         _range([t.temperature for t in planned if t.temperature is not None], "temperature"),
-        " to ".join(speeds[:1] + speeds[1:][-1:]),
+        _ends(speeds),
     ]
     dates = sorted({test.date for test in planned if test.date})
-    parts.append(" to ".join(dict.fromkeys([*dates[:1], *dates[-1:]])))
+    parts.append(_ends(dates))
     count = f"{len(tests)} tests" if len(tests) > 1 else "1 test"
     return f"{count}: {', '.join(part for part in parts if part)}"
+
+
+def _ends(ordered: Sequence[str]) -> str:
+    """The first and the last of texts in order; one alone by itself."""
+    return " to ".join(dict.fromkeys([*ordered[:1], *ordered[-1:]]))
 
 
 def _unused(plan: TestPlan) -> list[str]:

@@ -123,7 +123,7 @@ export const $named = (args) => (args.at(-1) instanceof Named ? args.pop() : {})
 export const $sig = (of, names, more = false, usual = {}) =>
   Object.assign(of, { $names: names, $more: more, $usual: usual });
 const placed = (of, args, by) => {
-  if (!of.$names) return [...args, $k(Object.fromEntries(by))];
+  if (of.$names === null) return [...args, $k(Object.fromEntries(by))];
   const rest = new Map(by);
   const given = of.$names.map((name, i) => {
     if (i < args.length) return args[i];

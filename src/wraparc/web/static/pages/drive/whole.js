@@ -23,7 +23,10 @@ export function wholeOf(judged) {
     conditions: null,
     checks: checkTable(judged),
     least_tension,
-    summary: arcs.length > 1 ? tableOf(summaryTable([driveIn(judged.result)]), "summary") : null,
+    // as the tables of an arc, not made while a slider moves
+    get summary() {
+      return arcs.length > 1 ? tableOf(summaryTable([driveIn(judged.result)]), "summary") : null;
+    },
     sources: judged.of.kinds.map((kind) => ({ kind })),
     remarks: remarksOf(judged),
     judging: null,
