@@ -226,22 +226,21 @@ def test_every_unit_agrees_with_pint(name: str, registry: "pint.UnitRegistry[flo
         (
             "１２ kN",
             '"１２ kN": digits other than 0-9. '
-            "Use the digits 0-9, a point for decimals, and nothing between thousands.",
+            "Type digits and a decimal point, such as 1234.5.",
         ),
         (
             "5１ kN",
             '"5１ kN": digits other than 0-9. '
-            "Use the digits 0-9, a point for decimals, and nothing between thousands.",
+            "Type digits and a decimal point, such as 1234.5.",
         ),
         (
             "--5 kN",
-            '"--5 kN": does not begin with one plain number. '
-            "Use the digits 0-9, a point for decimals, and nothing between thousands.",
+            '"--5 kN": not a plain number. Type digits and a decimal point, such as 1234.5.',
         ),
         (
             "1/2 kN",
             '"1/2 kN": a fraction, where a decimal number is needed. '
-            "Use the digits 0-9, a point for decimals, and nothing between thousands.",
+            "Type digits and a decimal point, such as 1234.5.",
         ),
         ("−5 kN", "\"−5 kN\": a typographic minus sign. Use the plain hyphen-minus '-'."),
         ("", '"": empty, where a number is needed. Write a number.'),

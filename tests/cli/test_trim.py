@@ -272,8 +272,8 @@ def test_a_drum_faster_than_its_motor_allows(tmp_path: Path) -> None:
          'It has "design", "empty".'),
         (["--span", "1.1", "0.9"], "span = [1.1, 0.9]: must be two positive numbers, the smaller "
          "one first."),
-        (["--span", "a", "1"], '--span = "a": does not begin with one plain number. Use the digits '
-         "0-9, a point for decimals, and nothing between thousands."),
+        (["--span", "a", "1"], '--span = "a": not a plain number. Type digits and a decimal '
+         "point, such as 1234.5."),
         (["--wear", "1 kg"], '--wear = "1 kg": a mass, where a length is needed. Write for example '
          '"1200 mm".'),
         (["--wear", "-1 mm"], '--wear = "-1 mm": must be between 0 and the thickness of a lagging, '

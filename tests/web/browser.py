@@ -20,7 +20,7 @@ Calculator = tuple[Browser, Process]
 _LONG = 120e3
 STUDY = 1e3 * PATIENCE
 #: Most time between two questions of a page, whether its server is there [ms].
-LATER = 30_000
+LATER = 5_000
 expect.set_options(timeout=_LONG)  # a busy machine is no fault of the page
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -36,13 +36,15 @@ DESKTOP: ViewportSize = {"width": 1360, "height": 900}
 READY = {
     "drive": "html:has(#more fieldset) #drive .screen[data-whole]",
     "compare": "#compare tbody tr",
-    "across": "#across .verdict",
+    "across": "#across [data-stands=fresh] .list li",
     "tests": "#tests .drop",
-    "train": "#train .verdict",
+    "train": "#train .screen[data-stands=fresh]",
     "events": "#events form",
     "study": "#study form",
     "saved": "#saved .scroll :is(table, p)",
 }
+#: Views whose whole answer is folded away.
+FOLDED = ("train", "across", "events")
 _NAMES = (
     "chromium-headless-shell", "chrome-headless-shell", "chromium", "chromium-browser",
     "google-chrome-stable", "google-chrome",
@@ -172,6 +174,10 @@ class Visitor:
         if not self.page.locator(f"#{name}").is_visible():
             turn(self.page, name)
         self.page.wait_for_selector(READY[name])
+        if name in FOLDED and unfold is not False:
+            self.page.evaluate(
+                "name => document.getElementById(`${name}-details`).open = true", name
+            )
         return self.page
 
     def unfold(self) -> None:

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
-from web.browser import Visitor, turn
+from web.browser import Visitor
 from wraparc.present.sheet import named, shown
 
 #: Counts what a hand does: presses of the mouse, wherever they land.
@@ -58,7 +58,7 @@ def test_will_this_measured_wear_heal(visitor: Visitor, tmp_path: Path) -> None:
     lines = [f"{y};{h}" for y, h in rows]
     file.write_text("\n".join(["position [in];thickness [in]", *lines]) + "\n", "utf-8")
     page = visitor.open("drive")
-    turn(page, "across")
+    visitor.open("across")
     load(page, file)
     expect(page.locator("#toast")).to_contain_text("5 readings of thickness")
     expect(page.locator("#x-pulley-0-across-worn_depth-rows-0-0")).to_have_value("-558.8")
@@ -78,7 +78,7 @@ def test_is_build_up_on_one_side_serious_and_may_this_pulley_be_crowned(visitor:
     page = visitor.open("drive")
     visitor.example("Crowned and dirty head drive, overland conveyor")
     before = presses(page)
-    turn(page, "across")
+    visitor.open("across")
     page.click("#across .tabs button:has-text('Build-up')")
     page.click("#shape-side")
     settled(page)
@@ -109,7 +109,7 @@ def test_does_thicker_lagging_help(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.example("Worn head drive, ROM conveyor")
     before = presses(page)
-    turn(page, "across")
+    visitor.open("across")
     page.click("#ask-thickness")
     told = page.locator("#question-thickness .verdict .headline")
     expect(told).to_contain_text(re.compile(r"takes \d+ % off the unevenness .* creep by \+\d+ %"))

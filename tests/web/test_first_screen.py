@@ -6,7 +6,8 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Page, Request, ViewportSize, expect
 
-from web.browser import Calculator, Visitor
+from web.browser import PHONE, Calculator, Visitor
+from web.calculators import wait_for
 
 SCREEN: ViewportSize = {"width": 1440, "height": 900}
 #: What stands still while a hand moves something: all but what is drawn and what is a length.
@@ -149,6 +150,84 @@ def test_no_name_of_a_check_is_cut(opened: Visitor, units: str, width: int, heig
     assert names == []
     if width == 720:  # 200 % zoom: no height is kept empty
         assert empty < 8
+
+
+@pytest.mark.parametrize(
+    ("width", "height"),
+    [(1440, 900), (1181, 800), (1180, 900), (1024, 768), (720, 450), (390, 844)],
+)
+def test_inputs_have_room_at_every_fold(opened: Visitor, width: int, height: int) -> None:
+    # with the style of the other pages there too: it made every slider nothing
+    page = opened.page
+    page.set_viewport_size({"width": width, "height": height})
+    opened.painted()
+    found = page.evaluate(
+        """() => {
+          const box = (e) => e.getBoundingClientRect();
+          const rows = [...document.querySelectorAll(".rail > .field, .rail > .pick-row")];
+          return rows.flatMap((f) => {
+            const slider = f.querySelector(".sl");
+            const boxes = [...f.querySelectorAll(".box, .condition select")].map(box);
+            const wrong = boxes.filter((b) => b.width < 60).map((b) => [f.textContent, b.width]);
+            if (!slider) return wrong;
+            const [a, b] = [box(slider), boxes[0]];
+            const apart = a.right <= b.left + 1 || a.top >= b.bottom - 1;
+            return a.width >= 50 && apart ? wrong : [...wrong, [f.textContent, a.width, apart]];
+          });
+        }"""
+    )
+    page.set_viewport_size(SCREEN)
+    assert found == []
+
+
+def test_all_that_is_touched_is_large_enough(calculator: Calculator) -> None:
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, PHONE, has_touch=True, is_mobile=True)
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.wait_for_selector(".ways li")
+    small = page.evaluate(
+        """() => [...document.querySelectorAll(
+            ".screen :is(button:not(.link, .q), summary, .switch span, .hit),"
+            + ".rail :is(.box, .condition select)")]
+          .filter((e) => e.checkVisibility() && !e.closest("#details, details:not([open]) > *"))
+          .map((e) => [e.textContent || e.id, e.getBoundingClientRect().height])
+          .filter(([, height]) => height < 43.5)"""
+    )
+    visitor.close()
+    assert [name for name, _ in small if name] == []
+
+
+#: What somebody types who means no number: 34 kinds.
+NONSENSE = [
+    "abc", "", " ", "-", "--5", "1,2", "1,000.5", "1 000", "1.2.3", "1e999", "1e-999", "NaN",
+    "inf", "-inf", "0", "-1", "1/2", "½", "１５０", "−150", "150 kg", "150 kN/m", "150 bananas",
+    "kN", "150kN extra", "0x10", "1e3", "'; DROP TABLE", "<b>1</b>", "\u202e150", "\u200b150",
+    "9" * 400, "🙂", "\x00150",
+]  # fmt: skip
+
+
+def test_nonsense_in_every_box_is_told_there_and_never_good(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size(SCREEN)
+    visitor.alone()
+    boxes = page.locator(".rail > .field input.amount")
+    right = [boxes.nth(i).input_value() for i in range(5)]
+    stands = "() => document.getElementById('results').dataset.stands"
+    for text in NONSENSE:
+        for i in range(5):
+            boxes.nth(i).fill(text)
+        wait_for(lambda: page.evaluate(stands) != "computing")
+        if page.evaluate(stands) == "refused":
+            assert page.locator(".say:is(.good, .warn, .bad), .chips .good").count() == 0, text
+            told = " ".join(page.locator(".rail > .field > .error").all_inner_texts())
+            assert told.strip(), text
+            assert "pulley." not in told, text  # the words of the form, no key of a file
+        assert page.evaluate("document.documentElement.scrollWidth") == SCREEN["width"], text
+    for i, value in enumerate(right):
+        boxes.nth(i).fill(value)
+    visitor.solved()
+    expect(page.locator(".hub-number")).to_have_text("7.38mm")
 
 
 SLIDERS = ["Entry tension", "Exit tension", "Wrap angle", "Diameter", "Belt width"]

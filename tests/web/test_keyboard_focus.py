@@ -35,7 +35,7 @@ def at(page: Page) -> str:
 GONE = (
     ("drive", "Raise T2 to 89.4 kN", "verdict"),
     ("drive", "Pin this design", "Along the wrap"),
-    ("train", "Work out how exactly they must be matched", "Matching"),
+    ("train", "Find the trim limits", "train-verdict"),
     ("saved", "Open Head drive, ROM conveyor", "drive-title"),
 )
 
@@ -94,7 +94,7 @@ def test_focus_stays_when_a_run_is_cancelled(visitor: Visitor) -> None:
     pressed(cancel)
     expect(page.locator("#events")).to_contain_text("Cancelled.")
     visitor.painted()
-    assert at(page) in ("events", "events-title")
+    assert at(page) == "follow"
 
 
 def test_focus_stays_when_a_study_is_cancelled_and_forgotten(visitor: Visitor) -> None:

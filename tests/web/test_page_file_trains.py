@@ -103,6 +103,7 @@ def test_train_page_says_what_the_program_says(chrome: Browser, tmp_path: Path, 
     page = visitor.page
     page.goto(html.as_uri())
     page.click("#nav-train")
+    page.click("#train-details > summary")
     page.wait_for_selector("#train .tables details")
     answer = answer_of(TRAINS[name])
     for system in get_args(System):
@@ -200,6 +201,7 @@ def test_a_page_reads_the_same_on_another_machine(
             page.wait_for_selector(".ways li")
         if name in TRAINS:
             page.click("#nav-train")
+            page.click("#train-details > summary")
             page.wait_for_selector("#train .tables details")
         texts.append(page.evaluate(WORDS))
         assert not seed or page.evaluate("window.asked") > 1000

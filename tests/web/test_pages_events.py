@@ -72,7 +72,7 @@ def test_a_start_of_a_shipped_tandem_plays(visitor: Visitor, tmp_path: Path) -> 
     assert drum.get_attribute("aria-label") != told
     assert len(set(_colours(page))) == 1
     assert page.locator("#events .belt-marks").first.get_attribute("stroke-dashoffset") != marks
-    assert page.locator("#events .plots .cursor[d]").count() == 6
+    assert page.locator("#events .curve .cursor[d]").count() == 1
     # and it plays and stops: slowly, so that it does not come to its end before it is stopped
     page.select_option("#play-rate", "0.1")
     page.focus("#play")
@@ -137,7 +137,7 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     minutes(page)
     page.click("#follow")
     page.locator("#events").get_by_role("button", name="Cancel").click()
-    expect(page.locator("#events .results")).to_contain_text("Cancelled.")
+    expect(page.locator("#events .say")).to_contain_text("Cancelled.")
     page.fill("#e-step", "")
     page.press("#e-step", "Tab")
     page.click("#follow")
@@ -151,8 +151,6 @@ def test_a_run_is_cancelled_and_another_one_goes_slack(
     assert page.evaluate("document.documentElement.scrollWidth") == PHONE["width"]
     # an answer of another design says so
     page.fill("#e-motion-conveyor_mass", "120")
-    expect(page.locator("#events .results")).to_contain_text(
-        "Below is the answer before the change"
-    )
+    expect(page.locator("#events .say")).to_contain_text("The design changed.")
     assert visitor.wrong == []
     visitor.close()

@@ -184,6 +184,18 @@ def test_phone_shows_everything_without_scrolling_sideways(phone: Visitor, name:
         keep(page.screenshot(), "phone")
 
 
+def test_a_load_case_is_one_sheet_of_paper(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.wait_for_selector(".ways li")
+    for case in ("design", "start"):
+        page.locator("#cases").get_by_role("button", name=case).click()
+        visitor.solved()
+        for paper in ("A4", "Letter"):
+            data = page.pdf(format=paper, prefer_css_page_size=False)
+            assert len(re.findall(rb"/Type\s*/Page\b", data)) == 1, (case, paper)
+
+
 def test_print_fits_the_paper(visitor: Visitor) -> None:
     page = visitor.open("drive")
     visitor.solved()

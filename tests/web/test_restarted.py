@@ -46,7 +46,7 @@ def loses_its_server(page: Page) -> None:
     # expected: what was typed while it was away is solved on its return
     page.fill("#f-pulley-0-exit_tension", "77")
     expect(page.locator(".gone")).to_contain_text("does not answer")
-    assert "cannot be used" not in page.inner_text("#results")
+    assert "Not computed" not in page.inner_text("#results")
 
 
 def asks_for_a_page_once(page: Page, failed: list[str]) -> None:

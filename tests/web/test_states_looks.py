@@ -34,7 +34,7 @@ def empty(visitor: Visitor) -> Page:
     page = visitor.open("drive")
     page.click("#file > summary")
     page.get_by_role("button", name="New drive").click()
-    expect(page.locator("#results [role=alert]")).to_contain_text("still needed")
+    expect(page.locator("#s-pulley-0-entry_tension")).to_be_focused()
     page.click("#file > summary")
     return page
 

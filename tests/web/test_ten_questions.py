@@ -154,7 +154,7 @@ def ceramic_and_the_belt(hand: Hand) -> None:
 def speed_trim(hand: Hand) -> None:
     hand.example("Tandem head drive, fabric belt")
     hand.turn("train")
-    hand.press("Work out how exactly they must be matched")
+    hand.press("Find the trim limits")
     table = hand.page.locator("#train details.table", has_text="Against speed trim")
     assert_told(cells(table), printed("trim", str(EXAMPLES / "tandem-fabric.toml")))
 
@@ -177,10 +177,10 @@ def drives_that_fight(hand: Hand) -> None:
 def worn_edges(hand: Hand) -> None:
     hand.example("Worn head drive, ROM conveyor")
     hand.turn("across")
-    expect(hand.page.locator("#across .verdict")).to_be_visible()
+    expect(hand.page.locator("#across .screen")).to_have_attribute("data-stands", "fresh")
     file = EXAMPLES / "worn-head-drive-fabric.toml"
     out = printed("solve", str(file), "--load-case", "design")
-    told = words(hand.page.locator("#across .verdict .headline").inner_text())
+    told = words(hand.page.locator("#across .say p").inner_text())
     assert told.partition(" ")[2].rstrip(".").split(":")[-1].strip() in out
 
 

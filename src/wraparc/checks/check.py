@@ -367,6 +367,11 @@ class Verdict:
             known[pulley] = self if len(own) == len(self.checks) else Verdict(own)
         return known[pulley]
 
+    def within(self, load_case: str) -> Verdict:
+        """Return the verdict on all pulleys in one load case."""
+        own = tuple(c for c in self.checks if c.place.load_case in ("", load_case))
+        return self if len(own) == len(self.checks) else Verdict(own)
+
     @cached_property
     def _at(self) -> dict[str, dict[str, Verdict]]:
         return {}

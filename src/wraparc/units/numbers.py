@@ -21,7 +21,7 @@ _CONTINUES = re.compile(r"[0-9.,'’_´`+\-−:;]|/\s*[0-9]")
 _NOT_FINITE = re.compile(r"[+-]?\s*(?:nan|inf|infinity|∞)\b", re.IGNORECASE)
 _NUMERIC_HEAD = re.compile(r"[0-9.,'’_´`\s+\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?")
 _GAPS = re.compile(r"(?<=[0-9])[\s'’_´`]+(?=[0-9])")
-_PLAIN = "Use the digits 0-9, a point for decimals, and nothing between thousands."
+_PLAIN = "Type digits and a decimal point, such as 1234.5."
 
 
 def split_number(text: str) -> tuple[Decimal, str]:
@@ -107,7 +107,7 @@ def _malformed(text: str, stripped: str) -> InputError:
         return _refused(text, "a fraction, where a decimal number is needed", _PLAIN)
     if "−" in digits:
         return _refused(text, "a typographic minus sign", "Use the plain hyphen-minus '-'.")
-    return _refused(text, "does not begin with one plain number", _PLAIN)
+    return _refused(text, "not a plain number", _PLAIN)
 
 
 def _comma_readings(digits: str) -> list[str]:

@@ -41,11 +41,13 @@ from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import (
     Answer,
+    Bar,
     Data,
     Numbers,
     Table,
     Text,
     Verdict,
+    bars,
     finite,
     numbers,
     rounded,
@@ -95,6 +97,7 @@ class AcrossAnswer(Answer):
     status_text: Text
     verdict: Verdict
     remarks: list[Text]
+    bars: list[Bar]
     checks: Table | None
     tables: list[Table]
     numbers: dict[str, float | None]
@@ -162,6 +165,7 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
         status_text=worded(slack_words(found) or str(found.status)),
         verdict=Verdict.of(told),
         remarks=texts(judge(result).data),
+        bars=bars(own.listed),
         checks=_checks(result, pulley, case),
         tables=_tables(drive, found, solved),
         numbers=numbers(found.scalars()) if solved else {},

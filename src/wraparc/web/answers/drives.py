@@ -1,11 +1,10 @@
 """A drive document to the answer: fast for one arc, or everything there is to say."""
 
 import math
-from collections.abc import Sequence
 from dataclasses import replace
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Check, Level, judge, least_tension
+from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Drive
 from wraparc.present.arc_tables import answer_table, creep_table
 from wraparc.present.checks_table import check_table
@@ -29,6 +28,7 @@ from wraparc.web.answers.judging import Judging, judging
 from wraparc.web.answers.prepared import Prepared, prepared
 from wraparc.web.answers.shown import (
     Answer,
+    Bar,
     Data,
     DriveKind,
     Profile,
@@ -39,6 +39,7 @@ from wraparc.web.answers.shown import (
     Tested,
     Text,
     Verdict,
+    bars,
     finite,
     numbers,
     outside,
@@ -86,25 +87,6 @@ class Paper(Answer):
     status: StatusName
     numbers: dict[str, float | None]
     profile: Profile
-
-
-class Bar(Answer):
-    """A check as a bar against its limit; `share` is the value [SI] over the limit.
-
-    `says` is what it says where it is not kept, `source` where its limit came from.
-    """
-
-    name: str
-    title: str
-    level: Level
-    place: str
-    at_most: bool
-    value: float
-    share: float
-    found: Text
-    limit: Text
-    says: Text
-    source: str
 
 
 class WholeArc(Arc):
@@ -271,27 +253,6 @@ def _conditions(result: DriveResult) -> Table | None:
     return tables([conditions_table(result)], ["conditions"])[0]
 
 
-def _bars(checks: Sequence[Check]) -> list[Bar]:
-    """Return the checks that have a value and a limit, in the order of their table."""
-    return [
-        Bar(
-            name=check.name,
-            title=check.title,
-            level=check.level,
-            place=str(check.place),
-            at_most=check.at_most,
-            value=check.value,
-            share=check.share,
-            found=worded(check.texts()[0]),
-            limit=worded(check.bound()),
-            says=worded(check.reason),
-            source=check.source,
-        )
-        for check in checks
-        if not math.isnan(check.share)
-    ]
-
-
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:
     found = least_data(result)
     if found is None:
@@ -337,7 +298,7 @@ def _whole_arc(
     made = arc_tables(answered, (result, paper), of)
     judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     return WholeArc(
-        bars=_bars(judged.listed),
+        bars=bars(judged.listed),
         status_text=str(result.status),
         short=short(answered, result),
         raise_to=_alone(answered, result),

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from wraparc.checks import judge_run
 from wraparc.drive.pitch import whole_thickness
 from wraparc.errors import InputError, Problem, shown
 from wraparc.motion import RunResult, simulate, stability, stability_map
@@ -15,7 +16,7 @@ from wraparc.plot.motion import plot_stability, plot_stability_map
 from wraparc.present.motion_sheet import run_sheet, stability_sheet
 from wraparc.units import Dimension, parse_quantity
 from wraparc.web.answers.documents import without_none
-from wraparc.web.answers.shown import Answer, Numbers, Sheet, rounded, sheet
+from wraparc.web.answers.shown import Answer, Bar, Numbers, Sheet, bars, rounded, sheet
 from wraparc.web.asked import EventRequest
 from wraparc.web.progress import tell
 
@@ -69,6 +70,7 @@ class EventResult(Answer):
     """What came out: of a run, of the question whether the drives pulsate, or a map."""
 
     run: Sheet | None
+    bars: list[Bar]
     stability: Sheet | None
     note: str
     played: Played | None
@@ -125,6 +127,7 @@ def _motion(asked: EventRequest) -> Motion:
 def _result(motion: Motion, followed: Any, told: Any, drawn: dict[str, Any]) -> EventResult:
     return EventResult(
         run=followed and Sheet(**sheet(run_sheet(followed))),
+        bars=bars(judge_run(followed).listed) if followed else [],
         stability=told and Sheet(**sheet(stability_sheet(told))),
         note=_USUAL if motion.assumed else "",
         played=followed and played(followed),

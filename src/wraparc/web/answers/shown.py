@@ -13,7 +13,7 @@ from typing_extensions import TypedDict
 
 from wraparc.arc import ArcResult
 from wraparc.arc import Profile as ArcProfile
-from wraparc.checks import Level
+from wraparc.checks import Check, Level
 from wraparc.present import sheet as present
 from wraparc.present.answer_data import answer_data, table_data, text_data, verdict_data
 from wraparc.provenance import Kind
@@ -127,6 +127,25 @@ class Sheet(Answer):
     table_sources: list[str]
 
 
+class Bar(Answer):
+    """A check as a bar against its limit; `share` is the value [SI] over the limit.
+
+    `says` is what it says where it is not kept, `source` where its limit came from.
+    """
+
+    name: str
+    title: str
+    level: Level
+    place: str
+    at_most: bool
+    value: float
+    share: float
+    found: Text
+    limit: Text
+    says: Text
+    source: str
+
+
 class Source(Answer):
     """Where a number came from."""
 
@@ -198,6 +217,27 @@ def sheet(told: present.Sheet) -> Data:
     del fields["format"]
     sources = fields.pop("sources")
     return {**fields, "tables": tables(told.tables), "table_sources": sources}
+
+
+def bars(checks: Sequence[Check]) -> list[Bar]:
+    """Return the checks that have a value and a limit, in the order of their table."""
+    return [
+        Bar(
+            name=check.name,
+            title=check.title,
+            level=check.level,
+            place=str(check.place),
+            at_most=check.at_most,
+            value=check.value,
+            share=check.share,
+            found=worded(check.texts()[0]),
+            limit=worded(check.bound()),
+            says=worded(check.reason),
+            source=check.source,
+        )
+        for check in checks
+        if not math.isnan(check.share)
+    ]
 
 
 def status_of(result: ArcResult) -> StatusName:

@@ -5,16 +5,18 @@ from dataclasses import replace
 import numpy as np
 
 from wraparc.arc import Distributed
+from wraparc.checks import judge
 from wraparc.errors import InputError, Problem, shown
 from wraparc.present.document import sources_of
 from wraparc.present.train_document import matching_document, train_document
 from wraparc.present.train_sheet import matching_sheet, train_sheet
+from wraparc.present.words import in_words
 from wraparc.train import Matching, Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.train.file import train_from_document
 from wraparc.train.matching import wet_laggings
 from wraparc.units import Dimension, parse_quantity
 from wraparc.web.answers.documents import case_only, without_none
-from wraparc.web.answers.shown import Answer, Data, Numbers, Sheet, Source, plain, sheet
+from wraparc.web.answers.shown import Answer, Data, Numbers, Sheet, Source, Verdict, plain, sheet
 from wraparc.web.asked import TrainRequest
 
 _MAP_POINTS = 61
@@ -75,8 +77,9 @@ class TrainPart(Sheet):
 
 
 class TrainAnswer(TrainPart):
-    """A train with its load divided."""
+    """A train with its load divided; `judged` is each of its load cases."""
 
+    judged: list[Verdict]
     matching: MatchingPart | None
 
 
@@ -86,7 +89,9 @@ def train(asked: TrainRequest) -> TrainAnswer:
     case_only(thing, asked.load_case or None)  # which is refused if there is none of this name
     result = solve_train(thing, method=Distributed(capacities=False), raise_on_failure=False)
     matching = _matching(thing, result, asked) if asked.match else None
-    return TrainAnswer(matching=matching, **train_part(result).model_dump())
+    told = (judge(result).within(case.case.name) for case in result)
+    judged = [Verdict.of(in_words(of, of.others)) for of in told]
+    return TrainAnswer(judged=judged, matching=matching, **train_part(result).model_dump())
 
 
 def train_part(result: TrainResult) -> TrainPart:

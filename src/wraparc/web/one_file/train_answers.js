@@ -143,8 +143,10 @@ export async function trainAnswer(doc, data) {
     ...(summary ? [summary] : []),
   ];
   const told = { verdict, remarks, tables };
+  const each = results.map((/** @type {any} */ r) => verdictOf(found.judged, r.case.name));
   const solved = results.every((/** @type {any} */ r) => r.status === SOLVED);
-  return { ...told, solved, load_cases: results.map(caseData), sources: [], matching: null };
+  const load_cases = results.map(caseData);
+  return { ...told, solved, load_cases, judged: each, sources: [], matching: null };
 }
 /** @param {any} r */
 const caseData = (r) => ({

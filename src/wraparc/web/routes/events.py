@@ -3,7 +3,7 @@
 from fastapi import Request, Response
 
 from wraparc.web.answers import events
-from wraparc.web.answers.shown import Answer, Sheet
+from wraparc.web.answers.shown import Answer, Bar, Sheet
 from wraparc.web.asked import EventRequest
 from wraparc.web.errors import ToldProblem
 from wraparc.web.jobs import Job
@@ -26,6 +26,7 @@ class RunAnswer(Answer):
     message: str
     problems: list[ToldProblem]
     run: Sheet | None = None
+    bars: list[Bar] | None = None
     stability: Sheet | None = None
     note: str | None = None
     played: events.Played | None = None

@@ -111,6 +111,7 @@ export interface Verdict {
   level: Level;
   word?: string;
   headline: Text;
+  action?: Text;
   sentences: Text[];
 }
 export interface TableRow {
@@ -298,7 +299,7 @@ export interface ChartLook {
   title: string;
   height?: number;
   xlabel?: string;
-  onpick?: (part: number) => void;
+  onpick?: (part: number, e: PointerEvent) => void;
   /** One of several under each other on one axis: even margins, names at the lines. */
   stacked?: boolean;
   /** Whether the axis has its numbers, as only the lowest of several does. */

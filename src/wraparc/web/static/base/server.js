@@ -23,12 +23,12 @@ export function refusal(x) {
 export const unanswered = (x) => x instanceof Refused && x.status === 0;
 /** @param {unknown} x */
 export const aborted = (x) => x instanceof Error && x.name === "AbortError";
-export const GONE = "The calculator does not answer: is `wraparc serve` still running?";
+export const GONE = "The server does not answer.";
 /** A server that is as long silent [ms] is asked whether it is there at all. */
 const SILENT = 10_000;
 /** Pauses between questions whether it is there again [ms]: each twice the one before. */
 const FIRST = 1000;
-const LAST = 30_000;
+const LAST = 5000;
 
 /**
  * @typedef {{method?: string, signal?: AbortSignal}} Asked
@@ -148,7 +148,7 @@ function back({ headers }) {
     pause = FIRST;
     if (app.lacks && !app.newer) location.reload();
     for (const f of returns) f();
-    note("The calculator answers again.");
+    note("The server answers again.");
   } else if (newer !== app.newer) redraw();
 }
 let looking = 0;

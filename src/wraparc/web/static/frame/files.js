@@ -9,7 +9,6 @@ export function newDrive() {
   open(doc, { units: app.units });
   turnTo("drive");
   redraw();
-  document.getElementById("f-pulley-0-entry_tension")?.focus();
 }
 /** @param {string} name */
 export async function openExample(name) {

@@ -55,13 +55,13 @@ export function Main() {
 }
 /** What concerns every page: a server that is gone or another, a draft from before. */
 function bars() {
-  const bar = app.gone ? GONE_BAR : app.newer ? NEWER : app.lacks && LACKS;
+  const bar = app.gone ? app.page !== "drive" && GONE_BAR : app.newer ? NEWER : app.lacks && LACKS;
   return [bar && told(...bar), offered.draft && offer(offered.draft)];
 }
 const KEPT = " The drive, as typed, is kept in this browser.";
 /** @typedef {[string, string, string, () => void]} Bar */
 /** @type {Bar} */
-const GONE_BAR = [GONE, "It is asked again, at least every 30 s.", "Ask now", askAgain];
+const GONE_BAR = [GONE, "Asked again every 5 s.", "Ask now", askAgain];
 const reload = () => location.reload();
 /** @type {Bar} */
 const NEWER = ["The calculator is of another version now.", "", "Reload", reload];

@@ -1,8 +1,8 @@
 // Across the width: an uneven pulley, what it does to the belt, and what comes of it.
-import { app, redraw } from "../base/design.js";
+import { app, gripped, redraw } from "../base/design.js";
 import { aborted, ask, later, onReturn, refusal } from "../base/server.js";
 import { words } from "../base/units.js";
-import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
+import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
 import { choose } from "../parts/choose.js";
 import { checked, framed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
@@ -27,7 +27,7 @@ const state = {
 };
 export function update() {
   const where = `${app.pulley} ${app.case}`;
-  if (state.of === app.doc && state.where === where) return;
+  if ((state.of === app.doc && state.where === where) || gripped()) return;
   Object.assign(state, { of: app.doc, where, waiting: true });
   solve(app.doc, where);
 }
@@ -52,8 +52,8 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
   } catch (x) {
     if (aborted(x) || app.gone) return;
     const problems = refusal(x);
-    const rest = mark(problems);
-    Object.assign(state, { problems: rest.length ? rest : problems, waiting: false });
+    mark(problems);
+    Object.assign(state, { problems, waiting: false });
   }
   redraw();
 });
@@ -66,26 +66,19 @@ export const Page = () => {
   const a = state.answer;
   return framed(
     {
+      of: "across",
       how: now(),
       tall: true,
       form: acrossInputs(),
-      say: a
-        ? a.even
+      say:
+        a?.even && now() === "fresh"
           ? silent("Draw the wear, or load readings.")
-          : saying(now(), a.verdict)
-        : silent(state.problems.length ? "Not computed." : "Solving …"),
+          : saying(now(), a?.verdict, undefined, null, state.problems),
       drawing: drawingOf(app.pulley),
       curve: a?.map && picture(a),
-      side: a && checked("across", (x) => x.pulley === a.pulley && x.load_case === a.load_case),
+      side: a && checked("across", a.bars),
     },
-    h(
-      "div",
-      { role: "alert", key: "problems" },
-      state.problems.length > 0 && refused("", state.problems),
-    ),
-    a
-      ? stands(now(), result(a), questions(), tables(a))
-      : now() === "computing" && h("p", { class: "help", key: "wait" }, "Solving …"),
+    a && stands(now(), result(a), questions(), tables(a)),
   );
 };
 /** @param {any} a */

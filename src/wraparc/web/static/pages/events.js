@@ -5,7 +5,7 @@ import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
-import { checked, framed, saying, silent } from "../parts/framed.js";
+import { checked, framed, notComputed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
@@ -22,14 +22,19 @@ const state = {
   jobs: /** @type {Record<What, Job | null>} */ ({ run: null, stability: null, map: null }),
   opened: -1,
   timer: 0,
+  /** The last run that came to its end. */
+  done: /** @type {Job | null} */ (null),
 };
 export function update() {
   const names = events().map(([n]) => n);
   if (!names.includes(plan.event)) plan.event = names[0] || "";
   if (state.opened === app.opened) return;
   state.opened = app.opened;
-  state.problems = [];
-  state.jobs = { run: null, stability: null, map: null };
+  Object.assign(state, {
+    problems: [],
+    jobs: { run: null, stability: null, map: null },
+    done: null,
+  });
 }
 onReturn(() => void follow());
 
@@ -45,9 +50,8 @@ async function begin(what) {
     state.jobs[what] = { ...job, ...known };
     mark([]);
   } catch (x) {
-    const problems = refusal(x);
-    const rest = mark(problems);
-    state.problems = rest.length ? rest : problems;
+    state.problems = refusal(x);
+    mark(state.problems);
   }
   if (old) await forget(old);
   await follow();
@@ -68,8 +72,9 @@ async function follow() {
           of: job.of,
           by: job.by,
         };
-        if (state.jobs[/** @type {What} */ (what)] === job)
-          state.jobs[/** @type {What} */ (what)] = found;
+        if (state.jobs[/** @type {What} */ (what)] !== job) continue;
+        state.jobs[/** @type {What} */ (what)] = found;
+        if (found.what === "run" && found.state === "done") state.done = found;
       }
   } catch (x) {
     if (!app.gone) complain(x);
@@ -81,13 +86,12 @@ async function follow() {
 /** @param {Job} j */
 const busy = (j) => j.state === "queued" || j.state === "running";
 
-/** The event that was followed, if it is there. */
-const done = () => (state.jobs.run?.state === "done" ? state.jobs.run : null);
 export const Page = () => {
-  const run = done();
+  const run = state.done;
   return framed(
     {
-      how: run ? now(run) : "fresh",
+      of: "events",
+      how: run ? now(run) : undefined,
       form: h(
         "form",
         {
@@ -95,25 +99,44 @@ export const Page = () => {
           "aria-label": "In time",
           onSubmit: (/** @type {Event} */ e) => e.preventDefault(),
         },
+        asking(),
         motionInputs(),
       ),
-      say: run
-        ? saying(now(run), run.run.verdict)
-        : silent("Does it slip when it starts? Run an event."),
-      drawing: run ? h(Player, { run: run.played, key: run.id }) : intro(),
-      curve: asking(),
-      side: checked("events", (a) => a.load_case === app.case),
+      say: says(run),
+      hero: run && h(Player, { run: run.played, key: run.id }),
+      drawing: intro(),
+      tall: Boolean(run),
+      side: checked("events", run?.bars),
     },
-    h(
-      "div",
-      { role: "alert", key: "problems" },
-      state.problems.length > 0 && refused("The event cannot be followed.", state.problems),
-    ),
-    atWork("run", "Following the event"),
     run && result(run),
     pictures(),
   );
 };
+const again = () => {
+  const job = state.jobs.run;
+  return h(
+    "button",
+    {
+      ...{ type: "button", class: "main advice", id: "follow" },
+      disabled: Boolean(job && busy(job)),
+      onClick: act(() => begin("run")),
+    },
+    state.done ? "Run again" : "Run it",
+  );
+};
+/** One sentence on the run, and what to do: it is never judged by a design before.
+ * @param {Job | null} run */
+function says(run) {
+  const job = state.jobs.run;
+  if (job && busy(job)) return silent(`Following ${job.title} …`, progress(job), cancelling(job));
+  if (job?.state === "failed") return notComputed("Not followed.", job.problems, again());
+  if (state.problems.length) return notComputed("Not followed.", state.problems, again());
+  if (job?.state === "cancelled") return silent("Cancelled.", "", again());
+  if (!run) return silent(`Does it hold at ${plan.event}? Not run yet.`, "", again());
+  if (now(run) === "fresh") return saying("fresh", run.run.verdict);
+  const changed = run.of !== app.doc ? "The design changed." : "Another event is asked for.";
+  return silent(changed, "Below is the run before.", again());
+}
 const intro = () =>
   h(
     "p",
@@ -121,6 +144,7 @@ const intro = () =>
     "Belt and lagging are played here, on the pulleys, once an event has run. ",
     "It takes some seconds.",
   );
+/** What is run. */
 function asking() {
   const put = (/** @type {"event" | "points" | "step"} */ key) => (/** @type {string} */ v) => {
     plan[key] = v;
@@ -132,38 +156,30 @@ function asking() {
     ["60", "usual"],
     ["120", "fine"],
   ];
-  return h(
-    "section",
-    { "aria-label": "Event", key: "asking" },
+  const row = (/** @type {string} */ id, /** @type {string} */ title, /** @type {any} */ box) =>
     h(
       "div",
-      { class: "bar" },
-      h("label", {}, "What happens", choose(plan.event, events(), put("event"), "e-event")),
-      h("label", {}, "Accuracy", choose(plan.points, finer, put("points"), "e-points")),
-      h(
-        "label",
-        {},
-        "Time step",
-        h(Box, {
-          id: "e-step",
-          size: 8,
-          value: plan.step,
-          placeholder: "chosen",
-          autocomplete: "off",
-          put: put("step"),
-        }),
-      ),
-      h(
-        "button",
-        {
-          type: "button",
-          class: "main",
-          id: "follow",
-          disabled: Boolean(state.jobs.run && busy(state.jobs.run)),
-          onClick: act(() => begin("run")),
-        },
-        "Run it",
-      ),
+      { class: "field wide", key: id },
+      h("label", { for: id }, title),
+      h("span", {}),
+      h("span", { class: "box" }, box),
+    );
+  return h(
+    "fieldset",
+    { key: "asking" },
+    h("legend", {}, "What happens"),
+    row("e-event", "Event", choose(plan.event, events(), put("event"), "e-event")),
+    row("e-points", "Accuracy", choose(plan.points, finer, put("points"), "e-points")),
+    row(
+      "e-step",
+      "Time step",
+      h(Box, {
+        id: "e-step",
+        value: plan.step,
+        placeholder: "chosen",
+        autocomplete: "off",
+        put: put("step"),
+      }),
     ),
     assumed() &&
       h(
@@ -174,35 +190,42 @@ function asking() {
       ),
   );
 }
-/** How a job stands while it is at work, and how it ended if not well.
+/** @param {Job} job */
+const progress = (job) =>
+  h(
+    "span",
+    { class: "inline" },
+    h("progress", { max: job.total || 1, value: job.done || 0, "aria-label": "Progress" }),
+    job.state === "queued" ? "waiting for another run" : words(job.message),
+  );
+/** @param {Job} job */
+const cancelling = (job) =>
+  h(
+    "button",
+    {
+      type: "button",
+      class: "advice",
+      onClick: act(async () => {
+        await ask(`events/${job.id}`, undefined, { method: "DELETE" });
+        await follow();
+      }),
+    },
+    "Cancel",
+  );
+/** How the job of a picture stands while it is at work, and how it ended if not well.
  * @param {What} what @param {string} title */
 function atWork(what, title) {
   const job = state.jobs[what];
   if (!job || job.state === "done") return null;
-  const cancel = async () => {
-    await ask(`events/${job.id}`, undefined, { method: "DELETE" });
-    await follow();
-  };
   if (job.state === "failed")
-    return h(
-      "div",
-      { role: "alert", key: `failed ${what}` },
-      refused("The event cannot be followed.", job.problems),
-    );
+    return h("div", { role: "alert", key: `failed ${what}` }, refused("", job.problems));
   if (job.state === "cancelled")
     return h("p", { class: "verdict", role: "status", key: `stopped ${what}` }, "Cancelled.");
-  const said = job.state === "queued" ? "waiting for another run" : words(job.message);
   return h(
     "section",
     { class: "card job", "aria-label": title, "data-state": job.state, key: `at ${what}` },
     h("h2", {}, title),
-    h(
-      "div",
-      { class: "inline" },
-      h("progress", { max: job.total || 1, value: job.done || 0, "aria-label": "Progress" }),
-      h("span", { role: "status" }, said),
-      h("button", { type: "button", onClick: act(cancel) }, "Cancel"),
-    ),
+    h("div", { class: "inline", role: "status" }, progress(job), cancelling(job)),
   );
 }
 /** @param {Job} job */

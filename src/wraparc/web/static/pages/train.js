@@ -1,13 +1,13 @@
 // Several drives on one belt: shares, speeds, and how exactly they must be matched.
-import { app, gripped, redraw } from "../base/design.js";
+import { app, gripped, look, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
-import { percent } from "../base/units.js";
+import { percent, show, shown, words } from "../base/units.js";
 import { PAGES } from "../frame/registry.js";
-import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
-import { checked, facts, framed, saying, silent } from "../parts/framed.js";
+import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
+import { checked, facts, framed, leadOf, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
-import { picks as casePicks } from "./drive/screen.js";
+import { picks as casePicks, rank } from "./drive/screen.js";
 import { answer, known } from "./drive/solving.js";
 import { chain } from "./train/chain.js";
 import { trainInputs } from "./train/inputs.js";
@@ -22,21 +22,21 @@ const state = {
   doc: /** @type {Design | null} */ (null),
   of: /** @type {Design | null} */ (null),
   problems: /** @type {Problem[]} */ ([]),
-  matched: /** @type {any} */ (null),
-  /** What of the drives it is of. */
-  by: "",
-  matching: false,
+  /** How exactly drives must be matched, by load case and drive. */
+  matched: /** @type {Record<string, any>} */ ({}),
+  matching: "",
+  /** The drive whose trim is explained. */
   drive: "",
-  map: false,
 };
 const several = () => app.doc.pulley.length > 1;
+const trimmed = () => app.doc.pulley.slice(1).map((p) => p.name || "");
 export function update() {
-  const names = app.doc.pulley.map((p) => p.name || "");
-  if (!names.slice(1).includes(state.drive)) state.drive = names[1] || "";
+  const names = trimmed();
+  if (!names.includes(state.drive)) state.drive = names[0] || "";
   if (state.of === app.doc || gripped()) return;
   state.of = app.doc;
   if (several()) solve(app.doc);
-  else Object.assign(state, { answer: null, matched: null, problems: [] });
+  else Object.assign(state, { answer: null, matched: {}, problems: [] });
 }
 onReturn(() => {
   state.of = null;
@@ -50,166 +50,166 @@ const solve = later(200, async (/** @type {Design} */ doc) => {
   try {
     const answer = await ask("train", asked, { signal: stop.signal });
     if (doc !== app.doc) return;
-    Object.assign(state, { answer, doc, matched: null, problems: [] });
+    Object.assign(state, { answer, doc, matched: {}, problems: [] });
     mark([]);
   } catch (x) {
     if (aborted(x) || app.gone) return;
-    const problems = refusal(x);
-    const rest = mark(problems);
-    state.problems = rest.length ? rest : problems;
+    state.problems = refusal(x);
+    mark(state.problems);
   }
   redraw();
 });
-async function match() {
+/** @param {string} load_case @param {string} drive */
+const keyOf = (load_case, drive) => `${load_case}\n${drive}`;
+/** Find how exactly drives must be matched in a load case.
+ * @param {string} load_case @param {string[]} drives @param {boolean} map of trim and load too */
+async function match(load_case, drives, map) {
   const doc = app.doc;
-  state.matching = true;
-  redraw();
   try {
-    const { drive, map } = state;
-    const by = trimmed();
-    const asked = {
-      document: doc,
-      load_case: null,
-      drive: drive || null,
-      match: true,
-      map,
-      points: 41,
-    };
-    const answer = await ask("train", asked);
-    if (doc === app.doc) Object.assign(state, { matched: answer.matching, by });
+    for (const drive of drives) {
+      state.matching = drive;
+      redraw();
+      const asked = { document: doc, load_case, drive, match: true, map, points: 41 };
+      const answer = await ask("train", asked);
+      if (doc !== app.doc) break;
+      state.matched[keyOf(load_case, drive)] = answer.matching;
+    }
   } catch (x) {
     complain(x);
   }
-  state.matching = false;
+  state.matching = "";
   redraw();
 }
 
-const trimmed = () => `${state.drive} ${state.map}`;
-const now = () => standing(state.doc === app.doc, state.problems);
-const matchedNow = () => (state.by === trimmed() ? now() : standing(false, [], state.matching));
+const now = () => (several() ? standing(state.doc === app.doc, state.problems) : "fresh");
 /** The load case that is looked at. @param {any} a the answer */
 const shownIn = (a) =>
   a.load_cases.find((/** @type {any} */ c) => c.load_case === app.case) ?? a.load_cases[0];
 
 export const picks = () => casePicks("-train");
 export const Page = () => {
-  const c = several() && state.answer ? shownIn(state.answer) : null;
-  const i = Math.max(
-    1,
-    app.doc.pulley.findIndex((p) => p.name === state.drive),
-  );
-  const m = c?.drives[i];
+  const a = several() ? state.answer : null;
+  const c = a && shownIn(a);
+  const how = now();
+  const m = c?.drives.find((/** @type {any} */ d) => d.pulley === state.drive);
   return framed(
     {
-      how: now(),
-      form: trainInputs(state.answer),
+      of: "train",
+      how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
+      form: trainInputs(a),
       say: c
-        ? saying(now(), state.answer.verdict, slower(m, c.drives[0]), toMatch())
-        : silent(lacks()),
+        ? saying(how, a.judged[a.load_cases.indexOf(c)], more(a, c, m), toMatch(c), state.problems)
+        : several()
+          ? saying(how, /** @type {any} */ (null), "", null, state.problems)
+          : silent("One pulley: add a second drive."),
       drawing: c && loadCase(c),
       curve: c && [
         c.reason && h("p", { class: "error", key: "reason" }, c.reason),
         c.drives.every((/** @type {any} */ d) => d.share != null) && shareBar(c),
-        trimStrip(c, i, matchedNow() === "fresh" ? state.matched : null),
+        c.drives.map((/** @type {any} */ d, /** @type {number} */ i) =>
+          trimStrip(c, i, keptIn(c, d.pulley), chooser(d.pulley)),
+        ),
       ],
+      tall: app.doc.pulley.length > 3,
       side: c && [
-        checked("train", (a) => a.load_case === c.load_case),
+        checked("train", barsOf(c)),
         m?.drum_ratio && facts(`Why ${m.pulley} turns ${turns(m)}`, reasons(m)),
         m && facts("If something changes", changes(m)),
       ],
     },
-    h(
-      "div",
-      { role: "alert", key: "problems" },
-      state.problems.length > 0 && refused("", state.problems),
-    ),
-    several()
-      ? state.answer && stands(now(), result(state.answer))
-      : h("p", { class: "verdict", key: "single" }, SINGLE),
-    // some hundred solves: for a server
-    PAGES.saved ? matchForm() : several() && h("p", { class: "help", key: "trim" }, TRIM),
-    state.matching && h("p", { class: "help", role: "status", key: "wait" }, WAIT),
-    state.matched && stands(matchedNow(), matching(state.matched)),
+    a && stands(how, result(a)),
+    c && (PAGES.saved ? matchings(c) : h("p", { class: "help", key: "trim" }, TRIM)),
   );
 };
-const lacks = () =>
-  several()
-    ? state.problems.length
-      ? "Not computed."
-      : "Solving …"
-    : "One pulley: add a second drive.";
+/** @param {any} c @param {string} drive */
+const matchedIn = (c, drive) => state.matched[keyOf(c.load_case, drive)];
+/** @param {any} c @param {string} drive */
+function keptIn(c, drive) {
+  const m = now() === "fresh" && matchedIn(c, drive);
+  return m ? keeping(c, m) : null;
+}
+/** Choose the drive that is explained, where there are several. @param {string} drive */
+const chooser = (drive) =>
+  app.doc.pulley.length > 2
+    ? {
+        pressed: drive === state.drive,
+        put: () => {
+          state.drive = drive;
+          redraw();
+        },
+      }
+    : null;
+/** The checks of a load case, with their pulleys. @param {any} c */
+const barsOf = (c) => arcsOf(c).flatMap((x) => x.bars.map((b) => ({ ...b, pulley: x.pulley })));
+/** What to do, where else it is worse, or how the drives turn.
+ * @param {any} a @param {any} c @param {any} m */
+function more(a, c, m) {
+  const at = a.load_cases.indexOf(c);
+  const levels = a.judged.map(rank);
+  const worst = levels.indexOf(Math.max(...levels));
+  const elsewhere = a.load_cases[worst].load_case;
+  const to = () => look({ case: elsewhere });
+  if (levels[worst] > levels[at])
+    return [
+      "Worse elsewhere: ",
+      h("button", { type: "button", class: "link", onClick: to }, elsewhere),
+      `. ${leadOf(a.judged[worst])[0]}`,
+    ];
+  return words(a.judged[at].action) || slower(m, c.drives[0]);
+}
 /** How much slower or faster a drum turns than the first. @param {any} m */
 const turns = (m) =>
   `${percent(Math.abs(m.drum_ratio - 1), 3)} ${m.drum_ratio < 1 ? "slower" : "faster"}`;
 /** @param {any} m @param {any} first */
 const slower = (m, first) =>
   m?.drum_ratio > 0 ? `Run ${m.pulley} ${turns(m)} than ${first.pulley}.` : undefined;
-/** The limits of the trim, on a press. */
-const toMatch = () =>
+/** The limits of the trims, on a press. @param {any} c */
+const toMatch = (c) =>
   PAGES.saved &&
-  !(state.matched && matchedNow() === "fresh") &&
+  !trimmed().every((drive) => matchedIn(c, drive)) &&
   h(
     "button",
-    { type: "button", class: "main advice", disabled: state.matching, onClick: act(match) },
+    {
+      type: "button",
+      class: "main advice",
+      disabled: Boolean(state.matching) || now() !== "fresh",
+      onClick: act(() => match(c.load_case, trimmed(), false)),
+    },
     state.matching ? "At work …" : "Find the trim limits",
   );
-const SINGLE =
-  "This drive has one pulley. Add a second one on the left, or open a tandem from the menu File.";
 const TRIM =
   "How exactly the drives must be matched is not found in this page. " +
   "On the command line: wraparc trim FILE.";
-const WAIT =
-  "Solving the train some hundred times; this takes some seconds, " +
-  "with the map up to half a minute …";
 
-function matchForm() {
-  const drives = app.doc.pulley.slice(1).map((p) => p.name || "");
-  const choose = {
-    id: "train-drive",
-    value: state.drive,
-    onChange: (/** @type {any} */ e) => {
-      state.drive = e.currentTarget.value;
-      redraw();
-    },
-  };
-  const map = {
-    type: "checkbox",
-    id: "train-map",
-    checked: state.map,
-    onChange: (/** @type {any} */ e) => {
-      state.map = e.currentTarget.checked;
-      redraw();
-    },
-  };
+/** How exactly each drive must be matched. @param {any} c */
+const matchings = (c) => trimmed().map((drive) => matching(c, drive));
+/** @param {any} c @param {string} drive */
+function matching(c, drive) {
+  const m = matchedIn(c, drive);
+  const find = act(() => match(c.load_case, [drive], true));
   return h(
     "section",
-    { class: "card", "aria-label": "Matching", key: "match" },
-    h("h2", {}, "Matching the drives"),
-    h(
-      "div",
-      { class: "bar" },
-      h(
-        "label",
-        {},
-        "Drive that is trimmed",
-        h(
-          "select",
-          choose,
-          drives.map((n) => h("option", { value: n, key: n }, n)),
-        ),
-      ),
-      h("label", { class: "inline" }, h("input", map), "map of trim and load too"),
+    { class: "card", "aria-label": `Matching of ${drive}`, key: `match ${drive}` },
+    h("h2", {}, `How exactly ${drive} must be matched`),
+    !m?.map &&
       h(
         "button",
-        {
-          type: "button",
-          class: "main",
-          disabled: !several() || state.matching,
-          onClick: act(match),
-        },
-        "Work out how exactly they must be matched",
+        { type: "button", disabled: Boolean(state.matching), onClick: find },
+        state.matching === drive ? "At work …" : "Draw the map of trim and load",
       ),
-    ),
+    state.matching === drive &&
+      h("p", { class: "help", role: "status" }, "Some hundred solves: up to half a minute."),
+    m &&
+      stands(
+        now(),
+        verdict(judgedIf(now(), m.verdict)),
+        matchingPlots(m),
+        h(
+          "div",
+          { class: "tables" },
+          (m.tables || []).map((/** @type {Table} */ t) => table(t, t.name !== "drives")),
+        ),
+      ),
   );
 }
 /** @param {any} a */
@@ -227,30 +227,61 @@ const result = (a) =>
       ),
     ),
   );
+/** The arcs of a load case, solved. @param {any} c */
+const arcsOf = (c) =>
+  ((known() ?? answer.full)?.arcs ?? []).filter((a) => a.load_case === c.load_case);
 /** @param {any} c */
-const loadCase = (c) =>
-  h(
-    "figure",
-    { class: "stage-svg", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
-    chain(c, limitsIn(c)),
+function loadCase(c) {
+  const arcs = arcsOf(c);
+  // a page without a server has no course along the wrap
+  const most = Math.max(0, ...arcs.flatMap((a) => a.profile?.shear_stress?.map(Math.abs) ?? []));
+  const of = new Map(
+    arcs.map(({ pulley, creep_limit: limit, levels, profile: p }) => [
+      pulley,
+      {
+        ...{ limit, position: p?.position, shear: p?.shear_stress },
+        level: now() === "fresh" && levels.creep,
+      },
+    ]),
   );
-/** Limits of the creep and how each is kept, by pulley. @param {any} c */
-const limitsIn = (c) =>
-  new Map(
-    ((known() ?? answer.full)?.arcs ?? [])
-      .filter((a) => a.load_case === c.load_case)
-      .map((a) => [a.pulley, { limit: a.creep_limit, level: now() === "fresh" && a.levels.creep }]),
-  );
-/** @param {any} m */
-const matching = (m) =>
-  h(
-    "div",
-    { key: "matching" },
-    verdict(judgedIf(matchedNow(), m.verdict)),
-    matchingPlots(m),
+  const sum = (/** @type {string} */ key) =>
+    arcs.reduce((all, { numbers: n }) => all + (n[key] ?? Number.NaN), 0);
+  /** @type {[string, string][]} */
+  const figures = [
+    ["Pull", "effective_tension"],
+    ["Power", "transmitted_power"],
+    ["Lost to creep", "power_loss"],
+  ];
+  const told = figures.filter(([, key]) => Number.isFinite(sum(key)));
+  return [
     h(
-      "div",
-      { class: "tables" },
-      (m.tables || []).map((/** @type {Table} */ t) => table(t, t.name !== "drives")),
+      "figure",
+      { class: "stage-svg", "aria-label": `Load case ${c.load_case}`, key: c.load_case },
+      chain(c, of, most),
     ),
+    h(
+      "dl",
+      { class: "kv sums", key: "sums" },
+      told.map(([name, key]) =>
+        h("div", { key }, h("dt", {}, name), h("dd", {}, h("b", {}, shown(key, sum(key), 3)))),
+      ),
+    ),
+    most > 0 &&
+      h("p", { class: "legend", key: "legend" }, `colour: shear, to ${show(most, "pressure", 3)}`),
+  ];
+}
+/** Trims with which every drive keeps its creep limit, by what was found over the trim.
+ * @param {any} c @param {any} m */
+function keeping(c, m) {
+  const [curve] = m.curves;
+  const arcs = arcsOf(c);
+  const kept = curve.values.filter((/** @type {number} */ _, /** @type {number} */ k) =>
+    arcs.every((a) => Math.abs(curve.exit_creep[a.pulley][k] ?? Infinity) <= a.creep_limit),
   );
+  if (!kept.length) return null;
+  const step = curve.values[1] - curve.values[0];
+  const marks = curve.marks.filter((/** @type {any} */ k) => k.what === "creep_limit");
+  return [kept[0], kept[kept.length - 1]].map(
+    (end) => marks.find((/** @type {any} */ k) => Math.abs(k.at - end) < step)?.at ?? end,
+  );
+}

@@ -1,28 +1,27 @@
 // The frame of the first screen for the other views of a drive: inputs, what is said and drawn,
-// checks; the rest of the answer below.
+// checks; the rest of the answer below, folded away.
 import { app, redraw } from "../base/design.js";
+import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { checkOf, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
-import { answer, known } from "../pages/drive/solving.js";
-import { h } from "../vendor/preact.js";
-import { standing } from "./answers.js";
+import { checkOf, fold, foot, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
+import { answer } from "../pages/drive/solving.js";
+import { cloneElement, h } from "../vendor/preact.js";
+import { list } from "./answers.js";
 
-/** @import { Bar, Children, FullArc, Verdict } from "../types.d.ts" */
+/** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
 /** @import { Standing } from "./answers.js" */
 
 /**
- * The three regions, and what is below. A tall frame has more room under the drawing.
- * @typedef {{form: Children, say: Children, drawing: Children, curve: Children, side: Children,
- *   how: Standing, tall?: boolean}} Frame
- * @param {Frame} of @param {...Children} below
+ * The three regions, and what is below; `hero` where drawing and curve are one component. A tall
+ * frame has more room under the drawing; `how` where there is an answer.
+ * @typedef {{of: string, form: Children, say: Children, drawing?: Children, curve?: Children,
+ *   hero?: Children, side: Children, how?: Standing, tall?: boolean}} Frame
+ * @param {Frame} frame @param {...Children} below
  */
-export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below) =>
+export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall }, ...below) =>
   h(
     "div",
-    {
-      class: "screen other",
-      "data-stands": how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
-    },
+    { class: "screen other", "data-stands": how },
     h(
       "div",
       { class: "frame" },
@@ -30,43 +29,63 @@ export const framed = ({ form, say, drawing, curve, side, how, tall }, ...below)
       h(
         "section",
         { class: `hero card ${tall ? "tall" : ""}`, "aria-label": "Answer" },
-        say,
-        h("div", { class: "stage-box", key: "drawing" }, drawing),
-        h("div", { class: "curve", key: "curve" }, curve),
+        cloneElement(/** @type {any} */ (say), { id: `${of}-verdict` }),
+        hero ?? [
+          h("div", { class: "stage-box", key: "drawing" }, drawing),
+          h("div", { class: "curve", key: "curve" }, curve),
+        ],
       ),
       h("aside", { class: "checks card", "aria-label": "Checks against their limits" }, side),
     ),
-    h("div", { class: "results", key: "below" }, ...below),
+    foot(answer.foreign ? null : answer.quick),
+    fold(`${of}-details`, undefined, h("div", { class: "details" }, ...below)),
   );
 
-/** The first sentence of a verdict, judged only where it is of what is asked now.
- * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action] */
-export function saying(how, v, more, action) {
-  const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
-  const [one, rest] = opening(words(v.headline).replace(/^Event [^:]+: /, ""), place);
-  return said(how === "fresh" ? v.level : "", one, more ?? rest, action, "", null, null);
+/** Nothing is answered yet. @param {string} text @param {Children} [more]
+ * @param {Children} [action] */
+export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);
+/** The first sentence of a verdict; of a design before it only what becomes of it.
+ * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action]
+ * @param {Problem[]} [problems] */
+export function saying(how, v, more, action, problems = []) {
+  if (how === "refused") return notComputed("Not computed.", problems);
+  if (how !== "fresh")
+    return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.", action);
+  const [one, rest] = leadOf(v);
+  return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
 }
-/** Nothing is answered yet. @param {string} text @param {Children} [action] */
-export const silent = (text, action) => said("", text, "", action, "", null, null);
+/** The first sentence of a verdict without its place, and the rest. @param {Verdict} v */
+export function leadOf({ headline }) {
+  const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
+  return opening(words(headline).replace(/^(Event|Load case) [^:]+: /, ""), place);
+}
+/** What is wrong with what is asked. @param {string} head @param {Problem[]} problems
+ * @param {Children} [action] */
+export const notComputed = (head, problems, action) =>
+  said(
+    "",
+    "",
+    "",
+    null,
+    "",
+    [h("p", {}, head, " ", action), list(problems.map(sentence), "reasons")],
+    null,
+  );
 
 const chosen = { check: "" };
-/** Checks of all pulleys that are shown, each at the one that uses most of its limit.
- * @param {string} page @param {(a: FullArc) => boolean} which */
-export function checked(page, which) {
-  const arcs = ((known() ?? answer.full)?.arcs ?? []).filter(which);
-  const several = arcs.length > 1;
-  const all = /** @type {(Bar & {of: FullArc})[]} */ (
-    worstFirst(
-      arcs.flatMap((a) =>
-        a.bars.map((b) => ({ ...b, of: a, title: several ? `${b.title}, ${a.pulley}` : b.title })),
-      ),
-    )
-  );
+/** Checks, each once at the place that uses most of its limit.
+ * @typedef {Bar & {pulley?: string}} Checked pulley: named where several are shown
+ * @param {string} page @param {Checked[] | undefined} found none where nothing is judged */
+export function checked(page, found) {
+  if (!found)
+    return [
+      h("h2", { key: "head" }, "Checks", h("span", {}, "not run")),
+      h("p", { class: "why", key: "none" }, "They come with the answer."),
+    ];
   const titles = new Set();
-  const bars = all.filter((b) => {
-    const title = b.title.replace(`, ${b.of.pulley}`, "");
-    return !titles.has(title) && titles.add(title);
-  });
+  const bars = /** @type {Checked[]} */ (worstFirst(found))
+    .filter((b) => !titles.has(b.title) && titles.add(b.title))
+    .map((b) => ({ ...b, title: b.pulley ? `${b.title}, ${b.pulley}` : b.title }));
   const one = bars.find((b) => b.title === chosen.check) ?? bars[0];
   const missed = bars.filter((b) => b.level !== "OK").length;
   const kept = missed ? `${missed} of ${bars.length} not kept` : `all ${bars.length} kept`;
@@ -81,12 +100,13 @@ export function checked(page, which) {
       { class: "list", key: "list" },
       bars.map((b) => checkOf(b, b === one, put(b), `why-${page}`)),
     ),
-    one && reasonOf(one, one.of, `why-${page}`),
+    one && reasonOf(one, undefined, `why-${page}`),
   ];
 }
 /** Names and values, in a part of its own.
  * @param {string} title @param {[string, string][]} rows */
 export const facts = (title, rows) =>
+  rows.length > 0 &&
   h(
     "div",
     { class: "facts", key: title },

@@ -64,10 +64,6 @@ export function mark(problems) {
     return false;
   });
 }
-/** Whether nothing stands where the problem is: still to be filled in, and no mistake.
- * @param {Problem} p */
-export const toFillIn = (p) =>
-  !p.path || lacking(p).length > 0 || get(app.doc, place(p.path)) == null;
 /** The fields to fill in, where that is all that is wrong.
  * @param {Problem} p @returns {string[]} */
 function lacking({ path, code }) {
@@ -76,13 +72,4 @@ function lacking({ path, code }) {
   const few = TENSIONS.map((t) => [...at, t]).filter((key) => get(app.doc, key) == null);
   const needed = code === "few_tensions" ? few : code === "missing" ? [keys] : [];
   return needed.map((key) => key.join()).filter((key) => shownFields.has(key));
-}
-/** What is still needed in the words of the page; other problems in their own.
- * @param {Problem} p @returns {string[]} */
-export function asked(p) {
-  const [, i] = place(p.path);
-  const several = app.doc.pulley.length > 1 && /^pulley/.test(p.path);
-  const of = several ? `, pulley ${get(app.doc, ["pulley", i, "name"])}` : "";
-  const names = lacking(p).map((key) => `${shownFields.get(key)?.[0]}${of}`);
-  return names.length ? names : [sentence(p)];
 }

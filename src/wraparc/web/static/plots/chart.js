@@ -105,11 +105,11 @@ export class Chart {
           this.picked(/** @type {PointerEvent} */ (e), onpick),
         );
   }
-  /** @param {PointerEvent} e @param {(part: number) => void} onpick */
+  /** @param {PointerEvent} e @param {NonNullable<ChartLook["onpick"]>} onpick */
   picked(e, onpick) {
     const from = this.svg.getBoundingClientRect().left + this.left;
     const part = (e.clientX - from) / (this.wide - this.left - this.right);
-    onpick(Math.max(0, Math.min(1, part)));
+    onpick(Math.max(0, Math.min(1, part)), e);
   }
   /** @param {number} v */
   X(v) {

@@ -56,7 +56,7 @@ export function follow(x, y) {
 /** The colours of a quantity, light for little, as the style gives them. */
 const ramp = { of: "", stops: /** @type {number[][]} */ ([]) };
 /** @param {number} t */
-function colour(t) {
+export function colour(t) {
   const of = ["dark", "light"].find((c) => matchMedia(`(prefers-color-scheme: ${c})`).matches);
   const seen = `${of}${matchMedia("print").matches}`;
   if (ramp.of !== seen) {
@@ -264,10 +264,13 @@ export class Stage {
   /** The belt beside the pulley. @param {StageData} d */
   strand(d) {
     const y1 = CY - R - this.thick(d.t1) / 2;
-    attr(this.strands[0], { d: `M0 ${fixed(y1)}H${CX + 0.5}`, "stroke-width": this.thick(d.t1) });
+    attr(this.strands[0], {
+      d: `M-400 ${fixed(y1)}H${CX + 0.5}`,
+      "stroke-width": this.thick(d.t1),
+    });
     const { x, y, dx, dy, straight, out } = this.exit();
     const [bx, by] = [x + dx * straight, y + dy * straight];
-    const tail = out ? "" : "H0";
+    const tail = out ? "" : "H-400";
     const path = `M${fixed(x)} ${fixed(y)}L${fixed(bx)} ${fixed(by)}${tail}`;
     attr(this.strands[1], { d: path, "stroke-width": this.thick(d.t2) });
     const bent = straight && !out;

@@ -1,5 +1,5 @@
 // A profile drawn by hand: points dragged or moved by keys, and the same numbers in a table.
-import { wrong } from "../../base/design.js";
+import { grasp, gripped, wrong } from "../../base/design.js";
 import { si, trim, unit } from "../../base/units.js";
 import { field, shownFields } from "../../parts/field.js";
 import { roundStep, ticks } from "../../plots/svg.js";
@@ -285,12 +285,13 @@ export class Editor extends Component {
     const { kind } = this.props;
     const [place, value] = this.rows[k];
     const begin = (/** @type {PointerEvent} */ e) => {
+      grasp();
       this.held = this.ends();
       this.dragged = k;
       /** @type {Element} */ (e.currentTarget).setPointerCapture(e.pointerId);
     };
     const drag = (/** @type {PointerEvent} */ e) => {
-      if (this.dragged !== k) return;
+      if (this.dragged !== k || !gripped()) return;
       const [at, to] = this.under(e);
       this.move(k, at, to);
     };

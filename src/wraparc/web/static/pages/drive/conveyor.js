@@ -3,8 +3,8 @@
 import { app, change, set } from "../../base/design.js";
 import { written } from "../../base/units.js";
 import { field, more, parted, section } from "../../parts/field.js";
-import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
+import { without } from "./load.js";
 
 /** @import { Children } from "../../types.d.ts" */
 /** @import { Now } from "./inputs.js" */
@@ -23,18 +23,17 @@ const FIRST = [
   "stop_time",
 ];
 
+/** Put a conveyor in the place of the tensions. */
+export function describe() {
+  const { load_case: _, ...rest } = app.doc;
+  change({ ...rest, conveyor: { lift: "0 m" }, pulley: [without(app.doc.pulley[0])] });
+  document.getElementById("more")?.setAttribute("open", "");
+  requestAnimationFrame(() => document.getElementById("f-conveyor-length")?.focus());
+}
 /** @param {Now} now @returns {Children[]} */
 export function conveyor(now) {
   if (app.doc.conveyor) return given(now);
   if (app.doc.train || app.doc.pulley.length > 1 || !section("conveyor").length) return [];
-  const describe = () => {
-    const pulley = Object.fromEntries(
-      Object.entries(app.doc.pulley[0]).filter(([key]) => !TENSIONS.includes(key)),
-    );
-    const { load_case: _, ...rest } = app.doc;
-    change({ ...rest, conveyor: { lift: "0 m" }, pulley: [pulley] });
-    requestAnimationFrame(() => document.getElementById("f-conveyor-length")?.focus());
-  };
   return [
     h(
       "button",

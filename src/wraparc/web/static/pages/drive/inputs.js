@@ -38,20 +38,22 @@ let last = { of: "", keys: /** @type {string[]} */ ([]) };
 function shownKeys(given, k) {
   const at = k < 0 ? ["pulley", app.pulley] : caseAt(app.doc, app.pulley, k);
   const of = at.join();
-  const typed = (/** @type {string} */ key) => document.activeElement?.id === idOf([...at, key]);
+  const typed = (/** @type {string} */ key) =>
+    document.activeElement?.id.slice(1) === idOf([...at, key], "");
   if (last.of !== of || !last.keys.some((key) => !given.includes(key) && typed(key)))
     last = { of, keys: pairAt(given) < 0 ? [...new Set([...PAIRS[0], ...given])] : given };
   return last.keys;
 }
 /** @param {string[]} keys */
 export const pairAt = (keys) => PAIRS.findIndex((p) => p.join() === keys.join());
-/** The boxes of the load. @param {number} i */
-function loadBoxes(i) {
+/** The boxes of the load. @param {number} i @param {string} [page] */
+export function loadBoxes(i, page) {
   const of = givenLoad(i);
   return of?.keys.map((key) => {
     const over = of.k < 0 ? undefined : takenOver(app.doc, i, of.k, key);
     const path = [...of.at, key];
-    return field({ spec: spec("tensions", key), path, placeholder: over, scale: scaleOf(key) });
+    const s = spec("tensions", key);
+    return field({ spec: s, path, placeholder: over, scale: scaleOf(key), page, slider: !page });
   });
 }
 /** @param {number} i @param {string} key */

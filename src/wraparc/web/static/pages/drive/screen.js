@@ -1,8 +1,19 @@
 // The first screen of a drive: load cases, verdict, the pulley and one curve, checks and what would
 // change the creep. Everything else of the answer is below it, fetched when it is opened.
 
-import { app, caseNames, change, gripped, look, painted, set, undo } from "../../base/design.js";
-import { act, GONE, note, part, sentence } from "../../base/server.js";
+import {
+  app,
+  caseNames,
+  change,
+  gripped,
+  look,
+  painted,
+  redraw,
+  set,
+  undo,
+  wrong,
+} from "../../base/design.js";
+import { act, askAgain, GONE, note, part, sentence } from "../../base/server.js";
 import {
   digits,
   dimensionOf,
@@ -12,6 +23,7 @@ import {
   si,
   split,
   title,
+  trim,
   unit,
   words,
   written,
@@ -20,7 +32,8 @@ import { behind } from "../../frame/header.js";
 import { views } from "../../frame/tabs.js";
 import { levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
-import { asked, TENSIONS, toFillIn } from "../../parts/problems.js";
+import { NEEDED, shownFields } from "../../parts/field.js";
+import { TENSIONS } from "../../parts/problems.js";
 import { Curve } from "../../plots/curve.js";
 import { follow, Stage } from "../../plots/stage.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
@@ -53,7 +66,22 @@ const KEEPS = [
 /** What is fetched when it is opened. */
 const late = {
   details: /** @type {typeof import("./details.js") | null} */ (null),
+  begin: /** @type {typeof import("./begin.js") | null} */ (null),
 };
+/** What a drive shows whose load is still to be typed, on the strands. */
+function beginning() {
+  const { conveyor, train, load_case, pulley } = app.doc;
+  const given = TENSIONS.filter((key) => pulley[0][key] != null);
+  const load = answer.problems.some((p) => TENSIONS.some((key) => p.path.endsWith(key)));
+  const empty = answer.foreign && !(conveyor || train || load_case) && (given.length < 2 || load);
+  if (!empty && !document.activeElement?.closest(".typed")) return null;
+  const come = (/** @type {typeof late.begin} */ found) => {
+    late.begin = found;
+    redraw();
+  };
+  if (!late.begin && !app.lacks) part(() => import("./begin.js")).then(come, () => {});
+  return late.begin;
+}
 /** The order of the checks, as it was when the hand last let go. */
 const order = { of: /** @type {unknown} */ (null), titles: /** @type {string[]} */ ([]) };
 /** @param {number} v */
@@ -129,6 +157,7 @@ export class Screen extends Component {
     const refused = problems.length > 0;
     const waits = (awaited || !arc) && !refused && !app.gone;
     const how = stood();
+    const begin = beginning();
     const cls = ["screen", refused && "refused", slow && "waiting", waits && "awaited"];
     return h(
       "div",
@@ -146,24 +175,25 @@ export class Screen extends Component {
         h(
           "section",
           { class: "hero card", "aria-label": "Answer" },
-          verdict(arc, refused),
-          this.drawing(arc),
+          (!arc && begin?.verdict()) || verdict(arc, refused),
+          this.drawing(arc, begin?.strands()),
           this.along(arc),
         ),
-        this.checks(arc),
+        this.checks(arc, begin?.beside),
       ),
       foot(arc),
       questions(),
       this.below(arc),
     );
   }
-  /** @param {QuickAnswer | null} arc */
-  drawing(arc) {
+  /** @param {QuickAnswer | null} arc @param {Children} typed */
+  drawing(arc, typed) {
     const both = arc && handles(arc).t2;
     return h(
       "div",
       { class: "stage-box" },
       h("figure", { class: "stage-svg", ref: this.stageBox }),
+      typed,
       both &&
         h(
           "div",
@@ -193,8 +223,8 @@ export class Screen extends Component {
       h("figure", { class: "curve-box", ref: this.curveBox }),
     );
   }
-  /** @param {QuickAnswer | null} arc */
-  checks(arc) {
+  /** @param {QuickAnswer | null} arc @param {() => Children} [none] */
+  checks(arc, none) {
     const full = wholeArc();
     const all = sorted(full);
     const missed = all.filter((b) => rank(b) > 0).length;
@@ -204,6 +234,7 @@ export class Screen extends Component {
       "aside",
       { class: "checks card", "aria-label": "Checks against their limits" },
       h("h2", {}, "Checks", all.length > 0 && h("span", {}, `${kept} · bar: use of the limit`)),
+      !arc && none?.(),
       h(
         "ul",
         { class: "list" },
@@ -223,36 +254,37 @@ export class Screen extends Component {
     };
     const { open, part: at } = this.state;
     const place = { at: at ?? 0.5, put: (/** @type {number} */ part) => this.setState({ part }) };
-    return h(
-      "details",
-      { id: "details", class: "card", onToggle: toggle, key: "details" },
-      h("summary", {}, "Details"),
-      open && late.details && arc ? h(late.details.Details, { arc, ...place }) : null,
-    );
+    const inside = open && late.details && arc ? h(late.details.Details, { arc, ...place }) : null;
+    return fold("details", toggle, inside);
   }
 }
+/** What is under the fold, closed at first. @param {string} id @param {any} onToggle
+ * @param {Children} inside */
+export const fold = (id, onToggle, inside) =>
+  h("details", { id, class: "card", onToggle }, h("summary", {}, "Details"), inside);
 const stood = () => standing(answer.quickDoc === app.doc, answer.problems);
 
 // The verdict.
 
 /** Where a sentence ends: behind a word, not behind a letter that stands for a name. */
 const END = /^(.*?(?:[a-z0-9)%°]|kN)\.) (?=[A-Z])/s;
-/** The first sentence of a verdict, without the place that the page shows; and the rest.
+/** The first sentence of a verdict, or its first part, without the place that the page shows; and
+ * the rest.
  * @param {Text} text @param {{pulley: string, load_case: string}} arc
  * @returns {[string, string]} */
 export function opening(text, { pulley, load_case }) {
   const whole = words(text);
   const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
   const place = places.find((p) => whole.startsWith(p)) ?? "";
-  const said = whole.slice(place.length);
-  const half = said.indexOf("; ");
-  const [, one] = END.exec(said) ?? [];
-  if (one) return [one, said.slice(one.length + 1)];
+  const said = whole.slice(place.length).replace(` (pulley ${pulley}, load case ${load_case})`, "");
+  const [, one = said] = END.exec(said) ?? [];
+  const long = one.split(" ").length > 15;
+  const half = one.search(long ? /[;:] / : /; /);
   return half > 0
     ? [`${said.slice(0, half)}.`, said[half + 2].toUpperCase() + said.slice(half + 3)]
-    : [said, ""];
+    : [one, said.slice(one.length + 1)];
 }
-/** @param {Level | ""} level @param {string} text @param {Children} more
+/** @param {Level | ""} level @param {Children} text @param {Children} more
  * @param {Children} [action] @param {string} [all] @param {Children} [alert]
  * @param {string | null} [id] */
 export const said = (level, text, more, action, all = "", alert = null, id = "verdict") =>
@@ -263,7 +295,12 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
     h(
       "div",
       { role: "status", title: all },
-      h("p", {}, level && h("span", { class: "away" }, `${level}: `), text),
+      h(
+        "p",
+        { class: String(text).length > 80 ? "long" : "" },
+        level && h("span", { class: "away" }, `${level}: `),
+        text,
+      ),
       h("small", {}, more),
     ),
     h("div", { role: "alert", tabIndex: alert ? 0 : undefined }, alert),
@@ -272,18 +309,28 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
 /** @param {QuickAnswer | null} arc @param {boolean} refused */
 function verdict(arc, refused) {
   if (refused) return notComputed(arc !== null);
-  if (!arc) return said("", app.gone ? GONE : "Solving …", "");
+  if (silent())
+    return said("", gone(arc && " These are the last results."), AGAIN, askNow("advice"));
+  if (!arc) return said("", "Solving …", "");
   const how = stood();
-  if (app.gone && how !== "fresh") return said("", GONE, "Below is the answer before.");
   if (how !== "fresh") return said("", "Solving …", "Below is the answer before the change.");
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
   const [one, rest] = opening(v.headline, arc);
+  const does = full && action(arc);
   const worse = lacking()
     ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
-    : (elsewhere(full?.arcs, arc) ?? rest);
-  return said(level, one, worse, full && action(arc), words(v.headline));
+    : (elsewhere(full?.arcs, arc) ??
+      (does ? besides() : words(v.action) || (END.exec(rest)?.[1] ?? rest)));
+  return said(level, one, worse, does, words(v.headline));
+}
+/** What is missed besides what governs: the action beside it is solved for all. */
+function besides() {
+  const [, ...also] = worstFirst(wholeArc()?.bars ?? []).filter((b) => rank(b) > 0);
+  const few = also.slice(0, 2).map((b) => b.title);
+  const more = also.length - few.length;
+  return few[0] && `Also not kept: ${few.join("; ")}${more ? `, and ${more} more` : ""}.`;
 }
 /** @param {QuickAnswer} arc */
 const creepOf = ({ numbers, creep_limit, status }) =>
@@ -291,25 +338,43 @@ const creepOf = ({ numbers, creep_limit, status }) =>
     ? `${title("exit_creep")} ${shown("exit_creep", Math.abs(numbers.exit_creep))}, ` +
       `${percent(Math.abs(numbers.exit_creep) / creep_limit)} of the limit.`
     : "Gross slip.";
+const AGAIN = "Asked again every 5 s. Nothing typed is lost.";
+/** @param {Children} more */
+const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, more);
+/** @param {string} cls */
+const askNow = (cls) =>
+  h("button", { type: "button", class: `main ${cls}`, onClick: askAgain }, "Ask now");
+const cut = () => app.gone && app.page === "drive";
+/** Whether what is asked now waits for a server that is gone: the page solves most by itself. */
+const silent = () => cut() && !answer.problems.length && stood() !== "fresh";
 /** What keeps the drive from being solved. @param {boolean} before whether an answer stands */
 function notComputed(before) {
-  const empty = answer.problems.filter(toFillIn);
-  const not = answer.problems.filter((p) => p.beyond);
-  const n = answer.problems.length - empty.length;
-  const shown = answer.unplaced.length ? answer.unplaced : answer.problems;
-  const below = before ? " Below is the last answer." : "";
-  const told = (/** @type {string} */ head, /** @type {string[]} */ all) =>
-    said("", "", "", null, "", [h("p", {}, head, below), list(all, "reasons")]);
-  if (not.length) return told("Not solved in this page.", not.map(sentence));
-  if (n > 0)
-    return told(
-      `Not computed: ${n === 1 ? "one value" : `${n} values`} cannot be used.`,
-      shown.map(sentence),
-    );
-  return told("These numbers are still needed:", answer.problems.flatMap(asked));
+  const { problems, unplaced } = answer;
+  const not = problems.filter((p) => p.beyond);
+  const reasons = not.length ? not : unplaced;
+  const below = before ? "Below is the last answer." : "";
+  const head = not.length ? "Not solved in this page." : "Not computed.";
+  if (reasons.length)
+    return said("", "", "", null, "", [
+      h("p", {}, `${head} ${below}`),
+      list(reasons.map(sentence), "reasons"),
+    ]);
+  const all = [...wrong.at];
+  const bad = all.filter(([, text]) => text !== NEEDED);
+  const names = new Set((bad.length ? bad : all).map(([key]) => nameOf(key)));
+  const [what, n] = [bad.length ? "Not computed" : "Still needed", names.size - MOST];
+  const few = [...names].slice(0, MOST).join(", ");
+  return said("", `${what}: ${few}${n > 0 ? ` and ${n} more` : ""}.`, below);
+}
+const MOST = 3;
+/** @param {string} key of a field */
+function nameOf(key) {
+  const [at, i] = key.split(",");
+  const of = at === "pulley" && app.doc.pulley[1] ? `, pulley ${app.doc.pulley[+i].name}` : "";
+  return `${shownFields.get(key)?.[0]}${of}`;
 }
 const LEVELS = ["OK", "ATTENTION", "FAILS", "FAULT OF THE PROGRAM"];
-const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
+export const rank = (/** @type {{level: Level}} */ a) => LEVELS.indexOf(a.level);
 const use = (/** @type {FullArc} */ a) =>
   a.status === "solved" ? Math.abs(a.numbers.exit_creep) / a.creep_limit : Infinity;
 /** Another load case or pulley that comes off worse, and a way there.
@@ -344,9 +409,9 @@ function action(arc) {
   const all = known()?.least_tension?.raise_to;
   const found = all != null ? behind()?.raise(all) : behind()?.raiseAlone(wholeArc());
   if (found) return found;
-  const way = solver()
-    ?.ways()
-    .find((w) => w.level === "OK" || w.creep <= arc.creep_limit);
+  const ways = solver()?.ways() ?? [];
+  const better = ways.filter((w) => rank(w) < rank(arc)).sort((a, b) => a.creep - b.creep);
+  const way = ways.find((w) => w.level === "OK" || w.creep <= arc.creep_limit) ?? better[0];
   if (!way) return null;
   const text = `${way.does}: ${shown("exit_creep", way.creep, 3)}`;
   return h(
@@ -606,7 +671,7 @@ function sources({ status, numbers: n }) {
   );
 }
 /** What the data is worth. @param {QuickAnswer | null} arc */
-function foot(arc) {
+export function foot(arc) {
   const kinds = [...new Set((answer.full?.sources || []).map((x) => x.kind))];
   const out = arc?.numbers.outside_tested_share;
   const range =
@@ -621,7 +686,7 @@ function foot(arc) {
       h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
     kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
     h("span", { class: out > 0 ? "mark outside" : "" }, range),
-    fromExample(),
+    cut() && !silent() ? [gone(" Asked again every 5 s."), askNow("")] : fromExample(),
   );
 }
 
@@ -691,7 +756,7 @@ function stageData(arc, q) {
     hub: hub(arc),
     figures: arc ? FIGURES.map(([label, key]) => [label, figure(key, n)]) : [],
     legend: solved
-      ? `band and colour: ${name.toLowerCase()}, to ${digits(most / f)} ${u}`.trim()
+      ? `band and colour: ${name.toLowerCase()}, to ${digits(+trim(most / f, 3))} ${u}`.trim()
       : "",
     told: arc
       ? `Pulley with its wrapped arc; ${hub(arc).filter(Boolean).join(" ")}`
@@ -760,7 +825,7 @@ function curveData(arc, q) {
       ? "Not at rest: no curve along the wrap."
       : arc
         ? ""
-        : "The curve along the wrap comes with the first answer.",
+        : "The curve comes with the first answer.",
     told: `${title(q)} along the wrap${u && ` [${u}]`}`,
   };
 }

@@ -7,7 +7,7 @@ import { arcsOf, judge } from "./judge.js";
 import { alone } from "./judging.js";
 import { movedTo } from "./load.js";
 import { leastWrap } from "./ranges.js";
-import { answer } from "./solving.js";
+import { answer, whole, wholeArc } from "./solving.js";
 import { verdictOf } from "./words.js";
 
 /** @import { Design, Level } from "../../types.d.ts" */
@@ -18,7 +18,7 @@ const DEG = Math.PI / 180;
 /** Wraps that the least one is found between [deg], and that are offered. */
 const WRAPS = [150, 165, 180, 195, 210, 225, 240];
 const OFFERED = [210, 240, 270];
-/** Of the slack side: how much more of it is tried. */
+/** Of the slack side: how much more of it is tried, if the standard asks for no more. */
 const MORE = 1.35;
 
 /** What was found last, and of which arc. */
@@ -32,7 +32,8 @@ export const ways = () => (same(last.of) || gripped() ? last.all : []);
 export async function find() {
   const of = now();
   const { quick } = answer;
-  if (same(last.of) || gripped() || !quick || answer.quickDoc !== app.doc) return;
+  const judged = whole() || answer.judgedDoc === app.doc;
+  if (same(last.of) || gripped() || !quick || answer.quickDoc !== app.doc || !judged) return;
   Object.assign(last, { of, all: [] });
   leastWrap.wrap = null;
   if (app.doc.pulley.length > 1 || !(quick.numbers.effective_tension > 0)) return;
@@ -54,7 +55,9 @@ function changes(n) {
   const others = app.catalogue.laggings.filter((l) => l.name !== name);
   const wraps = OFFERED.filter((w) => w * DEG > n.wrap_angle * 1.02 || !n.wrap_angle).slice(0, 2);
   const [, kn] = unit("force");
-  const more = kn * +((n.exit_tension * MORE) / kn).toPrecision(2);
+  const least = wholeArc()?.bars.find((b) => b.name === "design_standard" && b.share < 1);
+  const size = Math.max(n.exit_tension * MORE, least ? (1.01 * least.value) / least.share : 0);
+  const more = kn * +(size / kn).toPrecision(2);
   const lift = more - n.exit_tension;
   const ends = [n.entry_tension + lift, more];
   return [

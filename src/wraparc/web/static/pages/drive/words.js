@@ -6,15 +6,19 @@ import { remarksOf as remarksOn, short, checkTable as tableOfChecks } from "../.
 
 const NOT_CHECKED = "NOT CHECKED";
 /** @param {Judged} judged @param {string} [load_case] @param {string} [pulley] */
-const verdictAt = ({ verdict, arcs }, load_case, pulley = arcs[0].pulley) =>
-  load_case === undefined ? verdict : verdict.at(pulley, load_case);
+const verdictAt = ({ verdict }, load_case, pulley) =>
+  load_case === undefined
+    ? verdict
+    : pulley === undefined
+      ? verdict.within(load_case)
+      : verdict.at(pulley, load_case);
 
-/** The verdict on a drive, or on one of its load cases and pulleys. @param {Judged} judged
+/** The verdict on a drive, or on one of its load cases, and pulleys. @param {Judged} judged
  * @param {string} [load_case] @param {string} [pulley]
  * @returns {Verdict & {levels: Record<string, Level>, short: string}} */
 export function verdictOf(judged, load_case, pulley) {
   const verdict = verdictAt(judged, load_case, pulley);
-  const { level, word, lead, others, listed } = verdict;
+  const { level, word, lead, action, others, listed } = verdict;
   const levels = listed
     .filter((/** @type {any} */ c) => c.level !== NOT_CHECKED)
     .map((/** @type {any} */ c) => [c.name, c.level]);
@@ -22,6 +26,7 @@ export function verdictOf(judged, load_case, pulley) {
     level,
     word,
     headline: lead,
+    action,
     sentences: [...others],
     short: shortOf(judged, verdict, load_case, pulley),
     levels: Object.fromEntries(levels),

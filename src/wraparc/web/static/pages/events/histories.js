@@ -47,15 +47,15 @@ function made(run) {
       },
     },
     {
-      title: "Torque of the motors",
+      title: "Torque",
       data: { x, lines: each((d) => d.torque, mf), ylabel: `M [${mu}]`, zero: true },
     },
     {
-      title: "Share of the pull",
+      title: "Share",
       data: { x, lines: each((d) => inside(d.share), 0.01), ylabel: "share [%]", zero: true },
     },
     {
-      title: "Creep at the exit",
+      title: "Creep",
       data: {
         x,
         lines: each((d) => d.exit_creep, xf),
@@ -65,7 +65,7 @@ function made(run) {
       },
     },
     {
-      title: "Peak shear stress",
+      title: "Shear",
       data: {
         x,
         lines: each((d) => d.peak_shear, unit("pressure")[1]),

@@ -1,7 +1,7 @@
 // The player: pulleys with belt and stress in motion, a slider of time, histories with a cursor.
 import { app } from "../../base/design.js";
 import { percent, show, unit } from "../../base/units.js";
-import { choose } from "../../parts/choose.js";
+import { choose, oneOf } from "../../parts/choose.js";
 import { Plot } from "../../parts/plot.js";
 import { MovingPulley } from "../../plots/moving.js";
 import { colourScale } from "../../plots/pulley.js";
@@ -27,12 +27,12 @@ const STEP = 0.5;
 const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**
- * @typedef {{playing: boolean, rate: number, what: What}} PlayerState
+ * @typedef {{playing: boolean, rate: number, what: What, curve: string}} PlayerState
  * @extends {Component<{run: Played}, PlayerState>}
  */
 export class Player extends Component {
   /** @type {PlayerState} */
-  state = { playing: false, rate: 1, what: "shear" };
+  state = { playing: false, rate: 1, what: "shear", curve: "Tension" };
   now = 0;
   last = 0;
   request = 0;
@@ -43,8 +43,7 @@ export class Player extends Component {
   boxes = [];
   /** @type {MovingPulley[]} */
   pulleys = [];
-  /** @type {Set<Chart>} */
-  charts = new Set();
+  chart = /** @type {Chart | null} */ (null);
   /** @type {number[][]} */
   turned = [];
   units = app.units;
@@ -120,7 +119,7 @@ export class Player extends Component {
     run.drums.forEach((d, i) => {
       this.show(d, i, row, frame);
     });
-    for (const chart of this.charts) chart.at(this.now / this.end);
+    this.chart?.at(this.now / this.end);
     const told = `${this.now.toFixed(2)} s`;
     const input = this.slider.current;
     if (input) {
@@ -163,55 +162,65 @@ export class Player extends Component {
       this.pulleys[i].turn(value(travel, row), value(this.turned[i], row));
     }
   }
+  /** Go to an instant by hand. @param {number} t */
+  go(t) {
+    if (this.state.playing) this.pause();
+    this.seek(t);
+  }
   render() {
     const { run } = this.props;
-    const { playing, rate, what } = this.state;
-    const drawn = histories(run);
     const box = (/** @type {number} */ i) => (/** @type {HTMLElement | null} */ e) => {
       this.boxes[i] = e;
     };
-    const hold = (/** @type {Chart} */ chart) => {
-      this.charts.add(chart);
-      chart.at(this.now / this.end);
-    };
-    return h(
-      "section",
-      { class: "card player", "aria-label": `Event ${run.event}` },
-      this.controls(playing, rate, what),
-      h("output", { class: "reading-time", for: "play-time", ref: this.reading }),
+    return [
       h(
         "div",
-        { class: "drums" },
-        run.drums.map((d, i) =>
-          h(
-            "figure",
-            { key: d.name },
-            h("figcaption", {}, h("strong", {}, d.name), " ", h("span", {})),
-            h("div", { ref: box(i) }),
+        {
+          ...{ class: "stage-box player", key: "s", tabIndex: 0 },
+          ...{ role: "group", "aria-label": `Event ${run.event}` },
+        },
+        h(
+          "div",
+          { class: "drums" },
+          run.drums.map((d, i) =>
+            h(
+              "figure",
+              { key: d.name },
+              h("figcaption", {}, h("strong", {}, d.name), " ", h("span", {})),
+              h("div", { ref: box(i) }),
+            ),
           ),
         ),
-      ),
-      h("div", { class: "scale", ref: this.scale }),
-      h(
-        "p",
-        { class: "help" },
-        "Blue where it acts the other way: there the drum brakes the belt.",
-      ),
-      h(
-        "div",
-        { class: "plots" },
-        drawn.map(({ title, data }) =>
-          h(Plot, { title, data, hold, height: 170, xlabel: "Time [s]", key: title }),
+        h("div", { class: "scale", ref: this.scale }),
+        h(
+          "p",
+          { class: "help" },
+          "Blue where it acts the other way: there the drum brakes the belt.",
         ),
       ),
-    );
+      h("div", { class: "curve player", key: "c" }, this.controls(), this.history()),
+    ];
   }
-  /** @param {boolean} playing @param {number} rate @param {What} what */
-  controls(playing, rate, what) {
-    const slide = (/** @type {any} */ e) => {
-      if (playing) this.pause();
-      this.seek(+e.currentTarget.value);
+  /** One quantity over the time, which a hand moves along it. */
+  history() {
+    const { curve } = this.state;
+    const drawn = histories(this.props.run);
+    const { title, data } = drawn.find((d) => d.title === curve) ?? drawn[0];
+    const hold = (/** @type {Chart} */ chart) => {
+      this.chart = chart;
+      chart.at(this.now / this.end);
     };
+    const onpick = (/** @type {number} */ part, /** @type {PointerEvent} */ e) =>
+      e.buttons && this.go(part * this.end);
+    const names = drawn.map((d) => /** @type {[string, string]} */ ([d.title, d.title]));
+    const put = (/** @type {string} */ curve) => this.setState({ curve });
+    return [
+      oneOf("history", "Quantity over time", title, names, put),
+      h(Plot, { title, data, hold, onpick, height: 178, xlabel: "Time [s]", key: title }),
+    ];
+  }
+  controls() {
+    const { playing, rate, what } = this.state;
     /** @type {[string, string][]} */
     const whats = Object.entries(WHATS).map(([k, [title]]) => [k, title]);
     return h(
@@ -225,15 +234,16 @@ export class Player extends Component {
       h(
         "label",
         { class: "time" },
-        "Time",
+        h("output", { class: "reading-time", for: "play-time", ref: this.reading }),
         h("input", {
           type: "range",
           id: "play-time",
+          "aria-label": "Time",
           ref: this.slider,
           min: 0,
           max: this.end,
           step: Math.max(+(this.end / 500).toPrecision(2), 0.001),
-          onInput: slide,
+          onInput: (/** @type {any} */ e) => this.go(+e.currentTarget.value),
         }),
       ),
       h(

@@ -1,7 +1,8 @@
 // The belt as it runs over the drums of a train: true wrap angles, the tension of every span
-// written at it and shown by the width of the line, the drum that slips.
+// written at it and shown by the width of the line, the shear on the lagging, the drum that slips.
 import { percent, show, shown } from "../../base/units.js";
 import { levelClass } from "../../parts/answers.js";
+import { colour, follow } from "../../plots/stage.js";
 import { fresh } from "../../plots/svg.js";
 import { h } from "../../vendor/preact.js";
 
@@ -9,9 +10,10 @@ import { h } from "../../vendor/preact.js";
 /** @typedef {{m: any, centre: Point, from: number, sense: number, start: Point, end: Point,
  *   leaving: number}} Drum from: angle of the entry nip about the centre */
 
-const R = 50;
-const FAR = 2.2 * R;
-const PIECES = 16; // of a wrap, each as wide as its tension
+/** Radius of a drum, in pixels where it is shown as large as it may be, by how many there are. */
+const RADII = [100, 100, 100, 76, 60];
+let R = RADII[0];
+const PIECES = 24; // of a wrap, each as wide as its tension
 const { PI, cos, sin } = Math;
 const LINE = { stroke: "var(--ink)", fill: "none" };
 
@@ -21,7 +23,7 @@ const along = ([x, y], angle, by) => [x + by * cos(angle), y + by * sin(angle)];
 const at = ([x, y]) => `${Math.round(10 * x) / 10} ${Math.round(10 * y) / 10}`;
 /** How long a span may be at a wrap, so that it does not cross the span before.
  * @param {number} wrap */
-const room = (wrap) => (wrap > PI ? (0.55 * R) / Math.tan((wrap - PI) / 2) : FAR);
+const room = (wrap) => (wrap > PI ? (0.55 * R) / Math.tan((wrap - PI) / 2) : 2.2 * R);
 
 /** Drums one after the other, turned in alternate senses; y goes down. @param {any[]} drives
  * @returns {Drum[]} */
@@ -39,22 +41,27 @@ function layOut(drives) {
     const drum = { m, centre, from, sense, start, end, leaving: heading + sense * wrap };
     const next = drives[i + 1]?.wrap_angle ?? PI;
     heading = drum.leaving;
-    start = along(end, heading, Math.max(0.8 * R, Math.min(FAR, room(wrap), room(next))));
+    start = along(end, heading, Math.max(0.8 * R, Math.min(2.2 * R, room(wrap), room(next))));
     return drum;
   });
 }
-/** @param {any} c a load case
- * @param {Map<string, {limit: number, level: any}>} limits of the creep, by pulley */
-export function chain(c, limits) {
+/**
+ * What is known of an arc: the limit of its creep and how it is kept, its shear along the wrap.
+ * @typedef {{limit: number, level: any, position?: number[], shear?: number[]}} Arc
+ */
+/** @param {any} c a load case @param {Map<string, Arc>} arcs by pulley
+ * @param {number} most of the shear */
+export function chain(c, arcs, most) {
+  R = RADII[c.drives.length] ?? 50;
   const drums = layOut(c.drives);
   const [first, last] = [drums[0], drums[drums.length - 1]];
   const all = c.drives.flatMap((/** @type {any} */ m) => [m.entry_tension, m.exit_tension]);
-  const most = Math.max(...all.filter(Number.isFinite), 1);
-  const wide = (/** @type {number} */ t) => (Number.isFinite(t) ? 1.5 + (6.5 * t) / most : 1.5);
-  const left = Math.min(...drums.map((d) => d.centre[0] - R), -2.5 * R) - 8;
+  const full = Math.max(...all.filter(Number.isFinite), 1);
+  const wide = (/** @type {number} */ t) => (Number.isFinite(t) ? 3 + (9 * t) / full : 3);
+  const left = Math.min(...drums.map((d) => d.centre[0] - R), -1.9 * R) - 8;
   /** @type {Point} */
   const come = [left, 0];
-  const gone = along(last.end, last.leaving, 2.4 * R);
+  const gone = along(last.end, last.leaving, 1.9 * R);
   const box = around([
     ...drums.flatMap(corners),
     come,
@@ -68,16 +75,21 @@ export function chain(c, limits) {
     .join("; ");
   return h(
     "svg",
-    { ...size(box), class: "chart", role: "img", "aria-label": `The belt over its drums. ${told}` },
+    {
+      ...size(box),
+      class: "chart chain",
+      role: "img",
+      "aria-label": `The belt over its drums. ${told}`,
+    },
     hatch(id),
-    drums.map((d) => shell(d, id)),
+    drums.map((d) => shell(d, id, arcs.get(d.m.pulley), most)),
     span(come, first.start, wide(first.m.entry_tension), false),
     drums.map((d) => wrapped(d, wide)),
     drums.slice(1).map((d, i) => between(drums[i], d, wide)),
     span(last.end, gone, wide(last.m.exit_tension), false),
-    text([left, -13], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
+    text([left, -15], "tr", `${runs ? "" : "carrying strand "}${force(first.m.entry_tension)}`),
     label(gone, last, [...(runs ? [] : ["return strand"]), force(last.m.exit_tension)]),
-    drums.map((d) => named(d, both, limits.get(d.m.pulley))),
+    drums.map((d) => named(d, both, arcs.get(d.m.pulley))),
   );
 }
 /** @param {number} t */
@@ -123,21 +135,31 @@ const hatch = (id) =>
       h("path", { d: "M0 0V6", class: "hatch-red" }),
     ),
   );
-/** A drum, the lagging under the belt, hatched where it slips. @param {Drum} d
- * @param {string} id */
-function shell({ m, centre, from, sense }, id) {
+/** A drum, the lagging under the belt coloured by its shear, hatched where it slips.
+ * @param {Drum} d @param {string} id @param {Arc | undefined} arc @param {number} most */
+function shell({ m, centre, from, sense }, id, arc, most) {
   const [x, y] = centre;
-  const r = R - 6;
+  const [r, thick] = [R - 7, 12];
   const wrap = m.wrap_angle ?? PI;
-  const ends = [from, from + sense * wrap].map((a) => at(along(centre, a, r)));
-  const ring = `M${ends[0]}A${r} ${r} 0 ${wrap > PI ? 1 : 0} ${sense > 0 ? 1 : 0} ${ends[1]}`;
+  const shear = arc?.position && arc.shear && follow(arc.position, arc.shear);
   return h(
     "g",
     { key: `shell ${m.pulley}` },
-    h("circle", { cx: x, cy: y, r: R, class: "steel" }),
+    h("circle", { cx: x, cy: y, r: r - 1, class: "steel" }),
     slips(m)
       ? h("circle", { cx: x, cy: y, r: R, fill: `url(#${id})` })
-      : h("path", { d: ring, class: `wrapped ${m.share < 0 ? "brakes" : ""}` }),
+      : Array.from({ length: PIECES }, (_, k) => {
+          const ends = [k, Math.min(k + 1.05, PIECES)].map((n) =>
+            at(along(centre, from + (sense * wrap * n) / PIECES, r)),
+          );
+          return h("path", {
+            d: `M${ends[0]}A${r} ${r} 0 0 ${sense > 0 ? 1 : 0} ${ends[1]}`,
+            class: `wrapped ${m.share < 0 ? "brakes" : ""}`,
+            "stroke-width": thick,
+            stroke: shear ? colour(Math.abs(shear((k + 0.5) / PIECES)) / (most || 1)) : "var(--q2)",
+            key: k,
+          });
+        }),
   );
 }
 /** Belt on a drum, as wide as its tension, from entry to exit. @param {Drum} d
@@ -188,7 +210,7 @@ function between(a, b, wide) {
     ? `${force(a.m.exit_tension)} → ${force(b.m.entry_tension)}`
     : force(b.m.entry_tension);
   const width = (wide(a.m.exit_tension) + wide(b.m.entry_tension)) / 2;
-  const place = along(along(b.start, a.leaving, 2), off, 8 + width);
+  const place = along(along(b.start, a.leaving, 2), off, 10 + width);
   return [span(a.end, b.start, width, broken), beside(place, off, told)];
 }
 /** Words that begin or end at a place, on the side that an angle points to. @param {Point} p
@@ -205,26 +227,28 @@ const beside = ([x, y], angle, told) => {
 function label([x, y], { leaving }, lines) {
   const right = cos(leaving) > 0;
   const cls = right ? "tr" : "ty";
-  return lines.map((told, k) => text([x + (right ? 8 : -8), y + 4 + 13 * k], cls, told));
+  return lines.map((told, k) => text([x + (right ? 8 : -8), y + 4 + 16 * k], cls, told));
 }
 /** Name, share, creep and wrap angle in a drum, and the side of the belt where they differ.
- * @param {Drum} d @param {boolean} both @param {{limit: number, level: any} | undefined} kept */
+ * @param {Drum} d @param {boolean} both @param {Arc | undefined} kept */
 function named({ m, centre: [x, y] }, both, kept) {
   const name = m.pulley.length > 10 ? `${m.pulley.slice(0, 9)}…` : m.pulley;
   const said = slips(m) ? "slips" : percent(m.share, 3);
   const wrap = m.wrap_angle == null ? "" : `${Math.round((180 * m.wrap_angle) / PI)}°`;
   const does = m.share < 0 && !slips(m) ? "brakes" : "wrap";
   const creep = slips(m) ? "" : `creep ${shown("exit_creep", Math.abs(m.exit_creep), 3)}`;
+  const [head, share, low] = [y - 0.14 * R - 22, y + 0.06 * R - 12, y + 0.39 * R - 13];
+  const gap = 0.11 * R + 7;
   return h(
     "g",
     { key: `named ${m.pulley}` },
     h("title", {}, `${m.pulley}: ${words(m)}${both ? sideOf(m) : ""}`),
-    both && text([x, y - 29], "tn", `${m.side} side`),
-    text([x, y - 18], "tx", name),
-    text([x, y - 3], "t1", said),
-    text([x, y + 12], `creep ${levelClass(kept?.level || null)}`, creep),
-    kept && text([x, y + 22], "tn", `limit ${show(kept.limit, "length")}`),
-    text([x, y + 32], "tn", `${wrap} ${does}`),
+    both && text([x, head - 14], "tn", `${m.side} side`),
+    text([x, head], "tx", name),
+    h("text", { x, y: share, class: "t1", style: { fontSize: `${12 + 0.16 * R}px` } }, said),
+    text([x, low], `creep ${levelClass(kept?.level || null)}`, creep),
+    kept && text([x, low + gap], "tn", `limit ${show(kept.limit, "length")}`),
+    text([x, low + 2 * gap - 2], "tn", `${wrap} ${does}`),
   );
 }
 /** @param {Point} p @param {string} cls @param {string} words */

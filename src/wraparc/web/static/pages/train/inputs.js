@@ -33,6 +33,7 @@ function addPulley() {
   const given = doc.train || Object.fromEntries(Object.entries(only(last, LOADS)).slice(0, 2));
   const train = { ...given };
   if (given.share) train.share = [...given.share, "0 %"];
+  else if (Array.isArray(given.speeds)) train.speeds = [...given.speeds, "100 %"];
   else if (!given.speeds) train.share = shares(pulley.length);
   // cases of a single pulley say nothing of a train
   const kept = doc.train ? doc : without(doc, ["load_case"]);
@@ -47,8 +48,15 @@ function removePulley(i) {
     const single = { ...pulley[0], ...only(train, LOADS) };
     change(/** @type {Design} */ ({ ...without(doc, ["train", "load_case"]), pulley: [single] }));
   } else {
-    const share = train.share?.filter((/** @type {any} */ _, /** @type {number} */ k) => k !== i);
-    change({ ...doc, pulley, ...(doc.train && { train: { ...train, ...(share && { share }) } }) });
+    const rest = Object.fromEntries(
+      ["share", "speeds"]
+        .filter((key) => Array.isArray(train[key]))
+        .map((key) => [
+          key,
+          train[key].filter((/** @type {any} */ _, /** @type {number} */ k) => k !== i),
+        ]),
+    );
+    change({ ...doc, pulley, ...(doc.train && { train: { ...train, ...rest } }) });
   }
   document.getElementById("add-pulley")?.focus();
 }

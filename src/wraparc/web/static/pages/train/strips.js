@@ -1,6 +1,6 @@
 // How the load of a train is divided, and the trim of one of its drives: a bar with a divider
 // between neighbours, whose parts always sum to the whole, and a strip with the limits of the trim.
-import { app, change, edit, grasp, release, set } from "../../base/design.js";
+import { app, change, edit, grasp, gripped, release, set } from "../../base/design.js";
 import { percent, shown, split } from "../../base/units.js";
 import { h } from "../../vendor/preact.js";
 
@@ -65,7 +65,7 @@ function knob(label, text, place, [least, now, most], step, put) {
       grasp();
     },
     onPointerMove: (/** @type {any} */ e) =>
-      e.currentTarget.hasPointerCapture(e.pointerId) && at(e),
+      gripped() && e.currentTarget.hasPointerCapture(e.pointerId) && at(e),
     onPointerUp: () => release(),
   });
 }
@@ -112,49 +112,62 @@ export function shareBar(c) {
 
 const ROOM = 2e-4; // of trim beyond what is marked
 const NEAR = 0.05; // of the load: how far a share may be off
+/** The trim that the design gives a drive, or that its share comes to; and how it is given.
+ * @param {any} m @param {number} i
+ * @returns {[number, ((v: number) => void) | null]} */
+function trimOf(m, i) {
+  const speeds = app.doc.train?.speeds;
+  if (Array.isArray(speeds)) {
+    const [own, first] = [partOf(speeds[i]), partOf(speeds[0])];
+    /** @type {Path} */
+    const path = ["train", "speeds", i];
+    if (own > 0 && first > 0)
+      return [own / first, (v) => edit(path, `${(100 * v * first).toFixed(3)} %`)];
+  }
+  const parts = given();
+  const by = 1e3 * m.share_sensitivity;
+  if (parts.length !== 2 || !by) return [m.speed_trim, null];
+  const trim = m.speed_trim + (parts[1] - m.share) / by; // to first order
+  return [trim, (v) => divide(parts, 0, parts[0] - by * (v - trim))];
+}
 /**
- * The trim of a drive: where both drives keep their creep limit, where its share is kept.
- * @param {any} c the load case @param {number} i drive @param {any} matched or null
+ * The trim of a drive: where all drives keep their creep limits, where its share is kept.
+ * @param {any} c the load case @param {number} i drive
+ * @param {number[] | null} keeps trims between which all keep them, where they are found
+ * @param {{pressed: boolean, put: () => void} | null} chooser of the drive that is explained
  */
-export function trimStrip(c, i, matched) {
+export function trimStrip(c, i, keeps, chooser) {
   const m = c.drives[i];
-  if (!(m?.speed_trim > 0)) return null;
-  const trim = m.speed_trim;
+  if (!i || !(m.speed_trim > 0)) return null;
   const half = m.share_sensitivity ? (NEAR * 1e-3) / Math.abs(m.share_sensitivity) : 0;
-  /** @param {string} what @returns {number[]} */
-  const marks = (what) =>
-    (matched?.curves[0]?.marks ?? [])
-      .filter((/** @type {any} */ k) => k.what === what)
-      .map((/** @type {any} */ k) => k.at);
-  const limits = marks("creep_limit");
-  const unloaded = marks("unloaded");
-  const ends = [trim - 2 * half, trim + 2 * half, 1, ...limits, ...unloaded];
+  const ends = [m.speed_trim - 2 * half, m.speed_trim + 2 * half, 1, ...(keeps ?? [])];
   const [least, most] = [Math.min(...ends) - ROOM, Math.max(...ends) + ROOM];
+  const [trim, put] = trimOf(m, i);
   const at = (/** @type {number} */ v) => (v - least) / (most - least);
   const span = (/** @type {string} */ cls, /** @type {number[]} */ [a, b]) =>
     h("u", { class: cls, key: cls, style: { left: pct(at(a)), width: pct(at(b) - at(a)) } });
   const text = percent(trim, 5);
   const kept = half ? ` (± ${percent(half, 2)} keeps the share within ${percent(NEAR)})` : "";
-  /** @type {Path} */
-  const path = ["train", "speeds", i];
-  const put = (/** @type {number} */ v) => edit(path, `${(100 * v).toFixed(3)} %`);
   const label = `Trim of ${m.pulley}`;
   const range = /** @type {[number, number, number]} */ ([least, trim, most]);
+  const pick = chooser && {
+    ...{ type: "button", class: "link", "aria-pressed": chooser.pressed, onClick: chooser.put },
+  };
   return h(
     "div",
-    { class: "strip", key: "trim" },
-    h("span", { class: "strip-name" }, label),
+    { class: "strip", key: label },
+    h("span", { class: "strip-name" }, pick ? h("button", pick, label) : label),
     h(
       "div",
       { class: "strip-track" },
-      limits.length > 1 && span("keeps", [Math.min(...limits), Math.max(...limits)]),
-      half > 0 && span("near", [trim - half, trim + half]),
+      keeps && span("keeps", keeps),
+      half > 0 && span("near", [m.speed_trim - half, m.speed_trim + half]),
       h(
         "s",
         { class: at(1) > 0.5 ? "left" : "", style: { left: pct(at(1)) } },
         h("small", {}, "equal speeds"),
       ),
-      Array.isArray(app.doc.train?.speeds)
+      put
         ? knob(label, text, at(trim), range, 1e-4, put)
         : h("b", { class: "now", style: { left: pct(at(trim)) } }),
     ),

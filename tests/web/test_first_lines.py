@@ -1,0 +1,266 @@
+"""The first two lines of an answer, as one reads them who reads no more; and a drive without one.
+
+Drives are invented so that each fails in a way of its own. Expected of each: a sentence that is
+whole at every width, and an action that comes to what it told.
+"""
+
+import re
+
+import pytest
+from playwright.sync_api import Page, Route, ViewportSize, expect
+
+from web.browser import PHONE, Calculator, Visitor
+from web.calculators import wait_for
+
+SCREEN: ViewportSize = {"width": 1440, "height": 900}
+WIDTHS: list[ViewportSize] = [SCREEN, {"width": 1024, "height": 768}, PHONE]
+#: Drives by what is wrong with them: T1 and T2, and other fields; the level that they come to.
+DRIVES: dict[str, tuple[str, str, dict[str, str], str]] = {
+    "slips": ("130", "4", {}, "FAILS"),
+    "brakes": ("60", "150", {}, "ATTENTION"),
+    "idles": ("100", "100", {}, "OK"),
+    "weak belt": ("300", "150", {}, "FAILS"),
+    "no tension helps": ("900", "10", {}, "FAILS"),
+    "tension below the tests": ("8", "2", {}, "ATTENTION"),
+    "small pulley": ("120", "60", {"pulley-0-diameter": "100"}, "FAILS"),
+    "short wrap": ("120", "60", {"pulley-0-wrap_angle": "90"}, "ATTENTION"),
+    "brakes a little": ("100", "101", {}, "OK"),
+}
+#: What of the two lines and the button is cut off [px].
+CUT = """() => ["p", "small", ".act button"].flatMap((q) => {
+  const e = document.querySelector(`#verdict ${q}`);
+  return e && e.scrollHeight > e.clientHeight + 1 ? [`${q}: ${e.textContent}`] : [];
+})"""
+
+
+def new(visitor: Visitor, units: str = "SI") -> Page:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.get_by_label(units, exact=True).check(force=True)
+    page.click("#file > summary")
+    page.get_by_role("button", name="New drive").click()
+    expect(page.locator("#s-pulley-0-entry_tension")).to_be_focused()
+    return page
+
+
+def typed(visitor: Visitor, entry: str, exit_: str, units: str = "SI") -> Page:
+    page = new(visitor, units)
+    page.keyboard.type(entry)
+    page.keyboard.press("Tab")
+    page.keyboard.type(exit_)
+    page.keyboard.press("Tab")
+    visitor.solved()
+    return page
+
+
+@pytest.mark.parametrize("name", DRIVES)
+def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
+    visitor: Visitor, name: str
+) -> None:
+    entry, exit_, fields, level = DRIVES[name]
+    page = typed(visitor, entry, exit_)
+    for field, value in fields.items():
+        page.fill(f"#f-{field}", value)
+    visitor.solved()
+    expect(page.locator("#verdict p")).to_contain_text(f"{level}: ")
+    if float(entry) > float(exit_):
+        page.wait_for_selector(".ways li")
+    for size in WIDTHS:
+        page.set_viewport_size(size)
+        visitor.painted()
+        assert page.evaluate(CUT) == [], size
+    button = page.locator("#verdict .advice")
+    if not button.count():
+        assert level == "OK" or name in ("weak belt", "no tension helps")
+        return
+    told = button.inner_text()
+    button.click()
+    if creep := re.search(r": ([\d.]+) mm$", told):
+        expect(page.locator(".hub-number tspan").first).to_have_text(creep[1])
+    else:
+        key = "entry" if "T1" in told else "exit"
+        amount = re.findall(r"[\d.]+(?= kN)", told)[0]
+        expect(page.locator(f"#f-pulley-0-{key}_tension")).to_have_value(amount)
+        expect(page.locator("#verdict")).to_contain_text("OK: ")
+    expect(page.locator("#verdict p")).not_to_contain_text("FAILS")
+
+
+def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visitor) -> None:
+    # expected: CEMA asks for 62.9 kN of this pull; a little more, in two figures
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.fill("#f-pulley-0-entry_tension", "130")
+    page.fill("#f-pulley-0-exit_tension", "4")
+    button = page.locator("#verdict .act button")
+    expect(button).to_have_text("Raise T2 to 64 kN: 11.0 mm")
+    button.click()
+    expect(page.locator(".hub-number tspan").first).to_have_text("11.0")
+    expect(page.locator("#f-pulley-0-entry_tension")).to_have_value("190")
+
+
+def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.locator("#cases").get_by_role("button", name="start").click()
+    visitor.solved()
+    # does it hold; what is wrong; what do I do; where on the arc; in which case
+    expect(page.locator("#verdict .away")).to_have_text("ATTENTION: ")
+    expect(page.locator("#verdict p")).to_contain_text(
+        "Creeps 11.3 mm, more than the limit of 6.35"
+    )
+    assert page.locator("svg.stage.warn .hub-number tspan").first.text_content() == "11.3"
+    expect(page.locator("#verdict .act button")).to_have_text("Use full ceramic: 6.33 mm")
+    assert page.locator("svg.stage .band-over").get_attribute("d")
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 178 %")
+
+
+def test_what_is_asked_most_takes_one_press(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    page.wait_for_selector(".ways li")
+    number = page.locator(".hub-number tspan").first
+
+    def undone() -> None:
+        page.click("#undo")
+        expect(number).to_have_text("7.38")
+        page.wait_for_selector(".ways li")
+
+    page.get_by_role("button", name="Raise T2 to 89.4 kN").click()  # the least T2
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
+    undone()
+    page.get_by_role("button", name="Full ceramic").click()  # which lagging
+    expect(number).to_have_text("4.21")
+    undone()
+    page.select_option(".rail > .pick-row .condition select", "wet")  # wet
+    expect(number).not_to_have_text("7.38")
+    undone()
+    page.get_by_role("button", name="start creeps").click()  # the worst case
+    expect(number).to_have_text("11.3")
+    page.locator(".list button").nth(1).click()  # why, and by which source
+    expect(page.locator("#why")).to_contain_text("CEMA")
+    page.locator(".curve").get_by_text("Shear", exact=True).click()  # where on the arc
+    expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
+    page.get_by_label("US", exact=True).check(force=True)
+    expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+
+
+def test_two_numbers_on_the_strands_give_the_verdict(visitor: Visitor) -> None:
+    page = new(visitor)
+    assert page.locator("#verdict .act button").inner_text() == "Load the example"
+    page.keyboard.type("150")
+    page.keyboard.press("Tab")
+    expect(page.locator("#s-pulley-0-exit_tension")).to_be_focused()
+    page.keyboard.type("6")  # solved while it is typed, and the box stays
+    expect(page.locator("#verdict p")).to_contain_text("FAILS")
+    page.keyboard.type("0")
+    expect(page.locator(".hub-number tspan").first).to_have_text("7.38")
+    expect(page.locator("#s-pulley-0-exit_tension")).to_be_focused()
+    assert page.input_value("#f-pulley-0-exit_tension") == "60"
+    page.keyboard.press("Tab")
+    expect(page.locator(".typed")).to_have_count(0)
+    expect(page.locator(".h:visible")).to_have_count(3)
+    # cleared, it is a value that lacks, beside the last answer
+    page.fill("#f-pulley-0-exit_tension", "")
+    expect(page.locator("#verdict p")).to_have_text("Still needed: Exit tension.")
+    expect(page.locator(".typed")).to_have_count(0)
+    expect(page.locator("#results")).to_have_attribute("data-stands", "refused")
+
+
+@pytest.mark.parametrize("size", WIDTHS, ids=lambda s: str(s["width"]))
+def test_boxes_on_the_strands_are_beside_them(calculator: Calculator, size: ViewportSize) -> None:
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, size, has_touch=True)
+    page = new(visitor)
+    found = page.evaluate(
+        """() => {
+          const box = (e) => e.getBoundingClientRect();
+          const [a, b] = [...document.querySelectorAll(".typed .box")].map(box);
+          const [over, under] = [...document.querySelectorAll(".strand")].map(box);
+          const stage = box(document.querySelector(".stage-box"));
+          return [a.top - stage.top, over.bottom - a.bottom, b.top - under.top,
+            stage.bottom - b.bottom, Math.min(a.height, b.height)];
+        }"""
+    )
+    assert min(found[:4]) >= 0, found
+    assert found[4] >= 36
+    assert page.evaluate("document.documentElement.scrollWidth") == size["width"]
+    visitor.close()
+    assert visitor.wrong == []
+
+
+def test_a_new_drive_leads_to_the_conveyor_and_to_examples(visitor: Visitor) -> None:
+    page = new(visitor)
+    page.get_by_role("button", name="Compute T1, T2 from the conveyor").click()
+    expect(page.locator("#f-conveyor-length")).to_be_focused()
+    expect(page.locator("#verdict p")).to_contain_text("Still needed: Length")
+    expect(page.locator(".typed")).to_have_count(0)
+    page.click("#undo")
+    expect(page.locator(".typed")).to_be_visible()
+    page.locator(".from").get_by_role(
+        "button", name="Uphill conveyor, pull from its resistances"
+    ).click()
+    expect(page.locator("#title")).to_have_text("Uphill conveyor, pull from its resistances")
+    visitor.solved()
+    expect(page.locator(".from")).to_have_count(0)
+
+
+def gone(page: Page) -> None:
+    """Take the server away; expected: it is said once, and nothing moves by it."""
+    boxes = """() => [".sub", ".rail", ".say", ".stage-box", ".checks", ".foot-line"].map((q) => {
+      const { x, y, width, height } = document.querySelector(q).getBoundingClientRect();
+      return [x, y, width, height];
+    })"""
+    before = page.evaluate(boxes)
+    page.route("**/api/v1/**", lambda route: route.abort())
+    page.fill("#f-pulley-0-exit_tension", "75")
+    expect(page.locator(".gone")).to_be_visible()
+    assert page.inner_text("body").count("The server does not answer.") == 1
+    assert page.inner_text("body").count("Asked again every 5 s.") == 1
+    assert page.evaluate(boxes) == before
+
+
+def back(page: Page) -> None:
+    page.unroute_all(behavior="wait")
+    page.get_by_role("button", name="Ask now").click()
+    expect(page.locator(".gone")).to_have_count(0)
+
+
+def test_a_server_that_is_gone_is_told_once_below_what_the_page_solves(
+    calculator: Calculator,
+) -> None:
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, SCREEN)
+    page = visitor.open("drive", unfold=False)
+    visitor.alone()
+    gone(page)
+    # the page solves and judges this itself: it is an answer, and no old one
+    expect(page.locator(".hub-number tspan").first).to_have_text("5.43")
+    expect(page.locator("#verdict p")).to_contain_text("OK: ")
+    expect(page.locator(".foot-line .gone")).to_be_visible()
+    back(page)
+    visitor.solved()
+    visitor.close()
+
+
+def test_a_server_that_is_gone_takes_the_place_of_the_verdict(calculator: Calculator) -> None:
+    browser, server = calculator
+    visitor = Visitor(browser, server.address, SCREEN)
+    held: list[Route] = []  # the solver of the page is long in coming
+    visitor.page.route("**/judging.js", lambda route: held.append(route))  # noqa: PLW0108
+    page = visitor.open("drive", unfold=False)
+    visitor.solved()
+    wait_for(lambda: page.evaluate("1") and held)
+    gone(page)
+    said = page.locator("#verdict")
+    expect(said).to_contain_text("The server does not answer. These are the last results.")
+    expect(said).to_have_class(re.compile(r"^say\s*$"))
+    expect(page.locator("#results")).to_have_attribute("data-stands", "gone")
+    # the colours of the last results are gone
+    expect(page.locator(".checks")).to_have_css("filter", "grayscale(1)")
+    page.unroute("**/api/v1/**")
+    page.get_by_role("button", name="Ask now").click()
+    visitor.solved()
+    held[0].continue_()
+    visitor.alone()
+    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("75")
+    visitor.close()

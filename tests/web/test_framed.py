@@ -1,0 +1,158 @@
+"""The views of a drive beside the first screen: tandem, across the width, in time.
+
+Expected of each: a frame in which nothing moves while a hand drags, checks of the answer that is
+shown and of no other, and everything else one press away.
+"""
+
+import json
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from cli.running import wraparc
+from web.browser import STUDY, Visitor, turn
+from web.calculators import document
+from web.test_first_screen import MOVED, SCREEN, STILL, WATCH, drag, middle
+from web.test_standing import take
+from worded import worded
+
+EXAMPLES = Path("examples")
+
+
+def shows(visitor: Visitor, name: str, view: str) -> Page:
+    """Open a shipped drive in a view, as it is at first."""
+    page = visitor.open("drive", unfold=False)
+    page.set_viewport_size(SCREEN)
+    doc = document(name)
+    for event in doc.get("motion", {}).get("event", ()):
+        event["duration"] = "3 s"
+    take(page, doc)
+    visitor.solved()
+    visitor.open(view, unfold=False)
+    if view != "events":
+        expect(page.locator(f"#{view} .screen")).to_have_attribute("data-stands", "fresh")
+    return page
+
+
+HANDLES = {
+    "Load of first and second": ("train", "tandem-fabric"),
+    "Trim of second": ("train", "tandem-fabric"),
+    "Point 4 at -140 mm": ("across", "worn-head-drive-fabric"),
+}
+
+
+@pytest.mark.parametrize("name", HANDLES)
+def test_nothing_moves_while_a_handle_is_dragged(visitor: Visitor, name: str) -> None:
+    view, file = HANDLES[name]
+    page = shows(visitor, file, view)
+    handle = f'#{view} [role=slider][aria-label="{name}"]'
+    place = handle if view == "train" else f"#{view} .draw [role=slider] >> nth=3"
+    text = page.locator(place).get_attribute("aria-valuetext")
+    asked: list[str] = []
+    page.on("request", lambda r: asked.append(r.url) if "/api/" in r.url else None)
+    x, y = middle(page, place)
+    still = ", ".join(f"#{view} {part.strip()}" for part in STILL.split(","))
+    page.evaluate(WATCH.replace("< 100", "< 50"), f"{still}, #{view} .strip, #{view} .strip-name")
+    drag(page, x, y, (x + 30, y + 20), 60)
+    found, frames = page.evaluate(MOVED)
+    assert found == []
+    assert frames > 5
+    assert page.locator(place).get_attribute("aria-valuetext") != text
+    assert [url for url in asked if url.endswith(f"/{view}")] == []
+    # Escape gives back, and what the hand does then is nothing
+    page.keyboard.press("Escape")
+    page.mouse.move(x + 60, y + 30)
+    page.mouse.up()
+    expect(page.locator(place)).to_have_attribute("aria-valuetext", str(text))
+    # one drag, one step back
+    x, y = middle(page, place)
+    drag(page, x, y, (x + 30, y + 20), 12)
+    page.evaluate("const now = performance.now(); performance.now = () => now + 1e5")
+    page.mouse.move(x + 40, y + 25)
+    page.mouse.up()
+    expect(page.locator(place)).not_to_have_attribute("aria-valuetext", str(text))
+    page.click("#undo")
+    expect(page.locator(place)).to_have_attribute("aria-valuetext", str(text))
+
+
+@pytest.mark.parametrize("view", ["train", "across"])
+def test_the_whole_answer_is_one_press_away(visitor: Visitor, view: str) -> None:
+    file = {"train": "tandem-fabric", "across": "worn-head-drive-fabric"}[view]
+    page = shows(visitor, file, view)
+    tables = page.locator(f"#{view} details.table")
+    expect(tables.first).to_be_hidden()
+    assert page.evaluate("document.documentElement.scrollHeight") < 1100
+    page.click(f"#{view}-details > summary")
+    expect(tables.first).to_be_visible()
+
+
+def test_checks_of_a_run_are_those_of_the_command(visitor: Visitor) -> None:
+    page = shows(visitor, "tandem-fabric", "events")
+    checks, say = page.locator("#events .checks"), page.locator("#events .say")
+    expect(checks).to_contain_text("not run")
+    expect(checks.locator("li")).to_have_count(0)
+    assert page.locator("#events :is(.good, .warn, .bad)").count() == 0
+    page.select_option("#e-points", "30")
+    page.get_by_role("button", name="Run it").click()
+    expect(page.locator("#events .screen")).to_have_attribute("data-stands", "fresh", timeout=STUDY)
+    settings = ("--set", "motion.event.start.duration=3 s", "--points", "30", "--quiet")
+    out = wraparc("run", str(EXAMPLES / "tandem-fabric.toml"), *settings, "--json", "-")[1]
+    (table,) = (t for t in json.loads(out)["answer"]["tables"] if t["name"] == "checks")
+    expected = {worded(row["title"]): worded(row["values"][0]) for row in table["rows"]}
+    rows = checks.locator("li").all_inner_texts()
+    assert len(rows) > 3
+    for row in rows:
+        title, value = row.replace("\n", " ").rsplit(", ", 1)[0], row
+        assert expected[title.strip()] in value, row
+    # of another design nothing is judged, and it says so
+    page.fill("#e-motion-conveyor_mass", "120")
+    expect(say).to_contain_text("The design changed.")
+    expect(say.get_by_role("button", name="Run again")).to_be_enabled()
+    expect(page.locator("#events .screen")).to_have_attribute("data-stands", "stale")
+    assert page.locator("#events .say:is(.good, .warn, .bad)").count() == 0
+
+
+def test_one_creep_in_headline_checks_and_table(visitor: Visitor) -> None:
+    # the strip that comes off worst: one number wherever it is said
+    page = shows(visitor, "worn-head-drive-fabric", "across")
+    said = page.locator("#across .say p").inner_text()
+    assert "8.88 mm" in said
+    expect(page.locator("#across .list li").first).to_contain_text("8.88 mm")
+    expect(page.locator("#across .t-checks")).to_contain_text("8.88 mm")
+
+
+def test_three_drives_share_the_whole_and_have_a_trim_each(visitor: Visitor) -> None:
+    page = shows(visitor, "tandem-fabric", "train")
+    page.click("#add-pulley")  # which idles: it is given nothing
+    expect(page.locator("#train .strip")).to_have_count(3)
+    parts = page.locator("#train .parts i")
+    expect(parts).to_have_text(["first 50 %", "second 50 %", "third 0 %"])
+    divider = page.get_by_role("slider", name="Load of second and third")
+    divider.focus()
+    for _ in range(2):
+        page.keyboard.press("PageDown")
+    expect(parts).to_have_text(["first 50 %", "second 30 %", "third 20 %"])
+    shares = [page.input_value(f"#t-train-share-{i}") for i in range(3)]
+    assert sum(float(share.split()[0]) for share in shares) == pytest.approx(100.0, abs=1e-9)
+    expect(page.locator("#train svg.chain")).to_contain_text("third")
+    # which of them is explained is chosen at its strip
+    page.get_by_role("button", name="Trim of third").click()
+    expect(page.locator("#train .facts").first).to_contain_text("Why third turns")
+    # a drive with a speed of its own may be added and taken away
+    page.select_option("#train-mode", "speeds")
+    page.click("#add-pulley")
+    page.get_by_role("button", name="Remove this drive").last.click()
+    expect(page.locator("#train .screen")).to_have_attribute("data-stands", "fresh")
+
+
+def test_the_sentence_is_of_the_load_case_that_is_looked_at(visitor: Visitor) -> None:
+    page = shows(visitor, "triple-steel-cord", "train")
+    say = page.locator("#train .say")
+    expect(say).to_contain_text("checks are kept")
+    expect(say).to_contain_text("Worse elsewhere: empty. The drives work against each other")
+    say.get_by_role("button", name="empty").click()
+    expect(say.locator("p")).to_contain_text("The drives work against each other with 1.28 kN")
+    expect(say).to_contain_text("Bring their speeds closer together")
+    turn(page, "drive")
+    expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("empty")
