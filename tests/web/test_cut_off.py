@@ -1,7 +1,7 @@
 """The network cut under the eyes of a page, in every way, and at everything that it fetches.
 
 Expected: one bar says it, what was typed stays, the page is whole once the server answers; nothing
-is asked more often than 1, 2, 4 ... 30 s apart. Time is the page's own: no test waits for it.
+is asked more often than 1, 2, 4, 5, 5 ... s apart. Time is the page's own: no test waits for it.
 """
 
 import re
@@ -85,7 +85,7 @@ class Cut:
         expect(bar).to_contain_text("does not answer")
 
     def again(self) -> None:
-        """Let time pass until the bar is gone: 30 s is the longest pause."""
+        """Let time pass until the bar is gone: 5 s is the longest pause."""
 
         def back() -> bool:
             self.page.clock.run_for(5000)
@@ -203,7 +203,7 @@ def test_questions_that_are_not_answered_are_asked_again(cut: Cut, how: str) -> 
         cut.visitor.open(name)
 
 
-def test_the_pauses_double_up_to_half_a_minute(cut: Cut) -> None:
+def test_the_pauses_double_up_to_five_seconds(cut: Cut) -> None:
     page = cut.page
     cut.cut("offline")
     failed: list[str] = []
@@ -215,7 +215,7 @@ def test_the_pauses_double_up_to_half_a_minute(cut: Cut) -> None:
     wait_for(lambda: page.evaluate("1") and len(failed) >= 2)
     asked = failed.count("about")
     page.clock.run_for(1000)
-    for pause in (2000, 4000, 8000, 16_000, 30_000, 30_000):
+    for pause in (2000, 4000, 5000, 5000, 5000):
         asked += 1
         wait_for(lambda n=asked: page.evaluate("1") and failed.count("about") == n)
         page.clock.run_for(pause - 1)

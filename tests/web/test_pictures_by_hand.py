@@ -378,27 +378,27 @@ def test_drums_say_which_side_of_the_belt_lies_on_them_where_they_differ() -> No
 
 
 def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
-    # by hand: it comes at height 0, turns half about a drum of radius 50 below it, comes out 100
+    # by hand: it comes at height 0, turns half about a drum of radius 100 below it, comes out 200
     # lower and back, and passes over the next drum in the other sense
     found, slip = drawn(
         chain(drive("a", 120e3, 80e3), drive("b", 80e3, 40e3)),
         chain(drive("a", 120e3, 80e3), drive("b", 60e3, 40e3, share=-0.25)),
     )
     (x1, y1), (x2, y2) = circles(found)
-    assert (x1, y1) == pytest.approx((0.0, 50.0))
-    assert x2 < x1 - 100  # back, beyond the first drum
-    assert y2 == pytest.approx(150.0)
+    assert (x1, y1) == pytest.approx((0.0, 100.0))
+    assert x2 < x1 - 200  # back, beyond the first drum
+    assert y2 == pytest.approx(300.0)
     widths = [float(e["stroke-width"]) for e in found if e.get("stroke") == "var(--ink)"]
-    assert max(widths) == pytest.approx(8.0)
-    assert min(widths) == pytest.approx(1.5 + 6.5 / 3, abs=0.06)
-    wraps = [e for e in found if e["tag"] == "path" and "A50 50" in str(e.get("d"))]
-    assert len(wraps) == 2 * 16
-    assert all(" 0 0 1 " in e["d"] for e in wraps[:16])  # clockwise, then the other way
-    assert all(" 0 0 0 " in e["d"] for e in wraps[16:])
+    assert max(widths) == pytest.approx(12.0)
+    assert min(widths) == pytest.approx(3 + 9 / 3, abs=0.1)
+    wraps = [e for e in found if e["tag"] == "path" and "A100 100" in str(e.get("d"))]
+    assert len(wraps) == 2 * 24
+    assert all(" 0 0 1 " in e["d"] for e in wraps[:24])  # clockwise, then the other way
+    assert all(" 0 0 0 " in e["d"] for e in wraps[24:])
     ends = [numbers(e["d"])[-2:] for e in wraps]
-    assert max(x for x, _ in ends[:16]) == pytest.approx(x1 + 50, abs=0.3)  # about its right side
-    assert min(x for x, _ in ends[16:]) == pytest.approx(x2 - 50, abs=0.3)
-    first = [float(e["stroke-width"]) for e in wraps[:16]]
+    assert max(x for x, _ in ends[:24]) == pytest.approx(x1 + 100, abs=0.3)  # about its right side
+    assert min(x for x, _ in ends[24:]) == pytest.approx(x2 - 100, abs=0.3)
+    first = [float(e["stroke-width"]) for e in wraps[:24]]
     assert all(a >= b for a, b in pairwise(first))
     told = [e["text"] for e in found if e["tag"] == "text"]
     assert {"carrying strand 120 kN", "80 kN", "return strand", "40 kN", "50.0 %"} <= set(told) | {
@@ -410,33 +410,35 @@ def test_a_belt_runs_over_its_drums_in_alternate_senses() -> None:
     assert "120 kN" in told
     assert [t for t in told if "°" in t] == ["180° wrap", "180° brakes"]
     marks = [str(e.get("class", "")).split() for e in slip]
-    assert [m for m in marks if m[:1] == ["wrapped"]] == [["wrapped"], ["wrapped", "brakes"]]
+    assert [m for m in marks if m[:1] == ["wrapped"]] == [["wrapped"]] * 24 + [
+        ["wrapped", "brakes"]
+    ] * 24
 
 
 def test_belts_that_wrap_far_do_not_cross() -> None:
-    # by hand: of 240 degrees each, the span between them is 27.5 / tan(30 deg) long
+    # by hand: of 240 degrees each, the span between them is 55 / tan(30 deg) long
     far = {"wrap_angle": math.radians(240)}
     (found,) = drawn(chain(drive("a", 120e3, 80e3, **far), drive("b", 80e3, 40e3, **far)))
     spans = [points(e["d"].replace("L", " ")) for e in found if "L" in str(e.get("d"))]
     lengths = [math.dist(*span) for span in spans if len(span) == 2]
-    assert lengths[1] == pytest.approx(27.5 / math.tan(math.radians(30)), abs=0.2)
+    assert lengths[1] == pytest.approx(55 / math.tan(math.radians(30)), abs=0.2)
 
 
 def test_the_lagging_under_the_belt_is_drawn_from_entry_to_exit() -> None:
-    # by hand: half circles of radius 44 from the top of each drum, clockwise and the other way
+    # by hand: half circles of radius 93 from the top of each drum, clockwise and the other way
     (found,) = drawn(chain(drive("a", 120e3, 80e3), drive("b", 80e3, 40e3)))
     rings = [e for e in found if str(e.get("class", "")).startswith("wrapped")]
-    for ring, (x, y), turn in zip(rings, circles(found), ("1", "0"), strict=True):
-        n = numbers(ring["d"])
-        assert n[:2] == pytest.approx([x, y - 44], abs=0.05)
-        assert n[-2:] == pytest.approx([x, y + 44], abs=0.05)
-        assert f"A44 44 0 0 {turn} " in ring["d"]
+    halves = rings[:24], rings[24:]  # pieces, each coloured by the shear in its middle
+    for pieces, (x, y), turn in zip(halves, circles(found), ("1", "0"), strict=True):
+        assert numbers(pieces[0]["d"])[:2] == pytest.approx([x, y - 93], abs=0.05)
+        assert numbers(pieces[-1]["d"])[-2:] == pytest.approx([x, y + 93], abs=0.05)
+        assert all(f"A93 93 0 0 {turn} " in e["d"] for e in pieces)
 
 
 def test_a_drum_that_slips_is_hatched_and_has_no_share() -> None:
     (found,) = drawn(chain(drive("a", 120e3, 80e3), drive("b", 80e3, 40e3, status="breakaway")))
     assert sum("url(" in str(e.get("fill")) for e in found if e["tag"] == "circle") == 1
-    assert sum(str(e.get("class", "")).startswith("wrapped") for e in found) == 1
+    assert sum(str(e.get("class", "")).startswith("wrapped") for e in found) == 24
     told = [e["text"] for e in found if e["tag"] == "text"]
     assert "slips" in told
     assert sum("%" in text for text in told) == 1

@@ -181,7 +181,7 @@ export class Screen extends Component {
         ),
         this.checks(arc, begin?.beside),
       ),
-      foot(arc),
+      foot(arc, cut() && !silent() && [gone(" Asked again every 5 s."), askNow("")]),
       questions(),
       this.below(arc),
     );
@@ -670,8 +670,8 @@ function sources({ status, numbers: n }) {
     ),
   );
 }
-/** What the data is worth. @param {QuickAnswer | null} arc */
-export function foot(arc) {
+/** What the data is worth. @param {QuickAnswer | null} arc @param {Children} [more] */
+export function foot(arc, more) {
   const kinds = [...new Set((answer.full?.sources || []).map((x) => x.kind))];
   const out = arc?.numbers.outside_tested_share;
   const range =
@@ -686,7 +686,7 @@ export function foot(arc) {
       h("span", { class: "mark illustrative" }, "Illustrative data: no real product."),
     kinds.includes("calibrated") && h("span", { class: "mark calibrated" }, "Calibrated data."),
     h("span", { class: out > 0 ? "mark outside" : "" }, range),
-    cut() && !silent() ? [gone(" Asked again every 5 s."), askNow("")] : fromExample(),
+    more || fromExample(),
   );
 }
 
