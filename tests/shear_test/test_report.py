@@ -11,12 +11,12 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from shear_test.virtual import PRESSURES, fitted, laboratory
+from wraparc.answer.shear_test_tables import plan_sheet
+from wraparc.answer.sheet import Sheet, Table, shown
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Sheet, Table, shown
-from wraparc.report.shear_test import Report, make_report
-from wraparc.report.shear_test_tables import plan_sheet
+from wraparc.render.shear_test import Report, make_report
 from wraparc.shear_test import PlanResult
 
 
