@@ -3,8 +3,10 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from wraparc.answer.sheet import NONE, Row, Table
+from wraparc.answer.sheet import NONE, Row, Table, bare, headed, quantity
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.speeds import per_minute
+from wraparc.units import GIVEN_DIGITS
 
 #: More tests than this, of which the same is to be said, are counted instead of named.
 _FEW = 3
@@ -37,9 +39,9 @@ def files_table(condition: ConditionResult, name: str) -> Table:
                     str(len(record.travel)),
                     str(len(test.curve.travel)),
                     "measured" if record.normal_force is not None else "as set",
-                    f"{test.fit.slip_max * 1e3:.1f}",
-                    NONE if warm is None else f"{warm - 273.15:.4g}",
-                    NONE if planned.speed is None else f"{planned.speed * 60e3:.4g}",
+                    bare(test.fit.slip_max, "length"),
+                    NONE if warm is None else quantity(warm, "temperature", GIVEN_DIGITS),
+                    NONE if planned.speed is None else per_minute(planned.speed),
                     NONE if planned.humidity is None else f"{100.0 * planned.humidity:.3g}",
                     planned.date or NONE,
                     NONE if planned.order is None else str(planned.order),
@@ -54,9 +56,9 @@ def files_table(condition: ConditionResult, name: str) -> Table:
         "kept",
         "of the pull",
         "normal force",
-        "slip [mm]",
-        "degC",
-        "mm/min",
+        headed("slip", "length"),
+        "temperature",
+        "speed",
         "humidity [%]",
         "date",
         "order",

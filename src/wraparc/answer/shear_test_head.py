@@ -9,7 +9,8 @@ from wraparc.answer.sheet import NONE, Row, Table
 from wraparc.shear_test.analysis import PlanResult
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.plan import PlannedTest, TestPlan
-from wraparc.units import GIVEN_DIGITS, Dimension, distinct, either, quantity
+from wraparc.shear_test.speeds import per_minute
+from wraparc.units import GIVEN_DIGITS, Dimension, distinct, quantity
 
 NOT_STATED = "not stated"
 #: Who signs a test report.
@@ -175,12 +176,7 @@ def _percents(values: list[float | None]) -> str:
 
 
 def _speeds(values: list[float | None]) -> str:
-    def shown(value: float) -> str:
-        return either(
-            f"{value / (1e-3 / 60.0):.4g} mm/min", f"{value / (25.4e-3 / 60.0):.4g} in/min"
-        )
-
-    return _ends(values, shown)
+    return _ends(values, per_minute)
 
 
 def digests_table(result: PlanResult) -> Table:
