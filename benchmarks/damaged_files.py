@@ -23,12 +23,12 @@ from pathlib import Path
 
 import numpy as np
 
+from wraparc.answer.document import json_text
+from wraparc.answer.shear_test_document import plan_document
+from wraparc.answer.shear_test_tables import plan_sheet
 from wraparc.errors import InputError
 from wraparc.files.write import lagging_text
 from wraparc.friction import IntegralLog, PressureKnots
-from wraparc.present.document import json_text
-from wraparc.report.shear_test_document import plan_document
-from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.shear_test import (
     DIALECTS,
     Choices,

@@ -15,8 +15,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from wraparc import PaperMarch, load_drive, solve
-from wraparc.report import markdown, pdf, workbook
-from wraparc.report.note import NoteHead, make_note
+from wraparc.render import markdown, pdf, workbook
+from wraparc.render.note import NoteHead, make_note
 
 DRIVE = Path(__file__).parents[1] / "examples" / "head-drive-fabric.toml"
 _MAIN = "from wraparc.cli import main; main()"

@@ -22,7 +22,7 @@ import numpy as np
 
 from wraparc.cli import run
 from wraparc.files import load_lagging
-from wraparc.report.shear_test import make_report
+from wraparc.render.shear_test import make_report
 from wraparc.shear_test import (
     DIALECTS,
     Choices,

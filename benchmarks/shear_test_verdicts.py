@@ -27,10 +27,10 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.answer.shear_test_tables import verdict
 from wraparc.checks import Level
 from wraparc.files import load_lagging
 from wraparc.friction import IntegralLog, PressureKnots
-from wraparc.report.shear_test_tables import verdict
 from wraparc.shear_test import (
     MachineRecord,
     PlannedTest,

@@ -86,7 +86,7 @@ FIRST = (
     "golden/test_golden", "web/test_pages", "web/test_page_file", "web/test_standing",
     "web/test_pages_looks", "web/test_pages_editing", "web/test_cut_off",
     "web/test_page_file_trains", "web/test_case_loads", "web/test_first_screen",
-    "web/test_pages_figure", "present/test_rounding", "web/test_ten_questions",
+    "web/test_pages_figure", "answer/test_rounding", "web/test_ten_questions",
     "web/test_across_page", "arc/test_wide_net", "web/test_questions", "web/test_states_looks",
     "calibrate/test_calibration", "web/test_inputs", "web/test_advice", "calibrate/test_speeds",
     "judgement/test_rows", "motion/test_station", "web/test_drafts", "web/test_exports",
@@ -96,7 +96,7 @@ FIRST = (
     "cli/test_readme", "study/test_study_dask", "judgement/test_advised", "web/test_assembled",
     "checks/test_runs", "arc/test_capacity", "motion/test_checkpoint", "cli/test_belt_doors",
     "cli/test_trim", "batch/test_batch", "web/test_jobs", "train/test_branches",
-    "report/test_note_pdf", "motion/test_real_belt",
+    "render/test_note_pdf", "motion/test_real_belt",
 )  # fmt: skip
 
 

@@ -58,10 +58,10 @@ def test_tests_that_end_without_a_count_have_failed(tmp_path: Path, log: Path) -
 
 def test_a_changed_room_brings_the_tests_of_the_rooms_that_import_it() -> None:
     # expected: the floors of CONTRIBUTING.md; only doors stand on the report
-    found = chosen(["src/wraparc/report/note.py", "docs/model.md", "src/wraparc/gone.py"])
+    found = chosen(["src/wraparc/render/note.py", "docs/model.md", "src/wraparc/gone.py"])
     assert found[: len(SMOKE)] == list(SMOKE)
     assert [f for f in found if f not in SMOKE] == [
-        "tests/docs", "tests/report", "tests/web", "tests/cli",
+        "tests/docs", "tests/render", "tests/web", "tests/cli",
     ]  # fmt: skip
     rooms = above({"units"})
     assert {"drive", "arc", "train", "web", "cli"} <= set(rooms)

@@ -18,6 +18,17 @@ from typing import Any
 from javascript import whole
 from javascript.translate import Module, translated
 from wraparc import catalogue, errors
+from wraparc.answer import (
+    checks_table,
+    drive_sheet,
+    sources,
+    train_sheet,
+    train_words,
+    wear_table,
+    words,
+)
+from wraparc.answer import least_tension as leasts
+from wraparc.answer.sheet import term
 from wraparc.arc import Status, answer, capacity, profile
 from wraparc.catalogue import loader
 from wraparc.checks import gross_slip, of_arc
@@ -28,17 +39,6 @@ from wraparc.conveyor import belt_path, conveyor
 from wraparc.drive import compression, tension_rules
 from wraparc.files import drive_file
 from wraparc.friction import MeasuredTable
-from wraparc.present import (
-    checks_table,
-    drive_sheet,
-    sources,
-    train_sheet,
-    train_words,
-    wear_table,
-    words,
-)
-from wraparc.present import least_tension as leasts
-from wraparc.present.sheet import term
 from wraparc.provenance import Provenance
 from wraparc.saving import save_file
 from wraparc.schema import limits, source, tables

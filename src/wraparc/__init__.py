@@ -167,10 +167,10 @@ _ROOMS = {
 _ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}
 
 views.install(
-    html="wraparc.present.notebook:html",
-    text="wraparc.present.notebook:text",
+    html="wraparc.render.notebook:html",
+    text="wraparc.render.notebook:text",
     plot="wraparc.plot:plot",
-    frame="wraparc.present.notebook:frame",
+    frame="wraparc.render.notebook:frame",
 )
 
 

@@ -13,7 +13,7 @@ _ANSWERS: dict[str, str] = {}
 
 
 def install(**answers: str) -> None:
-    """Say which function gives a view, ``html="wraparc.present:html"``."""
+    """Say which function gives a view, ``html="wraparc.answer:html"``."""
     _ANSWERS.update(answers)
 
 

@@ -20,10 +20,10 @@ from wraparc.across import (
     solve_across,
     wide_arc,
 )
+from wraparc.answer.across_answers import wear_verdict
+from wraparc.answer.across_tables import across_tables, worst_first
+from wraparc.answer.sheet import shown
 from wraparc.checks import Level, judge
-from wraparc.present.across_answers import wear_verdict
-from wraparc.present.across_tables import across_tables, worst_first
-from wraparc.present.sheet import shown
 from wraparc.web.answers.across import read_profile, solve_width, thickness_width, wear_width
 from wraparc.web.asked import AcrossRequest, AcrossThicknessRequest, AcrossWearRequest
 from wraparc.web.examples import examples

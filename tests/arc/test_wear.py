@@ -5,14 +5,14 @@ from dataclasses import replace
 
 import pytest
 
-from present.drives import drive, solved
+from answer.drives import drive, solved
 from wraparc import load_lagging, solve
+from wraparc.answer.sheet import shown
+from wraparc.answer.wear_table import life_data, life_table, wear_table
 from wraparc.arc.wear import coefficient_of_life, frictional_power, wear_life
 from wraparc.choose.cost import lagging_cost
 from wraparc.drive import Cost
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.present.sheet import shown
-from wraparc.present.wear_table import life_data, life_table, wear_table
 
 #: 3 m/s on a drum of 0.8 m, by hand: 3 * 3600 / (pi 0.8).
 PASSES = 4297.183463481174

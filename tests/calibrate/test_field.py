@@ -9,6 +9,8 @@ import pytest
 from cli.running import DRIVE, drive_file, wraparc
 from files.samples import example
 from wraparc import ArcResult, Distributed, WrapArc, load_drive
+from wraparc.answer.field_sheet import field_sheet
+from wraparc.answer.sheet import shown as told_in
 from wraparc.calibrate.field_numbers import (
     TRIP_RULES,
     FieldNumbers,
@@ -19,8 +21,6 @@ from wraparc.calibrate.field_numbers import (
 from wraparc.checks import Level
 from wraparc.checks.check import Verdict
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.present.field_sheet import field_sheet
-from wraparc.present.sheet import shown as told_in
 
 
 @pytest.fixture(scope="module")

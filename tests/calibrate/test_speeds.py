@@ -9,14 +9,14 @@ import pytest
 from cli.running import wraparc
 from shear_test.virtual import benchmark_module
 from wraparc import Distributed, WrapArc
+from wraparc.answer.calibrate_sheet import calibrate_sheet
+from wraparc.answer.sheet import shown
 from wraparc.calibrate.calibration import Calibration, calibrate
 from wraparc.calibrate.file import load_measured
 from wraparc.calibrate.problem import arc_of, speed_ratio
 from wraparc.checks import Level
 from wraparc.drive import Tensions
 from wraparc.errors import InputError
-from wraparc.present.calibrate_sheet import calibrate_sheet
-from wraparc.present.sheet import shown
 from wraparc.train.file import load_drive
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "head-drive-fabric.toml"

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from present.drives import BELT, drive
+from answer.drives import BELT, drive
 from wraparc.checks import Level, before
 
 

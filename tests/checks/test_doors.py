@@ -13,16 +13,16 @@ import pytest
 
 from checks.test_least_tension import random_drives
 from cli.running import wraparc
-from report.test_note_files import sheets
+from render.test_note_files import sheets
 from worded import worded
 from wraparc import DriveResult, solve
+from wraparc.answer.document import result_document
+from wraparc.answer.drive_sheet import drive_sheet
+from wraparc.answer.sheet import shown
 from wraparc.arc import Distributed
 from wraparc.checks import Level, judge
 from wraparc.files.write import drive_document, drive_text
-from wraparc.present.document import result_document
-from wraparc.present.drive_sheet import drive_sheet
-from wraparc.present.sheet import shown
-from wraparc.report import markdown, workbook
+from wraparc.render import markdown, workbook
 from wraparc.web.answers.drives import solve_all
 from wraparc.web.asked import SolveRequest
 

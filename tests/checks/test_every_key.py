@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from judgement.rows import BASE, CONVEYOR, MOTION, MOTORS, PLAIN, TANDEM
+from wraparc.answer.choose_sheet import choose_sheet
 from wraparc.calibrate.file import CALIBRATE
 from wraparc.checks import Level, before
 from wraparc.checks.of_run import of_run
@@ -26,7 +27,6 @@ from wraparc.files.drive_file import drive_from_document
 from wraparc.files.drive_keys import DRIVE
 from wraparc.motion.file import motion_from_document
 from wraparc.motion.keys import MOTION as MOTION_KEYS
-from wraparc.present.choose_sheet import choose_sheet
 from wraparc.schema.kinds import Count, Kind, Percent, Quantity
 from wraparc.schema.problems import NOTHING, Report
 from wraparc.schema.tables import Table

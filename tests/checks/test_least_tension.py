@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from answer.drives import drive, marched, solved
 from checks.test_rows import NONE, WIDE, lagging, quiet, rigid
-from present.drives import drive, marched, solved
 from wraparc import Drive, LoadCase, Tensions, load_lagging, solve
+from wraparc.answer.least_tension import least_sentence
+from wraparc.answer.sheet import shown
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Criteria, DesignStandard, Sag, TakeUp
-from wraparc.present.least_tension import least_sentence
-from wraparc.present.sheet import shown
 from wraparc.train import Shares, Train, TrainCase, solve_train
 
 

@@ -13,22 +13,22 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from answer.drives import BELT
 from checks.test_least_tension import FROM_ABOVE
 from checks.test_rows import NONE
 from cli.running import wraparc
 from files.samples import example
-from present.drives import BELT
-from report.test_note_files import sheets
+from render.test_note_files import sheets
 from worded import worded
 from wraparc import Train, TrainResult, load_drive, load_lagging, load_train, solve_train
+from wraparc.answer.document import result_document
+from wraparc.answer.sheet import shown
+from wraparc.answer.train_document import train_document
+from wraparc.answer.train_sheet import train_sheet
 from wraparc.checks import Level, judge, least_tension
 from wraparc.drive import Criteria, DesignStandard, Pulley, Sag, TakeUp
 from wraparc.files.write import drive_document
-from wraparc.present.document import result_document
-from wraparc.present.sheet import shown
-from wraparc.present.train_document import train_document
-from wraparc.present.train_sheet import train_sheet
-from wraparc.report import markdown, workbook
+from wraparc.render import markdown, workbook
 from wraparc.train import Shares, TrainCase
 from wraparc.web.answers.trains import train_part
 

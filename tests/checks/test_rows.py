@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from present.drives import BELT, drive, marched, solved
+from answer.drives import BELT, drive, marched, solved
 from wraparc import Constant, Drive, Lagging, Tensions, TestedRange, load_lagging, solve
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.check import Place

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 
 from motion.stations import station
+from wraparc.answer.motion_sheet import run_sheet
+from wraparc.answer.sheet import shown
 from wraparc.checks import Check, Level, judge_run
 from wraparc.checks.of_run import otherwise
 from wraparc.motion import Event, LoadStep, Start, simulate, stability
 from wraparc.motion.control import Droop, ExactSpeed, Follower
 from wraparc.motion.result import RunResult
-from wraparc.present.motion_sheet import run_sheet
-from wraparc.present.sheet import shown
 
 
 def named(run: RunResult, name: str) -> list[Check]:

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from answer.drives import drive
 from arc.drives import SOFTENING, integral_log
 from checks.test_least_tension import random_drives
 from checks.test_rows import quiet, rigid
-from present.drives import drive
 from wraparc import Drive, Tensions, load_lagging, solve
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.arc.gross_slip import Line

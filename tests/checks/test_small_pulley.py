@@ -7,7 +7,7 @@ from worded import worded
 from wraparc.arc import solve
 from wraparc.checks import Level, judge
 from wraparc.files.drive_file import load_drive
-from wraparc.report import markdown
+from wraparc.render import markdown
 from wraparc.schema.source import parse
 from wraparc.web.answers.drives import solve_all, solve_fast
 from wraparc.web.asked import FastRequest, SolveRequest

@@ -11,18 +11,18 @@ import numpy as np
 import pyarrow.parquet as pq
 import pytest
 
+from answer.drives import BELT
 from checks.test_of_trains import TANDEM, missed, solved, with_slack
 from checks.test_rows import NONE, rigid
 from cli.running import wraparc
-from present.drives import BELT
 from wraparc import InputError, Train, load_drive, load_train, solve_train
+from wraparc.answer.sheet import shown
+from wraparc.answer.train_sheet import train_sheet
 from wraparc.checks import judge, least_tension, margins_of
 from wraparc.checks.gross_slip import given_up, rises, rises_of
 from wraparc.checks.numbers import rise_among
 from wraparc.drive import Pulley, TakeUp
 from wraparc.files.write import drive_document
-from wraparc.present.sheet import shown
-from wraparc.present.train_sheet import train_sheet
 from wraparc.study.file import study_from_document
 from wraparc.study.run import run_study
 from wraparc.train import Shares, TrainCase

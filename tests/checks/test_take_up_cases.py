@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from answer.drives import BELT
 from checks.test_least_tension import FROM_ABOVE
 from checks.test_of_trains import TANDEM
 from checks.test_take_up import train_of
-from present.drives import BELT
 from wraparc import (
     Drive,
     InputError,
@@ -28,6 +28,9 @@ from wraparc import (
     solve,
     solve_train,
 )
+from wraparc.answer.choose_sheet import choose_sheet
+from wraparc.answer.least_tension import least_table
+from wraparc.answer.sheet import shown
 from wraparc.checks import judge, least_tension
 from wraparc.checks.of_drive import take_up
 from wraparc.choose.file import load_search
@@ -35,9 +38,6 @@ from wraparc.choose.selection import choose
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Criteria, Pulley, Sag, TakeUp
 from wraparc.files.conveyor_build import load_case
-from wraparc.present.choose_sheet import choose_sheet
-from wraparc.present.least_tension import least_table
-from wraparc.present.sheet import shown
 from wraparc.units import parse_quantity
 
 NAMES = ("diamond-rubber", "medium-ceramic", "full-ceramic")

@@ -10,13 +10,13 @@ import pytest
 from choose.searches import search
 from cli.running import wraparc
 from wraparc import InputError
+from wraparc.answer.choose_sheet import choose_sheet
+from wraparc.answer.choose_words import reason, saving_words
+from wraparc.answer.sheet import shown
 from wraparc.choose.file import load_search
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import choose, own_slack
 from wraparc.drive import GRAVITY, Sag
-from wraparc.present.choose_sheet import choose_sheet
-from wraparc.present.choose_words import reason, saving_words
-from wraparc.present.sheet import shown
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 HEAVY = Sag(spacing=3.0, line_mass=220.0)

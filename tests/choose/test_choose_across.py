@@ -14,13 +14,13 @@ from choose.searches import search
 from cli.running import wraparc
 from wraparc import LoadCase, Tensions, load_drive, solve_across
 from wraparc.across import cushion
+from wraparc.answer.choose_sheet import choose_csv, choose_document, choose_sheet
+from wraparc.answer.sheet import shown
 from wraparc.choose import ranking
 from wraparc.choose.search import Search
 from wraparc.choose.selection import choose
 from wraparc.drive import Across, Transition, WidthProfile
 from wraparc.drive.conditions import Condition
-from wraparc.present.choose_sheet import choose_csv, choose_document, choose_sheet
-from wraparc.present.sheet import shown
 
 DRIVE = Path(__file__).parents[2] / "examples" / "worn-head-drive-steel-cord.toml"
 CHOOSE = """

@@ -176,7 +176,7 @@ def test_a_narrow_terminal(width: int, tmp_path: Path, monkeypatch: pytest.Monke
 
 def test_a_verdict_is_broken_over_narrow_lines(monkeypatch: pytest.MonkeyPatch) -> None:
     from wraparc.checks import Level
-    from wraparc.present.lines import _marked
+    from wraparc.render.lines import _marked
 
     assert _marked("ATT", Level.ATTENTION) == "ATT"
     assert _marked("ATTENTION b", Level.ATTENTION).endswith("ATTENTION\x1b[0m b")

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from answer.drives import drive
 from cli.running import wraparc
-from present.drives import drive
 from wraparc import InputError, solve
 from wraparc.arc import WrapArc
 from wraparc.arc.family import tension_ratio_family

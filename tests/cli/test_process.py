@@ -19,7 +19,7 @@ HEAVY = {"scipy", "pandas", "matplotlib", "pydantic", "PIL", "tomli_w"}
 ELSEWHERE = tuple(
     f"wraparc.{room}"
     for room in (
-        "across", "batch", "calibrate", "choose", "machine_tables", "motion", "plot", "report",
+        "across", "batch", "calibrate", "choose", "machine_tables", "motion", "plot", "render.note",
         "shear_test", "study", "train.solve", "web",
     )
 )  # fmt: skip

@@ -10,11 +10,11 @@ import pytest
 
 from cli.running import DRIVE, Ran, drive_file, wraparc
 from wraparc import load_drive, solve
+from wraparc.answer.motion_sheet import work
+from wraparc.answer.sheet import Row, Sheet, Table, Verdict
+from wraparc.answer.short import short_sheet
 from wraparc.checks import Level, judge, least_tension
 from wraparc.cli.solve import TABLES
-from wraparc.present.motion_sheet import work
-from wraparc.present.sheet import Row, Sheet, Table, Verdict
-from wraparc.present.short import short_sheet
 from wraparc.units import in_units, per_stress
 
 pytestmark = pytest.mark.usefixtures("solved_once")

@@ -8,13 +8,13 @@ from pathlib import Path
 import pytest
 
 from wraparc import InputError, load_train, solve
+from wraparc.answer.document import json_text, result_document
+from wraparc.answer.drive_sheet import drive_sheet, input_sheet
+from wraparc.answer.sheet import shown as told_in
 from wraparc.arc import DriveResult
 from wraparc.checks import judge
 from wraparc.drive import Drive, Tensions
 from wraparc.files import drive_document, drive_from_text, drive_text, load_drive
-from wraparc.present.document import json_text, result_document
-from wraparc.present.drive_sheet import drive_sheet, input_sheet
-from wraparc.present.sheet import shown as told_in
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "uphill-conveyor.toml"
 DRIVE = EXAMPLE.read_text("utf-8")

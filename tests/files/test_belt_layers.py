@@ -11,13 +11,13 @@ from dataclasses import replace
 import pytest
 
 from wraparc import InputError, WrapArc
+from wraparc.answer.document import result_document
+from wraparc.answer.inputs import drive_inputs
 from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import Level, judge
 from wraparc.drive import Drive
 from wraparc.drive.pitch import cover_compliance, layers_of, pitch_offset
 from wraparc.files import drive_from_text, drive_text
-from wraparc.present.document import result_document
-from wraparc.present.inputs import drive_inputs
 from wraparc.train.file import train_from_text
 
 LAYERS = 'pulley_cover = "3 mm"\ncarry_cover = "7 mm"\ncarcass = "6 mm"\nmass = "20 kg/m"'

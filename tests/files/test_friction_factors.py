@@ -11,7 +11,7 @@ from wraparc.errors import InputError
 from wraparc.files.lagging_file import lagging_from_text
 from wraparc.files.write import lagging_text
 from wraparc.provenance import Kind
-from wraparc.report import NoteHead, markdown
+from wraparc.render import NoteHead, markdown
 
 LAGGING = """
 format = 1

@@ -16,10 +16,10 @@ from functools import cache
 import numpy as np
 import pytest
 
+from answer.moving import moved
 from golden.answers import DOORS, TRAINS
 from golden.compare import Difference, Kind, differences
 from golden.record import DATA, golden, record
-from present.moving import moved
 from wraparc.arc import ArcResult, Distributed, WrapArc
 from wraparc.train.locate import locate
 

@@ -201,7 +201,7 @@ def _ask(address: str) -> None:
 def notebook() -> None:
     """Numbers as a data frame."""
     from wraparc import load_drive, solve
-    from wraparc.present.notebook import frame
+    from wraparc.render.notebook import frame
 
     result = solve(load_drive(DRIVE))
     assert len(frame(result)) == len(result.arcs)

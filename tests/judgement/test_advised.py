@@ -17,6 +17,12 @@ from checks.test_least_tension import FROM_ABOVE, random_drives, with_slack
 from judgement.rows import MOTION, event
 from judgement.rows import Row as BenchRow
 from wraparc import Drive, load_train, solve, solve_train
+from wraparc.answer.choose_sheet import choose_sheet
+from wraparc.answer.least_tension import at_least, least_table
+from wraparc.answer.sheet import Row, shown
+from wraparc.answer.train_words import matching_verdict
+from wraparc.answer.what_if_sheet import what_if_sheet
+from wraparc.answer.words import verdict
 from wraparc.checks import Check, Verdict, judge, judge_run
 from wraparc.checks.judge import EVEN
 from wraparc.checks.least_tension import least_tension
@@ -30,12 +36,6 @@ from wraparc.errors import InputError
 from wraparc.files.write import drive_document
 from wraparc.motion import RunResult, simulate
 from wraparc.motion.file import motion_from_text
-from wraparc.present.choose_sheet import choose_sheet
-from wraparc.present.least_tension import at_least, least_table
-from wraparc.present.sheet import Row, shown
-from wraparc.present.train_words import matching_verdict
-from wraparc.present.what_if_sheet import what_if_sheet
-from wraparc.present.words import verdict
 from wraparc.train import Speeds, Train, match_drives
 from wraparc.units import parse_quantity
 

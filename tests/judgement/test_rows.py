@@ -14,9 +14,9 @@ import pytest
 from cli.running import wraparc
 from judgement.rows import ALIKE, DOORS, PLAN, ROWS, SEARCH, Row
 from wraparc import load_drive, solve
+from wraparc.answer.least_tension import least_sentence
+from wraparc.answer.sheet import shown
 from wraparc.arc import DriveResult
-from wraparc.present.least_tension import least_sentence
-from wraparc.present.sheet import shown
 from wraparc.web.answers.book import book
 from wraparc.web.answers.form import form
 

@@ -14,6 +14,8 @@ import pytest
 from cli.running import Ran
 from cli.running import wraparc as run_command
 from wraparc import Constant, InputError, load_drive, load_motion, load_train
+from wraparc.answer.motion_sheet import run_sheet, stability_sheet
+from wraparc.answer.sheet import shown
 from wraparc.checks import Level, judge_run
 from wraparc.drive.criteria import Sag
 from wraparc.friction.base import TestedRange
@@ -31,8 +33,6 @@ from wraparc.motion.event import LoadStep
 from wraparc.motion.file import motion_from_text, read_record
 from wraparc.motion.result import Peak, RunResult
 from wraparc.plot.motion import plot_run, plot_stability, plot_stability_map
-from wraparc.present.motion_sheet import run_sheet, stability_sheet
-from wraparc.present.sheet import shown
 from wraparc.train import Motor
 
 TANDEMS = ["examples/tandem-fabric.toml", "examples/tandem-steel-cord.toml"]

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
-from present.drives import STICKY, drive, marched, solved, sticking
+from answer.drives import STICKY, drive, marched, solved, sticking
 from wraparc import (
     DriveResult,
     InputError,

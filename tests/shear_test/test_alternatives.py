@@ -8,9 +8,9 @@ import pytest
 
 from cli.running import wraparc
 from shear_test.virtual import fitted, laboratory, single
+from wraparc.answer.shear_test_standard import laws_table
+from wraparc.answer.sheet import shown
 from wraparc.friction import Constant
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_standard import laws_table
 from wraparc.shear_test.alternatives import AlternativeLaw, alternative_laws
 
 

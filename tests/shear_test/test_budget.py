@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import fitted, laboratory
+from wraparc.answer.shear_test_budget import budget_table
+from wraparc.answer.sheet import shown
 from wraparc.errors import InputError
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_budget import budget_table
 from wraparc.shear_test import MachineRecord, TestPlan
 from wraparc.shear_test.budget import Common, Uncertainty
 from wraparc.shear_test.plan_file import plan_from_text

@@ -7,14 +7,14 @@ from typing import Any
 import numpy as np
 import pytest
 
+from wraparc.answer.shear_test_budget import budget_table
+from wraparc.answer.shear_test_tables import plan_sheet, verdict
+from wraparc.answer.sheet import shown
 from wraparc.errors import InputError
 from wraparc.files import load_lagging
 from wraparc.files.write import lagging_text
 from wraparc.friction import ab_from_peak
-from wraparc.present.sheet import shown
 from wraparc.provenance import Kind
-from wraparc.report.shear_test_budget import budget_table
-from wraparc.report.shear_test_tables import plan_sheet, verdict
 from wraparc.shear_test import fit_plan
 from wraparc.shear_test.digitised import read_points
 from wraparc.shear_test.plan_file import load_plan

@@ -7,11 +7,11 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import as_record, fitted, laboratory, single
+from wraparc.answer.document import json_text
+from wraparc.answer.shear_test_document import plan_document
+from wraparc.answer.shear_test_tables import curves_table, plan_sheet
+from wraparc.answer.sheet import shown
 from wraparc.errors import InputError
-from wraparc.present.document import json_text
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_document import plan_document
-from wraparc.report.shear_test_tables import curves_table, plan_sheet
 from wraparc.shear_test import Sample, VirtualRig, fit_curve, reduce_record, run_virtual_test
 from wraparc.shear_test.curve_held import Held
 from wraparc.shear_test.plan_file import plan_from_text

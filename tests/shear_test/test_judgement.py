@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import PRESSURES, as_record, fitted, laboratory, single
+from wraparc.answer.shear_test_tables import verdict
+from wraparc.answer.sheet import shown as told_in
 from wraparc.checks import Level
 from wraparc.friction import IntegralLog, PressureKnots
-from wraparc.present.sheet import shown as told_in
-from wraparc.report.shear_test_tables import verdict
 from wraparc.shear_test import (
     MachineRecord,
     PlanResult,

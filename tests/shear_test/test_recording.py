@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import fitted, laboratory, verdicts
+from wraparc.answer.shear_test_tables import plan_sheet, verdict
+from wraparc.answer.sheet import shown
 from wraparc.checks import Level
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_tables import plan_sheet, verdict
 from wraparc.shear_test import Choices, MachineRecord, Sample, reduce_record
 from wraparc.shear_test.campaign import order_of
 from wraparc.shear_test.load_slips import surface_questions

@@ -11,12 +11,12 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from shear_test.virtual import PRESSURES, fitted, laboratory
+from wraparc.answer.shear_test_tables import plan_sheet
+from wraparc.answer.sheet import Sheet, Table, shown
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Sheet, Table, shown
-from wraparc.report.shear_test import Report, make_report
-from wraparc.report.shear_test_tables import plan_sheet
+from wraparc.render.shear_test import Report, make_report
 from wraparc.shear_test import PlanResult
 
 
@@ -90,9 +90,10 @@ def test_what_was_left_out_comes_first(sheet: Sheet) -> None:
 def test_files_and_circumstances(sheet: Sheet) -> None:
     files = table(sheet, "Files")
     assert files.heads == (
-        "rows", "kept", "of the pull", "normal force", "slip [mm]", "degC", "mm/min", "date",
+        "rows", "kept", "of the pull", "normal force", "slip [mm]",
+        "temperature", "speed", "date",
     )  # fmt: skip
-    assert files.rows[0].values[5:] == ("21", "10", "2026-03-02")
+    assert files.rows[0].values[5:] == ("21 degC", "10 mm/min", "2026-03-02")
     said = " ".join(sheet.remarks)
     assert "9 tests: 34 to 690 kPa, slip up to 14.8 mm, 21 degC, 10 mm/min, 2026-03-02." in said
 

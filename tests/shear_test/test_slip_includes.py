@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import SHEAR_MODULUS, THICKNESS, fitted, laboratory, rubber
+from wraparc.answer.shear_test_tables import plan_sheet
+from wraparc.answer.sheet import shown
 from wraparc.arc import Distributed, WrapArc
 from wraparc.cli import run
 from wraparc.drive import Lagging
 from wraparc.drive.changes import with_pulley
 from wraparc.errors import InputError
 from wraparc.files import lagging_text, load_lagging
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.shear_test.plan_file import plan_from_text
 from wraparc.train.file import load_drive
 

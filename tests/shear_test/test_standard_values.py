@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import fitted, laboratory, single
-from wraparc.present.sheet import shown
-from wraparc.report.shear_test_standard import standard_tables
+from wraparc.answer.shear_test_standard import standard_tables
+from wraparc.answer.sheet import shown
 from wraparc.shear_test import PlanResult
 from wraparc.shear_test.budget import Uncertainty
 from wraparc.shear_test.standard_values import (

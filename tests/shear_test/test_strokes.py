@@ -7,8 +7,8 @@ run-in cycles fall. The reading at a turn is of both ways: 82 of the later pulls
 import numpy as np
 import pytest
 
+from wraparc.answer.shear_test_record import record_sheet
 from wraparc.errors import InputError
-from wraparc.report.shear_test_record import record_sheet
 from wraparc.shear_test import Choices, MachineRecord, Sample, read_machine_bytes, reduce_record
 from wraparc.shear_test.plan_file import plan_from_text
 

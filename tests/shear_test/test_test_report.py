@@ -6,13 +6,13 @@ from pathlib import Path
 import pytest
 
 from shear_test.virtual import fitted, laboratory
+from wraparc.answer.shear_test_numbers import slope, with_error
+from wraparc.answer.shear_test_tables import plan_sheet
+from wraparc.answer.sheet import Sheet, Table, shown
 from wraparc.errors import InputError
 from wraparc.plot.shear_test import condition_pictures
-from wraparc.present.sheet import Sheet, Table, shown
 from wraparc.provenance import Kind
-from wraparc.report.shear_test import Report, make_report
-from wraparc.report.shear_test_numbers import slope, with_error
-from wraparc.report.shear_test_tables import plan_sheet
+from wraparc.render.shear_test import Report, make_report
 from wraparc.shear_test import PlanResult, TestPlan
 from wraparc.shear_test.plan_file import plan_from_text
 

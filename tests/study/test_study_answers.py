@@ -10,12 +10,12 @@ import pytest
 
 from study.studies import EXAMPLES, FRICTION, TAKE_UP, study_of
 from study.test_study_run import CONDITIONS, small
+from wraparc.answer.sheet import shown
+from wraparc.answer.study_words import histogram_sentence, part
 from wraparc.arc import Distributed, WrapArc
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
-from wraparc.present.sheet import shown
-from wraparc.present.study_words import histogram_sentence, part
 from wraparc.schema.source import parse, read_text
 from wraparc.study.histogram import limit_column
 from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise

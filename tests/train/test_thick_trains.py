@@ -13,12 +13,12 @@ import pytest
 
 from train.test_train_batch import EXACT, same
 from train.trains import FABRIC, QUICK, case, held, pulleys, random_train, solved, train
+from wraparc.answer.sheet import shown
+from wraparc.answer.train_words import train_verdict
 from wraparc.batch import Setting
 from wraparc.checks import Level, judge
 from wraparc.drive import Belt
 from wraparc.errors import InputError
-from wraparc.present.sheet import shown
-from wraparc.present.train_words import train_verdict
 from wraparc.train import MemberResult, Shares, Speeds, Train, solve_train, solve_train_batch
 
 EVEN = Shares((0.5, 0.5))

@@ -9,7 +9,7 @@ from playwright.sync_api import Page, expect
 
 from cli.running import wraparc
 from web.browser import Visitor
-from wraparc.present.sheet import named, shown
+from wraparc.answer.sheet import named, shown
 
 #: Counts what a hand does: presses of the mouse, wherever they land.
 _COUNT = "window.presses = 0; addEventListener('pointerdown', () => { presses += 1; }, true);"

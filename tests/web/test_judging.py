@@ -11,16 +11,16 @@ from typing import Any
 import pytest
 
 from web.test_in_page import DRIVES, drives, with_value
+from wraparc.answer.checks_table import check_table
+from wraparc.answer.drive_sheet import arc_tables, loads_of, summary_table
+from wraparc.answer.least_tension import least_sentence, least_table, shown_least
+from wraparc.answer.sheet import shown
+from wraparc.answer.sources import Sources
+from wraparc.answer.words import short
 from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import judge, least_tension
 from wraparc.drive import Drive
 from wraparc.errors import InputError
-from wraparc.present.checks_table import check_table
-from wraparc.present.drive_sheet import arc_tables, loads_of, summary_table
-from wraparc.present.least_tension import least_sentence, least_table, shown_least
-from wraparc.present.sheet import shown
-from wraparc.present.sources import Sources
-from wraparc.present.words import short
 from wraparc.units import System, display_unit, in_units
 from wraparc.web.answers.book import book
 from wraparc.web.answers.documents import read

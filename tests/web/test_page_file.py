@@ -23,13 +23,13 @@ from web.test_case_loads import EMPTY_FIRST
 from web.test_page_file_trains import assert_firefox_says
 from web.test_pages_looks import violations
 from worded import worded
+from wraparc.answer.arc_tables import capacity_table
+from wraparc.answer.checks_table import check_table
+from wraparc.answer.least_tension import least_sentence
+from wraparc.answer.sheet import shown as shown_in
 from wraparc.arc import solve
 from wraparc.checks import judge
 from wraparc.files import load_drive
-from wraparc.present.arc_tables import capacity_table
-from wraparc.present.checks_table import check_table
-from wraparc.present.least_tension import least_sentence
-from wraparc.present.sheet import shown as shown_in
 from wraparc.schema.source import parse
 from wraparc.units import RESULT_DIGITS, System, display, in_units
 from wraparc.web.answers.compare import CompareAnswer, compare

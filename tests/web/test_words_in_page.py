@@ -17,9 +17,9 @@ from golden.answers import DOORS
 from golden.record import record
 from worded import worded
 from wraparc import units
+from wraparc.answer import answer_data
+from wraparc.answer.answer_data import text_data
 from wraparc.glossary import GLOSSARY
-from wraparc.present import answer_data
-from wraparc.present.answer_data import text_data
 from wraparc.units import DIMENSIONS, Cell, System, in_units
 from wraparc.units.cell import Form
 from wraparc.web.answers.form import form

@@ -12,11 +12,11 @@ from typing import Any
 
 import click
 
+from wraparc.answer.sheet import Sheet
 from wraparc.cli.options import check_outputs, set_option, units_option
 from wraparc.cli.output import Content, deliver
 from wraparc.cli.show import Wanted, no_table
 from wraparc.errors import InputError
-from wraparc.present.sheet import Sheet
 from wraparc.units import System
 
 PICTURES = (".svg", ".png", ".pdf")
@@ -105,7 +105,7 @@ class Answer:
         """
         path, made = self.paths.get("json"), sheet and cache(sheet)
         if path and made and document:
-            from wraparc.present.answer_data import answer_json
+            from wraparc.answer.answer_data import answer_json
 
             self.files = {path: answer_json(document(), made()), **self.files}
         deliver(self.files, made if shows else None, self.wanted)

@@ -32,10 +32,10 @@ def calibrate(
 
     Exit code 1 if the data do not identify every parameter: no lagging file is written.
     """
+    from wraparc.answer.calibrate_sheet import calibrate_document, calibrate_sheet
     from wraparc.calibrate.calibration import calibrate as fit
     from wraparc.calibrate.file import calibrated_lagging, load_measured
     from wraparc.files import lagging_text
-    from wraparc.present.calibrate_sheet import calibrate_document, calibrate_sheet
 
     measured = load_measured(file, overrides=[*settings, *_pulley(pulley)])
     if not measured.problem.parameters:
@@ -72,8 +72,8 @@ def _pulley(name: str | None) -> list[str]:
 @answers("predicted", "records", plot="Draw the measurements over the prediction.")
 def overlay(answer: Answer, file: str, settings: tuple[str, ...], pulley: str | None) -> int:
     """Compare the measurements that a calibrate FILE lists with the prediction of both methods."""
+    from wraparc.answer.calibrate_sheet import overlay_sheet
     from wraparc.calibrate.file import load_measured, overlays
-    from wraparc.present.calibrate_sheet import overlay_sheet
 
     measured = load_measured(
         file, overrides=[*settings, *_pulley(pulley), "parameters=[]", "prior={}"]

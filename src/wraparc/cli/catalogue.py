@@ -5,11 +5,11 @@ from typing import Any
 import click
 
 from wraparc import catalogue
+from wraparc.answer.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import units_option
 from wraparc.cli.show import Wanted, show
 from wraparc.files import load_lagging_conditions
-from wraparc.present.catalogue_sheets import belts_sheet, lagging_sheet, laggings_sheet
 from wraparc.units import System
 
 
@@ -43,7 +43,7 @@ def lagging(answer: Answer, name: str) -> None:
         answer.write("plot", lambda: plot_lagging(conditions[0], answer.units).save)
 
     def document() -> dict[str, Any]:
-        from wraparc.present.document import lagging_data
+        from wraparc.answer.document import lagging_data
 
         return {"conditions": [lagging_data(one) for one in conditions]}
 

@@ -35,9 +35,9 @@ def choose(
     Prints the feasible designs by cost over the years, and why each other one was rejected. Exit
     code 1 if none is feasible.
     """
+    from wraparc.answer.choose_sheet import choose_csv, choose_document, choose_sheet
     from wraparc.choose.file import load_search
     from wraparc.choose.selection import choose as choose_design
-    from wraparc.present.choose_sheet import choose_csv, choose_document, choose_sheet
 
     selection = choose_design(load_search(file, overrides=settings))
     lighter = _lightest(selection) if lightest_belt else None

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import click
 
+from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.arc import solve
 from wraparc.cli.options import units_option
 from wraparc.cli.pipe import say
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.files import load_drive
-from wraparc.present.drive_sheet import drive_sheet
 from wraparc.saving import save_file
 from wraparc.units import System
 

@@ -29,9 +29,9 @@ def family(
 
     One curve for each ratio, creep over wrap angle, with the tight side held at its tension.
     """
+    from wraparc.answer.family_sheet import family_document, family_sheet
     from wraparc.arc import WrapArc
     from wraparc.arc.family import tension_ratio_family
-    from wraparc.present.family_sheet import family_document, family_sheet
     from wraparc.train.file import load_drive
 
     drive = load_drive(file)

@@ -41,9 +41,9 @@ def field(
 
     The numbers are for one pulley; verdict and exit code for the whole drive, as in wraparc solve.
     """
+    from wraparc.answer.field_sheet import field_document, field_sheet
     from wraparc.checks import judge
     from wraparc.cli.solve import exit_code
-    from wraparc.present.field_sheet import field_document, field_sheet
     from wraparc.train.whole import by_pulley, solved
 
     whole = solved(load_whole(file, overrides=settings))

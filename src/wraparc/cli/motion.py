@@ -57,7 +57,7 @@ def run(
     The file needs a [motion] table with inertias and events. Ctrl-C ends the run and shows what was
     computed so far.
     """
-    from wraparc.present.motion_sheet import run_document, run_sheet
+    from wraparc.answer.motion_sheet import run_document, run_sheet
 
     csv_file, parquet_file, plot_file, state_file = map(
         answer.paths.get, ("csv", "parquet", "plot", "checkpoint")
@@ -113,9 +113,9 @@ def run(
 )
 def stability(answer: Answer, file: str, run_out: str, over: str, settings: tuple[str, ...]) -> int:
     """Check the drives of FILE for self-excited oscillation: cause, size, and what cures it."""
+    from wraparc.answer.motion_sheet import stability_document, stability_sheet
     from wraparc.motion.vibration import stability as found_by
     from wraparc.motion.vibration import stability_map
-    from wraparc.present.motion_sheet import stability_document, stability_sheet
 
     motion = load_motion(file, overrides=settings)
     result = found_by(motion.station, run_out=positive("--run-out", run_out, "length") or 0.0)

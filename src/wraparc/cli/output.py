@@ -5,9 +5,9 @@ from collections.abc import Callable, Mapping
 
 import click
 
+from wraparc.answer.sheet import Sheet
 from wraparc.cli.pipe import reader_may_leave, say
 from wraparc.cli.show import Wanted, show
-from wraparc.present.sheet import Sheet
 from wraparc.saving import as_bytes, interrupted, save_file
 
 #: Written to standard output instead of a file.

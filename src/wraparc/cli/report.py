@@ -33,7 +33,7 @@ from wraparc.cli.solve import (
 )
 from wraparc.drive import Drive
 from wraparc.errors import InputError
-from wraparc.report.note import PAPERS, NoteHead, Paper
+from wraparc.render.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
 from wraparc.units import System
@@ -173,7 +173,7 @@ def _write(
     train: "TrainResult | None",
     in_time: "InTime | None",
 ) -> None:
-    from wraparc.report import markdown, pdf, workbook
+    from wraparc.render import markdown, pdf, workbook
 
     if output == STANDARD_OUTPUT:
         say(markdown(results, head, system=units, train=train, in_time=in_time), end="")

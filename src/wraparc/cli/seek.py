@@ -25,7 +25,7 @@ def seek(answer: Answer, file: str, settings: tuple[str, ...], **goal: str | Non
 
     Exit code 1 if no value in the range does.
     """
-    from wraparc.present.seek_sheet import seek_document, seek_sheet
+    from wraparc.answer.seek_sheet import seek_document, seek_sheet
     from wraparc.schema.overrides import read_document
     from wraparc.study.seek import Goal
     from wraparc.study.seek import seek as search

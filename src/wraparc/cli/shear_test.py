@@ -47,7 +47,7 @@ def read(
 
     What a file does not say is asked for, never guessed.
     """
-    from wraparc.report.shear_test_record import record_sheet
+    from wraparc.answer.shear_test_record import record_sheet
     from wraparc.shear_test import Choices, read_machine_tests
 
     choices = Choices(units=_units(units), stress_area=_area(stress_area), **said)
@@ -144,11 +144,11 @@ def fit(
     A law that does not describe its tests is reported, but its lagging file is written only where
     the misfit is accepted.
     """
+    from wraparc.answer.shear_test_document import plan_document
+    from wraparc.answer.shear_test_tables import counted, plan_sheet
     from wraparc.catalogue import place_of_own
     from wraparc.files.write import lagging_text
-    from wraparc.report.shear_test import SUFFIXES, make_report
-    from wraparc.report.shear_test_document import plan_document
-    from wraparc.report.shear_test_tables import counted, plan_sheet
+    from wraparc.render.shear_test import SUFFIXES, make_report
     from wraparc.shear_test import fit_plan
     from wraparc.shear_test.analysis import checked_reason
     from wraparc.shear_test.plan_file import load_plan

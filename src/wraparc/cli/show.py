@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import click
 
+from wraparc.answer.sheet import Sheet, shown
+from wraparc.answer.short import short_sheet
 from wraparc.cli.pipe import reader_may_leave
 from wraparc.errors import InputError, Problem, near
 from wraparc.errors import shown as quoted
-from wraparc.present.lines import headline_lines, lines_of, table_lines
-from wraparc.present.sheet import Sheet, shown
-from wraparc.present.short import short_sheet
+from wraparc.render.lines import headline_lines, lines_of, table_lines
 from wraparc.units import System
 
 #: Width of lines where no terminal says how wide it is.

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wraparc.alike import largest
+from wraparc.answer.drive_sheet import drive_sheet, input_sheet
+from wraparc.answer.sheet import Sheet
 from wraparc.arc import Distributed, DriveResult, Method, PaperMarch
 from wraparc.arc import solve as solve_drive
 from wraparc.checks import Level, judge
@@ -14,8 +16,6 @@ from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem, placed
-from wraparc.present.drive_sheet import drive_sheet, input_sheet
-from wraparc.present.sheet import Sheet
 from wraparc.units import System, parse_quantity
 
 if TYPE_CHECKING:
@@ -111,13 +111,13 @@ def solve_as_train(
 def _document(
     results: Sequence[DriveResult], train: "TrainResult | None", file: str
 ) -> dict[str, Any]:
-    from wraparc.present.document import solved_document
+    from wraparc.answer.document import solved_document
 
     return solved_document(results, train, file=file)
 
 
 def _csv(results: Sequence[DriveResult], units: System, decimal_comma: bool) -> str:
-    from wraparc.present.profile_csv import profile_csv
+    from wraparc.render.profile_csv import profile_csv
 
     arcs = [arc for result in results for arc in result]
     return profile_csv(arcs, units, decimal_comma=decimal_comma)
@@ -143,7 +143,7 @@ def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
     if isinstance(read, Drive):
         answer.give(lambda: input_sheet(read))
         return SOLVED
-    from wraparc.present.train_sheet import train_input_sheet
+    from wraparc.answer.train_sheet import train_input_sheet
 
     answer.give(lambda: train_input_sheet(read))
     return SOLVED

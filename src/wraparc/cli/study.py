@@ -14,8 +14,8 @@ from wraparc.saving import interrupted
 from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
+    from wraparc.answer.study_sheet import Global, Local
     from wraparc.plot.picture import Picture
-    from wraparc.present.study_sheet import Global, Local
     from wraparc.study.executor import Executor
     from wraparc.study.file import StudyFile
     from wraparc.study.monte_carlo import Summary
@@ -125,8 +125,9 @@ def _size(asked: Study) -> str:
 
 
 def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
-    from wraparc.present.study_document import study_document
-    from wraparc.present.study_sheet import study_page, study_sheet
+    from wraparc.answer.study_document import study_document
+    from wraparc.answer.study_sheet import study_sheet
+    from wraparc.render.study import study_page
     from wraparc.study.monte_carlo import summarise
     from wraparc.study.sensitivity import sensitivities
 

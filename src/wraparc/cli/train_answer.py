@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from wraparc.answer.sheet import Sheet
 from wraparc.arc import Distributed, DriveResult, Method
 from wraparc.arc import solve as solve_drive
 from wraparc.errors import placed
-from wraparc.present.sheet import Sheet
 from wraparc.train import Train, TrainResult, solve_train
 
 
@@ -44,7 +44,7 @@ def solve_all(
 
 def sheet_of(result: TrainResult, results: Sequence[DriveResult], everything: bool) -> Sheet:
     """Return the sheet of a train."""
-    from wraparc.present.train_sheet import train_sheet
+    from wraparc.answer.train_sheet import train_sheet
 
     detail = range(len(results[0])) if everything else None
     return train_sheet(result, detail, results)

@@ -4,12 +4,12 @@ from typing import Any
 
 import click
 
+from wraparc.answer.sheet import Sheet
 from wraparc.arc import Distributed
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import load_whole, typed
 from wraparc.cli.output import Content
 from wraparc.errors import InputError, Problem, placed, shown
-from wraparc.present.sheet import Sheet
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.matching import WEAR, wet_laggings
 from wraparc.units import display, parse_quantity
@@ -101,21 +101,21 @@ def _picture(matching: Matching, over_load: ShareMap | None, title: str) -> Cont
 
 
 def _sheet(result: TrainResult, matching: Matching) -> Sheet:
-    from wraparc.present.train_sheet import matching_sheet
+    from wraparc.answer.train_sheet import matching_sheet
 
     return matching_sheet(result, matching)
 
 
 def _verdict(result: TrainResult) -> Sheet:
-    from wraparc.present.train_words import train_verdict
+    from wraparc.answer.train_words import train_verdict
 
     title = f"{result.train.title or 'Train'}: nothing to trim"
     return Sheet(title=title, verdict=train_verdict(result))
 
 
 def _verdict_document(result: TrainResult) -> dict[str, Any]:
+    from wraparc.answer.checks_table import verdict_document
     from wraparc.checks import judge
-    from wraparc.present.checks_table import verdict_document
 
     return {"format": 1, "verdict": verdict_document(judge(result))}
 
@@ -123,13 +123,13 @@ def _verdict_document(result: TrainResult) -> dict[str, Any]:
 def _document(
     result: TrainResult, matching: Matching, over_load: ShareMap | None, file: str
 ) -> dict[str, Any]:
-    from wraparc.present.train_document import matching_document
+    from wraparc.answer.train_document import matching_document
 
     return matching_document(result, matching, over_load, file=file)
 
 
 def _csv(matching: Matching) -> str:
-    from wraparc.present.train_document import curve_csv
+    from wraparc.answer.train_document import curve_csv
 
     return curve_csv(matching.trim)
 

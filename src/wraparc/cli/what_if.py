@@ -49,11 +49,11 @@ def what_if(
     drive, as in wraparc solve; the exit code is that of the drive as it is. Where a check of the
     pulley is missed, its load case is shown unless one is named.
     """
+    from wraparc.answer.what_if_sheet import what_if_document, what_if_sheet
     from wraparc.choose.named_changes import changes_of
     from wraparc.choose.what_if import what_if as solve_both
     from wraparc.cli.solve import exit_code
     from wraparc.files.conditions import refuse_several
-    from wraparc.present.what_if_sheet import what_if_document, what_if_sheet
     from wraparc.train.as_drive import nearest_drive
 
     read = load_whole(file)

@@ -15,7 +15,7 @@ from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import Array
-from wraparc.units import either, quantity
+from wraparc.units import in_each, quantity
 
 # Off by more than this in ln mu is no scatter of samples; as near as this it fits. Ours.
 _OFF, _FITS = 0.3, 0.12
@@ -94,7 +94,7 @@ def set_questions(plan: TestPlan, tests: Sequence[TestResult]) -> list[str]:
 
 
 def _area(value: float) -> str:
-    return either(f"{value * 1e4:.4g} cm2", f"{value / 0.0254**2:.4g} in2")
+    return in_each(value, "area", "cm2", "in2")
 
 
 def surface_questions(surface: str, condition: str, peaks: Array, faces: int) -> list[str]:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import MachineRecord
-from wraparc.units import either
+from wraparc.units import in_each
 
 # Speeds that differ by a larger factor are different ones. Ours.
 _APART = 1.5
@@ -100,5 +100,4 @@ def speed_sentences(
 
 def per_minute(speed: float | None) -> str:
     """A speed [m/s] in words."""
-    v = 60.0 * (speed or 0.0)
-    return either(f"{v / 1e-3:.3g} mm/min", f"{v / 0.0254:.3g} in/min")
+    return in_each(speed or 0.0, "speed", "mm/min", "in/min")

@@ -12,6 +12,7 @@ from typing import Literal, Self, get_args
 
 from wraparc.units.digits import RESULT_DIGITS, safe
 from wraparc.units.display import System, display, display_unit, joined, parts, unit_row
+from wraparc.units.parse import unit_factor
 from wraparc.units.table import DIMENSIONS, Dimension
 
 #: What stands where there is no number.
@@ -168,6 +169,14 @@ def in_unit(dimension: Dimension, told: Callable[[float], str]) -> str:
     As ``in_unit("length", lambda mm: f"{peak / mm:.3g} (held)")``.
     """
     return either(*(told(display_unit(dimension, system)[1]) for system in get_args(System)))
+
+
+def in_each(value: float, dimension: Dimension, si: str, us: str) -> str:
+    """Return a value in the units that people of a trade write, where no table column has them.
+
+    As ``in_each(speed, "speed", "mm/min", "in/min")``.
+    """
+    return either(*(f"{value / unit_factor(unit, dimension):.4g} {unit}" for unit in (si, us)))
 
 
 def per_stress(compliance: float) -> str:

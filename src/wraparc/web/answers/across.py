@@ -16,26 +16,26 @@ from wraparc.across import (
     solve_across,
     within,
 )
+from wraparc.answer.across_answers import (
+    cushion_table,
+    cushion_verdict,
+    wear_table,
+    wear_verdict,
+)
+from wraparc.answer.across_tables import (
+    answer_table,
+    profile_table,
+    shares_table,
+    worst_first,
+)
+from wraparc.answer.checks_table import check_table
+from wraparc.answer.words import in_words, verdict
 from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive, LoadCase, Pulley
 from wraparc.errors import InputError, Problem
 from wraparc.files.across_keys import ACROSS
-from wraparc.present.across_answers import (
-    cushion_table,
-    cushion_verdict,
-    wear_table,
-    wear_verdict,
-)
-from wraparc.present.across_tables import (
-    answer_table,
-    profile_table,
-    shares_table,
-    worst_first,
-)
-from wraparc.present.checks_table import check_table
-from wraparc.present.words import in_words, verdict
 from wraparc.train import Train, solve_train
 from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read

@@ -6,10 +6,10 @@ from functools import cache
 import numpy as np
 
 from wraparc import catalogue
+from wraparc.answer.catalogue_sheets import lagging_sheet
 from wraparc.drive import SURFACES, Lagging
 from wraparc.drive.conditions import covered, published_conditions
 from wraparc.files.lagging_file import load_lagging_conditions, pick_condition
-from wraparc.present.catalogue_sheets import lagging_sheet
 from wraparc.provenance import Kind
 from wraparc.schema.source import parse
 from wraparc.units import Dimension, quantity

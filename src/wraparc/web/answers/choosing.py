@@ -5,11 +5,11 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from wraparc import catalogue
+from wraparc.answer.choose_sheet import choose_sheet
 from wraparc.choose.file import search_from_document
 from wraparc.choose.search import Search
 from wraparc.choose.selection import choose
 from wraparc.errors import InputError, Problem, shown
-from wraparc.present.choose_sheet import choose_sheet
 from wraparc.schema.emit import document_text
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Sheet, sheet

@@ -6,6 +6,9 @@ from dataclasses import replace
 from typing import Literal
 
 from wraparc import catalogue
+from wraparc.answer.sheet import NONE, named, percent
+from wraparc.answer.wear_table import life_data
+from wraparc.answer.words import short
 from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
 from wraparc.checks import Level, Verdict, idle, judge, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
@@ -15,9 +18,6 @@ from wraparc.drive.conditions import Condition
 from wraparc.errors import InputError
 from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
-from wraparc.present.sheet import NONE, named, percent
-from wraparc.present.wear_table import life_data
-from wraparc.present.words import short
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
 from wraparc.web.answers.documents import asked_for, divided, read

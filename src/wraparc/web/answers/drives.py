@@ -3,23 +3,23 @@
 import math
 from dataclasses import replace
 
-from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
-from wraparc.checks import Level, judge, least_tension
-from wraparc.drive import Drive
-from wraparc.present.arc_tables import answer_table, creep_table
-from wraparc.present.checks_table import check_table
-from wraparc.present.conditions_table import conditions_table
-from wraparc.present.document import sources_of
-from wraparc.present.drive_sheet import arc_tables, input_sheet, summary_table
-from wraparc.present.least_tension import (
+from wraparc.answer.arc_tables import answer_table, creep_table
+from wraparc.answer.checks_table import check_table
+from wraparc.answer.conditions_table import conditions_table
+from wraparc.answer.document import sources_of
+from wraparc.answer.drive_sheet import arc_tables, input_sheet, summary_table
+from wraparc.answer.least_tension import (
     least_data,
     least_sentence,
     least_table,
     shown_least,
 )
-from wraparc.present.sources import Sources
-from wraparc.present.train_sheet import train_input_sheet
-from wraparc.present.words import alone_of, in_words, short, verdict
+from wraparc.answer.sources import Sources
+from wraparc.answer.train_sheet import train_input_sheet
+from wraparc.answer.words import alone_of, in_words, short, verdict
+from wraparc.arc import ArcResult, Distributed, DriveResult, PaperMarch, WrapArc, solve
+from wraparc.checks import Level, judge, least_tension
+from wraparc.drive import Drive
 from wraparc.schema.source import parse
 from wraparc.train import Train, TrainResult, solve_train
 from wraparc.train.whole import Whole

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from wraparc.answer.motion_sheet import run_sheet, stability_sheet
 from wraparc.checks import judge_run
 from wraparc.drive.pitch import whole_thickness
 from wraparc.errors import InputError, Problem, shown
@@ -13,7 +14,6 @@ from wraparc.motion import RunResult, simulate, stability, stability_map
 from wraparc.motion.file import Motion, motion_from_document
 from wraparc.motion.follow import check_event
 from wraparc.plot.motion import plot_stability, plot_stability_map
-from wraparc.present.motion_sheet import run_sheet, stability_sheet
 from wraparc.units import Dimension, parse_quantity
 from wraparc.web.answers.documents import without_none
 from wraparc.web.answers.shown import Answer, Bar, Numbers, Sheet, bars, rounded, sheet

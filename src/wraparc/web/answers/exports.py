@@ -2,13 +2,13 @@
 
 from typing import Literal
 
+from wraparc.answer.answer_data import answer_json
+from wraparc.answer.document import solved_document
+from wraparc.answer.drive_sheet import drive_sheet
+from wraparc.answer.train_sheet import train_sheet
 from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.drive import Drive
-from wraparc.present.answer_data import answer_json
-from wraparc.present.document import solved_document
-from wraparc.present.drive_sheet import drive_sheet
-from wraparc.present.profile_csv import profile_csv
-from wraparc.present.train_sheet import train_sheet
+from wraparc.render.profile_csv import profile_csv
 from wraparc.train import TrainResult, solve_train
 from wraparc.web.answers.documents import read
 from wraparc.web.asked import ExportRequest

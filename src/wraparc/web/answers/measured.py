@@ -7,6 +7,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from wraparc.answer.calibrate_sheet import calibrate_sheet, overlay_sheet
 from wraparc.calibrate.calibration import Calibration, calibrate
 from wraparc.calibrate.file import (
     Measured,
@@ -17,7 +18,6 @@ from wraparc.calibrate.file import (
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.files import lagging_text
 from wraparc.plot.overlay import plot_overlay
-from wraparc.present.calibrate_sheet import calibrate_sheet, overlay_sheet
 from wraparc.schema.emit import document_text
 from wraparc.schema.source import decoded, parse
 from wraparc.web.answers.documents import json_like, read, without_none

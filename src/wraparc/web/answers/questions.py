@@ -1,5 +1,7 @@
 """What is asked beside the answer: before and after changes, and what to expect on site."""
 
+from wraparc.answer.field_sheet import field_sheet
+from wraparc.answer.what_if_sheet import what_if_sheet
 from wraparc.arc import Distributed
 from wraparc.calibrate.on_site import OnSite, on_site
 from wraparc.checks import judge
@@ -8,8 +10,6 @@ from wraparc.choose.what_if import what_if
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem
 from wraparc.files.conditions import refuse_several
-from wraparc.present.field_sheet import field_sheet
-from wraparc.present.what_if_sheet import what_if_sheet
 from wraparc.train.as_drive import nearest_drive
 from wraparc.train.whole import by_pulley, solved
 from wraparc.web.answers.documents import asked_for, read

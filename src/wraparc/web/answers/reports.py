@@ -7,7 +7,7 @@ from wraparc.arc import Distributed, PaperMarch, solve
 from wraparc.drive import Drive
 from wraparc.motion.file import motion_from_document
 from wraparc.motion.reported import asks, followed
-from wraparc.report import NoteHead, markdown, pdf, workbook
+from wraparc.render import NoteHead, markdown, pdf, workbook
 from wraparc.train import solve_train
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.asked import ReportRequest

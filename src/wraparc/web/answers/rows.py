@@ -5,7 +5,7 @@ import io
 from collections.abc import Callable, Iterable
 from typing import Any
 
-from wraparc.present.profile_csv import no_formula
+from wraparc.render.profile_csv import no_formula
 from wraparc.web.answers.compare import CompareAnswer
 from wraparc.web.answers.drives import FastAnswer, SolveAnswer
 from wraparc.web.answers.shown import Answer, Data

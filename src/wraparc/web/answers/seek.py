@@ -1,9 +1,9 @@
 """Which value of an input gives a wanted result, as ``wraparc seek`` finds it."""
 
+from wraparc.answer.seek_sheet import seek_document, sentence, value_text
+from wraparc.answer.words import verdict
 from wraparc.arc import DriveResult
 from wraparc.checks import Level, judge
-from wraparc.present.seek_sheet import seek_document, sentence, value_text
-from wraparc.present.words import verdict
 from wraparc.study.seek import Goal, Sought, seek
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Answer, Numbers, Text, rounded, worded

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
+from wraparc.answer.shear_test_record import record_sheet
+from wraparc.answer.shear_test_tables import plan_sheet
 from wraparc.errors import InputError
 from wraparc.files.write import lagging_text
-from wraparc.report.shear_test_record import record_sheet
-from wraparc.report.shear_test_tables import plan_sheet
 from wraparc.schema.source import Document, parse
 from wraparc.shear_test import (
     MachineRecord,

@@ -11,11 +11,11 @@ import numpy as np
 from pydantic import BaseModel, ConfigDict
 from typing_extensions import TypedDict
 
+from wraparc.answer import sheet as sheets
+from wraparc.answer.answer_data import answer_data, table_data, text_data, verdict_data
 from wraparc.arc import ArcResult
 from wraparc.arc import Profile as ArcProfile
 from wraparc.checks import Check, Level
-from wraparc.present import sheet as present
-from wraparc.present.answer_data import answer_data, table_data, text_data, verdict_data
 from wraparc.provenance import Kind
 from wraparc.units import Dimension, in_units
 from wraparc.units.cell import Form
@@ -89,7 +89,7 @@ class Verdict(Answer):
     sentences: list[Text]
 
     @classmethod
-    def of(cls, told: present.Verdict) -> Self:
+    def of(cls, told: sheets.Verdict) -> Self:
         """Return the words of a sheet."""
         return cls.model_validate(verdict_data(told))
 
@@ -201,7 +201,7 @@ def texts(sentences: Iterable[str]) -> list[Text]:
     return [worded(sentence) for sentence in sentences]
 
 
-def tables(made: Sequence[present.Table | None], keys: Iterable[str] = ()) -> list[Table]:
+def tables(made: Sequence[sheets.Table | None], keys: Iterable[str] = ()) -> list[Table]:
     """Return tables, those that are there; keys by position."""
     names = [*keys] or [f"table{number}" for number in range(1, len(made) + 1)]
     return [
@@ -211,7 +211,7 @@ def tables(made: Sequence[present.Table | None], keys: Iterable[str] = ()) -> li
     ]
 
 
-def sheet(told: present.Sheet) -> Data:
+def sheet(told: sheets.Sheet) -> Data:
     """Return the fields of a whole sheet."""
     fields = answer_data(told)
     del fields["format"]

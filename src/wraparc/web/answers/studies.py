@@ -6,11 +6,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from wraparc.answer.study_document import study_document
+from wraparc.answer.study_sheet import Global, Local, study_sheet
+from wraparc.answer.study_words import group_name, histogram_sentence
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
-from wraparc.present.study_document import study_document
-from wraparc.present.study_sheet import Global, Local, study_page, study_sheet
-from wraparc.present.study_words import group_name, histogram_sentence
+from wraparc.render.study import study_page
 from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads

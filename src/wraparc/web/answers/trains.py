@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from wraparc.answer.document import sources_of
+from wraparc.answer.train_document import matching_document, train_document
+from wraparc.answer.train_sheet import matching_sheet, train_sheet
+from wraparc.answer.words import in_words
 from wraparc.arc import Distributed
 from wraparc.checks import judge
 from wraparc.errors import InputError, Problem, shown
-from wraparc.present.document import sources_of
-from wraparc.present.train_document import matching_document, train_document
-from wraparc.present.train_sheet import matching_sheet, train_sheet
-from wraparc.present.words import in_words
 from wraparc.train import Matching, Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.train.file import train_from_document
 from wraparc.train.matching import wet_laggings

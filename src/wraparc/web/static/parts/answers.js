@@ -7,6 +7,7 @@ import { Component, h } from "../vendor/preact.js";
 
 /** @import { Children, Level, Problem, Table, TableRow, Text, Verdict } from "../types.d.ts" */
 
+export const BELOW = "Below is the answer before the change.";
 /** Class and sign of each level. @type {Record<string, [string, string]>} */
 const LEVELS = {
   "NOT CHECKED": ["", "–"],
@@ -51,12 +52,7 @@ export const stands = (how, ...children) =>
     "div",
     { "data-stands": how, key: "stands" },
     how !== "fresh" &&
-      h(
-        "p",
-        { class: "help", role: "status" },
-        how === "computing" && "Solving … ",
-        "Below is the answer before the change.",
-      ),
+      h("p", { class: "help", role: "status" }, how === "computing" && "Solving … ", BELOW),
     ...children,
   );
 

@@ -6,7 +6,7 @@ import { words } from "../base/units.js";
 import { checkOf, fold, foot, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
 import { answer } from "../pages/drive/solving.js";
 import { cloneElement, h } from "../vendor/preact.js";
-import { list } from "./answers.js";
+import { BELOW, list } from "./answers.js";
 
 /** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
 /** @import { Standing } from "./answers.js" */
@@ -49,8 +49,7 @@ export const silent = (text, more, action) => said("", text, more ?? "", action,
  * @param {Problem[]} [problems] */
 export function saying(how, v, more, action, problems = []) {
   if (how === "refused") return notComputed("Not computed.", problems);
-  if (how !== "fresh")
-    return silent(app.gone ? GONE : "Solving …", "Below is the answer before the change.", action);
+  if (how !== "fresh") return silent(app.gone ? GONE : "Solving …", BELOW, action);
   const [one, rest] = leadOf(v);
   return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
 }

@@ -30,7 +30,7 @@ import {
 } from "../../base/units.js";
 import { behind } from "../../frame/header.js";
 import { views } from "../../frame/tabs.js";
-import { levelClass, list, standing } from "../../parts/answers.js";
+import { BELOW, levelClass, list, standing } from "../../parts/answers.js";
 import { choose, oneOf } from "../../parts/choose.js";
 import { NEEDED, shownFields } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
@@ -181,7 +181,7 @@ export class Screen extends Component {
         ),
         this.checks(arc, begin?.beside),
       ),
-      foot(arc, cut() && !silent() && [gone(" Asked again every 5 s."), askNow("")]),
+      foot(arc, cut() && !silent() && [gone(AGAIN), askNow()]),
       questions(),
       this.below(arc),
     );
@@ -275,8 +275,10 @@ const END = /^(.*?(?:[a-z0-9)%°]|kN)\.) (?=[A-Z])/s;
 export function opening(text, { pulley, load_case }) {
   const whole = words(text);
   const places = [`Pulley ${pulley}, load case ${load_case}: `, `Pulley ${pulley}: `];
-  const place = places.find((p) => whole.startsWith(p)) ?? "";
-  const said = whole.slice(place.length).replace(` (pulley ${pulley}, load case ${load_case})`, "");
+  const place = places.find((p) => whole.startsWith(p));
+  const said = whole
+    .slice(place?.length)
+    .replace(` (pulley ${pulley}, load case ${load_case})`, "");
   const [, one = said] = END.exec(said) ?? [];
   const long = one.split(" ").length > 15;
   const half = one.search(long ? /[;:] / : /; /);
@@ -309,11 +311,10 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
 /** @param {QuickAnswer | null} arc @param {boolean} refused */
 function verdict(arc, refused) {
   if (refused) return notComputed(arc !== null);
-  if (silent())
-    return said("", gone(arc && " These are the last results."), AGAIN, askNow("advice"));
+  if (silent()) return said("", gone(arc && "These are the last results."), AGAIN, askNow());
   if (!arc) return said("", "Solving …", "");
   const how = stood();
-  if (how !== "fresh") return said("", "Solving …", "Below is the answer before the change.");
+  if (how !== "fresh") return said("", "Solving …", BELOW);
   const { level, verdict: v } = arc;
   const full = known();
   if (!level) return said("", creepOf(arc), "");
@@ -328,9 +329,7 @@ function verdict(arc, refused) {
 /** What is missed besides what governs: the action beside it is solved for all. */
 function besides() {
   const [, ...also] = worstFirst(wholeArc()?.bars ?? []).filter((b) => rank(b) > 0);
-  const few = also.slice(0, 2).map((b) => b.title);
-  const more = also.length - few.length;
-  return few[0] && `Also not kept: ${few.join("; ")}${more ? `, and ${more} more` : ""}.`;
+  return also[0] && `Also not kept: ${few(also.map((b) => b.title))}.`;
 }
 /** @param {QuickAnswer} arc */
 const creepOf = ({ numbers, creep_limit, status }) =>
@@ -340,10 +339,9 @@ const creepOf = ({ numbers, creep_limit, status }) =>
     : "Gross slip.";
 const AGAIN = "Asked again every 5 s. Nothing typed is lost.";
 /** @param {Children} more */
-const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, more);
-/** @param {string} cls */
-const askNow = (cls) =>
-  h("button", { type: "button", class: `main ${cls}`, onClick: askAgain }, "Ask now");
+const gone = (more) => h("span", { class: "gone", role: "alert" }, GONE, " ", more);
+const askNow = () =>
+  h("button", { type: "button", class: "main advice", onClick: askAgain }, "Ask now");
 const cut = () => app.gone && app.page === "drive";
 /** Whether what is asked now waits for a server that is gone: the page solves most by itself. */
 const silent = () => cut() && !answer.problems.length && stood() !== "fresh";
@@ -352,7 +350,7 @@ function notComputed(before) {
   const { problems, unplaced } = answer;
   const not = problems.filter((p) => p.beyond);
   const reasons = not.length ? not : unplaced;
-  const below = before ? "Below is the last answer." : "";
+  const below = before ? BELOW : "";
   const head = not.length ? "Not solved in this page." : "Not computed.";
   if (reasons.length)
     return said("", "", "", null, "", [
@@ -362,11 +360,13 @@ function notComputed(before) {
   const all = [...wrong.at];
   const bad = all.filter(([, text]) => text !== NEEDED);
   const names = new Set((bad.length ? bad : all).map(([key]) => nameOf(key)));
-  const [what, n] = [bad.length ? "Not computed" : "Still needed", names.size - MOST];
-  const few = [...names].slice(0, MOST).join(", ");
-  return said("", `${what}: ${few}${n > 0 ? ` and ${n} more` : ""}.`, below);
+  return said("", `${bad.length ? "Not computed" : "Still needed"}: ${few([...names])}.`, below);
 }
-const MOST = 3;
+/** The first of what is listed, and how many more there are. @param {string[]} all */
+function few(all) {
+  const [a, b, c, ...more] = all;
+  return [a, b, c, more[0] && `and ${more.length} more`].filter(Boolean).join(", ");
+}
 /** @param {string} key of a field */
 function nameOf(key) {
   const [at, i] = key.split(",");

@@ -1,0 +1,404 @@
+"""Calibrations and overlays in words and tables."""
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from wraparc.answer.sheet import Row, Sheet, Table, Verdict, named, percent, quantity
+from wraparc.arc import ArcResult
+from wraparc.calibrate.calibration import FAR, Calibration, Estimate, Number, Problemset
+from wraparc.calibrate.fold import Folded
+from wraparc.calibrate.problem import OPEN_ZERO, speed_ratio
+from wraparc.checks import Level
+from wraparc.checks.of_arc import COVER_UNKNOWN
+from wraparc.glossary import GLOSSARY
+from wraparc.train.turning import surface_sentence
+from wraparc.units import Dimension
+
+#: parameter -> title, dimension
+_PARAMETERS: dict[str, tuple[str, Dimension]] = {
+    "friction": ("Friction, factor on the law", "number"),
+    "peak_slip": ("Peak slip, factor on the law", "number"),
+    "shear_modulus": ("Shear modulus of the lagging", "pressure"),
+    "overrun": ("Entry overrun", "length"),
+    "belt_modulus": ("Belt modulus", "force_per_width"),
+}
+_ERRORS = {
+    "speed_zero": "Zero of the speed ratio",
+    "entry_tension": "Entry tension T1",
+    "exit_tension": "Exit tension T2",
+    "effective_tension": "Effective tension T1 - T2",
+    "compression": "Compression of the lagging",
+    "lagging_shear": "Shear of the lagging",
+    "cover_shear": "Shear of the belt cover",
+    "readings": "Readings",
+}
+#: Standard deviations beyond which an error is not what was stated of it [-].
+_UNLIKELY = 3.0
+_MOST_CORRELATED = 0.9
+#: Misfit that is no noise any more: of a course over its largest value, of a number over its
+#: standard deviation [-].
+_FAR_TRACE, _FAR_NUMBER = 0.1, 4.0
+_OTHER = "Check tensions, units and signs, and that the file describes the drive that was measured."
+
+
+def calibrate_sheet(
+    found: Calibration,
+    problem: Problemset,
+    title: str,
+    description: str = "",
+    sources: tuple[str, ...] = (),
+) -> Sheet:
+    """Return the answer of a calibration: estimates, what the data cannot tell, correlations."""
+    rows = [_row(e) for e in found.estimates]
+    tables = [
+        Table(
+            "Estimates",
+            tuple(rows),
+            ("value", "95 % interval", "spread by the data", "expected"),
+            "Spread: one standard deviation. Expected: half the 95 % interval that such data "
+            "promise before they are fitted. Intervals are from the curvature at the best fit, or "
+            "from the profile likelihood where the curvature at the drive file's values disagrees.",
+            "estimates",
+        ),
+        _widths(found),
+        _deviations(found),
+        _correlations(found),
+        _misfits(found, problem),
+    ]
+    return Sheet(
+        title=title or "Calibration",
+        subtitle=description,
+        verdict=_verdict(found, problem),
+        tables=tuple(t for t in tables if t.rows),
+        remarks=tuple(_remarks(found)),
+        sources=sources,
+    )
+
+
+def _row(e: Estimate) -> Row:
+    title, dimension = _PARAMETERS[e.name]
+    spread = "none" if math.isinf(e.spread) else percent(e.spread, 2)
+    if e.name == "overrun" and math.isfinite(e.spread):
+        spread = quantity(e.spread * 1e-4, "length")
+    expected = "nothing" if math.isinf(e.expected) else percent(e.expected, 2)
+    if e.name == "overrun" and math.isfinite(e.expected):
+        expected = quantity(e.expected * 1e-4, "length")
+    if e.value is None or e.low is None or e.high is None:
+        return Row(title, ("not identified", "-", spread, expected), level=Level.ATTENTION)
+    value, low, high = (quantity(v, dimension) for v in (e.value, e.low, e.high))
+    note = "from the prior, not from the data" if e.from_prior else ""
+    return Row(title, (value, f"{low} to {high}", spread, expected), note=note)
+
+
+def _verdict(found: Calibration, problem: Problemset) -> Verdict:
+    apart, covered = tuple(_apart(found, problem)), tuple(_covered(found, outside=True))
+    untold = [e.name for e in found.estimates if e.value is None]
+    if not untold:
+        headline = (
+            f"{'Both' if len(found.estimates) == 2 else f'All {len(found.estimates)}'} parameters "
+            f"are identified from {found.data} measured values."
+        )
+        if len(found.estimates) == 1:
+            headline = f"The parameter is identified from {found.data} measured values."
+        if apart:
+            headline = f"The drive does not follow what was measured. {headline}"
+        level = Level.ATTENTION if apart or covered else Level.OK
+        return Verdict(level, headline, (*apart, *covered, *_mixed_words(found)))
+    names = ", ".join(n.replace("_", " ") for n in untold)
+    return Verdict(
+        Level.ATTENTION,
+        f"The data do not identify {names}; no value is given.",
+        (
+            *apart,
+            *covered,
+            *_mixed_words(found),
+            "Keep some of them at the values of the drive file, measure something that separates "
+            "them, or give a prior.",
+        ),
+    )
+
+
+def _apart(found: Calibration, problem: Problemset) -> Iterator[str]:
+    """Yield what the best fit leaves of the data that is more than noise."""
+    count = len(problem.numbers)
+    for n, miss in zip(problem.numbers, found.misfit, strict=False):
+        if abs(miss) > _FAR_NUMBER * n.sd:
+            yield (
+                f"{_title(n, problem)}: the best fit misses the measured "
+                f"{_value(n, n.value)} by {_value(n, abs(miss))}. "
+                f"{_OTHER}"
+            )
+    for d in found.deviations:
+        if abs(math.log(d.factor)) > _UNLIKELY * d.stated:
+            yield (
+                f"{_ERRORS[d.name]}: the best fit moves it by {percent(d.factor - 1.0, 2)}, where "
+                f"{percent(d.stated, 2)} is stated as its standard deviation. {_OTHER}"
+            )
+    for t, miss in zip(problem.traces, found.misfit[count:], strict=True):
+        most = float(np.abs(t.value).max())
+        if miss > _FAR_TRACE * most:
+            yield (
+                f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}: the best fit misses "
+                f"it by {named(t.quantity, miss)} in the mean, {percent(miss / most, 2)} "
+                f"of its largest value. {_OTHER}"
+            )
+
+
+def _covered(found: Calibration, *, outside: bool) -> Iterator[str]:
+    """Yield the estimates with the belt cover in series, beyond their intervals or within."""
+    there = [
+        f"{e.name.replace('_', ' ')} is {quantity(found.covered[e.name], _PARAMETERS[e.name][1])}"
+        for e in found.estimates
+        if e.name in found.covered
+        and e.low is not None
+        and e.high is not None
+        and outside is not (e.low <= found.covered[e.name] <= e.high)
+    ]
+    if there:
+        where = ", outside its interval. State slip_includes in the lagging" if outside else ""
+        yield f"{COVER_UNKNOWN}: with the cover in series {', '.join(there)}{where}."
+
+
+def _title(n: Number, problem: Problemset) -> str:
+    """Return what a number is and where it was measured."""
+    what = GLOSSARY[n.quantity].title
+    if n.apparent:
+        what = f"Shaft to belt, {'exit' if n.quantity.startswith('exit') else 'entry'}"
+    return f"{what}, {'zero record' if n is problem.zero else n.load_case}"
+
+
+def _value(n: Number, value: float) -> str:
+    """Return a value of a number in words: what tachometers show is a percentage."""
+    if n.apparent:
+        return percent(_unless_noise(value, n.sd))
+    return named(n.quantity, value)
+
+
+def _unless_noise(value: float, size: float) -> float:
+    """Return a value, 0 where it is none beside a standard deviation: what a search leaves."""
+    return value if abs(value) > 1e-2 * size else 0.0
+
+
+def _widths(found: Calibration) -> Table:
+    """Shares of the variance of every parameter by what it comes from."""
+    told = [e for e in found.estimates if e.parts]
+    parts = list(told[0].parts) if told else []
+    rows = [Row(_ERRORS[p], tuple(percent(e.parts[p], 2) for e in told)) for p in parts]
+    heads = tuple(e.name.replace("_", " ") for e in told)
+    return Table("What the intervals come from, shares of the variance", tuple(rows), heads)
+
+
+def _deviations(found: Calibration) -> Table:
+    rows = [
+        Row(
+            _ERRORS[d.name],
+            (
+                "open"
+                if d.stated >= OPEN_ZERO and d.name == "speed_zero"
+                else percent(d.stated, 2),
+                percent(_unless_noise(d.factor - 1.0, d.stated), 2),
+                percent(d.left, 2),
+            ),
+        )
+        for d in found.deviations
+    ]
+    note = (
+        "Standard deviations, common to all load cases. The zero of the speed ratio holds the "
+        "radius of the wheel, the diameter of the drum and the thickness of the belt: each shifts "
+        "every ratio alike, so no record tells them apart."
+    )
+    heads = ("stated", "found off by", "left")
+    return Table("Errors of what was measured with", tuple(rows), heads, note)
+
+
+def _mixed_words(found: Calibration) -> Iterator[str]:
+    if found.far:
+        names = " and ".join(n.replace("_", " ") for n in found.far)
+        yield (
+            f"The best fit puts {names} more than {FAR:g} times off the drive file: either such "
+            "data cannot identify them, or another input of the drive is wrong."
+        )
+    if found.loose:
+        names = " and ".join(n.replace("_", " ") for n in found.loose)
+        yield (
+            f"The data constrain {names} too loosely: values far from the best fit describe the "
+            "data as well once the other parameters are refitted."
+        )
+    for group in found.mixed:
+        words = [_ERRORS.get(n, n.replace("_", " ")).lower() for n in group]
+        if len(words) == 1:
+            yield f"The data hardly depend on {words[0]}."
+        elif words:
+            yield (
+                f"The data cannot separate {' and '.join(words)}: a change in one is compensated "
+                "by the others."
+            )
+
+
+def _correlations(found: Calibration) -> Table:
+    names = [e.name.replace("_", " ") for e in found.estimates]
+    if len(names) < 2:
+        return Table("Correlations", ())
+    rows = [
+        Row(name, tuple(f"{v:+.2f}" for v in row))
+        for name, row in zip(names, found.correlation.tolist(), strict=True)
+    ]
+    return Table("Correlations of the estimates", tuple(rows), tuple(names), name="correlations")
+
+
+def _misfits(found: Calibration, problem: Problemset) -> Table:
+    rows = []
+    for n, miss in zip(problem.numbers, found.misfit, strict=False):
+        rows.append(
+            Row(
+                _title(n, problem),
+                (_value(n, n.value), _value(n, miss)),
+            )
+        )
+    for t, miss in zip(problem.traces, found.misfit[len(problem.numbers) :], strict=True):
+        title = f"{GLOSSARY[t.quantity].title} along the arc, {t.load_case}"
+        most = named(t.quantity, float(np.abs(t.value).max()))
+        rows.append(Row(title, (f"up to {most}", named(t.quantity, miss))))
+    return Table("Misfit", tuple(rows), ("measured", "rms misfit"), name="misfit")
+
+
+def _remarks(found: Calibration) -> Iterator[str]:
+    yield from _covered(found, outside=False)
+    if found.offset is not None:
+        yield (
+            "By the zero record, with drum and wheel as stated, the tension member runs "
+            f"{named('pitch_offset', found.offset)} above the lagging surface."
+        )
+    names = [e.name.replace("_", " ") for e in found.estimates]
+    for i in range(len(names)):
+        for k in range(i):
+            r = float(found.correlation[i, k])
+            if abs(r) > _MOST_CORRELATED:
+                yield f"{names[k]} and {names[i]} are strongly correlated ({r:+.3f})."
+    stated = {d.name for d in found.deviations} | {e.name for e in found.estimates}
+    exact = [
+        what
+        for what, of in (
+            ("the tensions", ("entry_tension", "exit_tension", "effective_tension")),
+            ("the modulus of the lagging", ("lagging_shear", "shear_modulus")),
+        )
+        if not stated.intersection(of)
+    ]
+    if exact:
+        yield (
+            f"Taken as exact: {' and '.join(exact)}. Their errors enter the intervals where "
+            "[errors] states them."
+        )
+    yield (
+        "Calibration makes the model agree with the data it was calibrated to; that agreement is "
+        "no validation."
+    )
+    if any(e.name == "friction" for e in found.estimates):
+        yield "Factors scale the whole friction law, equally at every slip and pressure."
+
+
+def overlay_sheet(
+    problem: Problemset,
+    folded: tuple[tuple[str, Folded], ...],
+    predicted: Mapping[str, tuple[ArcResult, ...]],
+    title: str,
+) -> Sheet:
+    """Return measured values beside the prediction of both methods."""
+    rows = []
+    for n in problem.numbers:
+        if n.tensions is not None:
+            continue  # no load case of the drive
+        results = predicted[n.load_case]
+        values = [float(r.scalars()[n.quantity]) for r in results]
+        if n.apparent:
+            values = [speed_ratio(r.arc, v) for r, v in zip(results, values, strict=True)]
+        texts = [_value(n, v) for v in (n.value, *values)]
+        rows.append(Row(_title(n, problem), tuple(texts)))
+    for t in problem.traces:
+        at_peak = [float(np.abs(t.value).max())]
+        apart = []
+        for r in predicted[t.load_case]:
+            if not r.status.solved:
+                at_peak.append(math.nan)
+                apart.append(math.nan)
+                continue
+            course = getattr(r.profile, t.quantity)
+            here = np.interp(t.position, r.profile.position, course)
+            at_peak.append(float(np.abs(here).max()))
+            apart.append(float(np.sqrt(np.mean((here - t.value) ** 2))))
+        name = f"{GLOSSARY[t.quantity].title}, {t.load_case}"
+        rows.append(Row(f"{name}: largest", tuple(named(t.quantity, v) for v in at_peak)))
+        texts = ["-", *(named(t.quantity, v) for v in apart)]
+        rows.append(Row(f"{name}: rms difference", tuple(texts)))
+    heads = ("measured", *(r.method for r in next(iter(predicted.values()), ())))
+    tables = [Table("Measured and predicted", tuple(rows), heads, name="predicted")]
+    if folded:
+        tables.append(_records(folded))
+    first = next(iter(predicted.values()), ())
+    by_surface = any(n.apparent for n in problem.numbers) and any(
+        r.arc.pitch_offset is None for r in first
+    )
+    covered = any(r.arc.cover_left_out > 0.0 for r in first)
+    notes = (
+        *((surface_sentence(first[0].arc.diameter),) if by_surface else ()),
+        *((f"{COVER_UNKNOWN}: it is left out.",) if covered else ()),
+        *(note for _, f in folded for note in f.notes),
+        *(
+            f"Load case {r.arc.load_case}, {r.method}: {r.status}"
+            for results in predicted.values()
+            for r in results
+            if not r.status.solved
+        ),
+    )
+    return Sheet(title=title or "Measured drive", tables=tuple(tables), remarks=notes)
+
+
+def _records(folded: tuple[tuple[str, Folded], ...]) -> Table:
+    rows = [
+        Row(
+            case,
+            (
+                str(f.revolutions),
+                named("position", f.entry),
+                named("position", f.leaving),
+                named("position", f.seen),
+            ),
+        )
+        for case, f in folded
+    ]
+    heads = ("contact arcs", "entry nip at", "exit nip at", "signals seen over")
+    return Table("Records", tuple(rows), heads, name="records")
+
+
+def calibrate_document(found: Calibration) -> dict[str, Any]:
+    """Return a calibration as plain data [SI] for JSON."""
+    return {
+        "format": 1,
+        "estimates": [
+            {
+                "name": e.name,
+                "value": e.value,
+                "low": e.low,
+                "high": e.high,
+                "spread": e.spread,
+                "from_prior": e.from_prior,
+                "expected": None if math.isinf(e.expected) else e.expected,
+                "parts": dict(e.parts),
+            }
+            for e in found.estimates
+        ],
+        "errors": [
+            {"name": d.name, "factor": d.factor, "stated": d.stated, "left": d.left}
+            for d in found.deviations
+        ],
+        "pitch_offset": found.offset,
+        "with_cover_in_series": dict(found.covered),
+        "correlation": found.correlation.tolist(),
+        "not_told_apart": [list(group) for group in found.mixed],
+        "too_loose": list(found.loose),
+        "misfit": list(found.misfit),
+        "data": found.data,
+    }

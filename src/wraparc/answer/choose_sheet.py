@@ -1,0 +1,419 @@
+"""The sheet of a selection, its JSON and its CSV."""
+
+import csv
+import io
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from wraparc.answer.choose_words import (
+    below_standard,
+    design_name,
+    money,
+    next_dearer_words,
+    reason,
+    reasons,
+    saving_words,
+    silent_standard,
+    slack_words,
+    unpriced_words,
+)
+from wraparc.answer.least_tension import at_least, tension_at
+from wraparc.answer.sheet import (
+    WEAK,
+    Row,
+    Sheet,
+    Table,
+    Verdict,
+    headed,
+    named,
+    number,
+    percent,
+    quantity,
+    weak_sources,
+)
+from wraparc.checks import Level
+from wraparc.checks.usual import usual_sizes
+from wraparc.choose.across import MOST, is_uneven
+from wraparc.choose.belt_rating import LighterBelt
+from wraparc.choose.selection import Selection
+from wraparc.drive import Drive, Sag
+from wraparc.drive.conditions import DRY
+
+_MOST_ROWS = 15
+_CSV_HEADS = (
+    "lagging", "belt", "thickness [m]", "diameter [m]", "wrap angle [rad]", "slack tension [N]",
+    "tight tension [N]", "creep [m]", "bond stress [Pa]",
+)  # fmt: skip
+
+
+def choose_sheet(
+    selection: Selection,
+    lighter: LighterBelt | None = None,
+    most: int = _MOST_ROWS,
+) -> Sheet:
+    """Return the answer of a search: the ranking, the fronts, the reasons of rejection.
+
+    Parameters
+    ----------
+    selection
+        The answer.
+    lighter
+        Lightest belt that the best design could do with, if that was asked.
+    most
+        Rows of a table.
+    """
+    search = selection.search
+    tables = [_ranking(selection, most), _rejected(selection, most)]
+    told = _verdict(selection, lighter)
+    remarks, sources = tuple(_remarks(selection)), tuple(_sources(selection))
+    return Sheet(
+        title=search.title or f"Choice for {search.drive.title}",
+        subtitle=f"Pulley {search.pulley} of {search.drive.title or 'the drive'}: "
+        f"{len(selection)} designs, {len(selection.ranking)} keep every limit"
+        f"{_but_edges(selection)}.",
+        verdict=told,
+        tables=tuple(t for t in tables if t.rows),
+        remarks=remarks,
+        sources=sources,
+        kept=(*remarks, *(() if told.word else weak_sources(sources))),
+    )
+
+
+def _but_edges(selection: Selection) -> str:
+    count = len(selection.unjudged)
+    return f", {count} of them not solved across the width" if count else ""
+
+
+def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
+    if not len(selection.ranking):
+        near = selection.nearest()
+        names = selection.broken(near)
+        counts = {n: int(h.broken.sum()) for n, h in selection.held.items() if h.broken.any()}
+        told = ", ".join(
+            f"{n.replace('_', ' ')} ({c} of {len(selection)})" for n, c in counts.items()
+        )
+        most = max(counts, key=lambda n: counts[n])
+        action = f"Add candidates against what is broken most, {most.replace('_', ' ')}."
+        return Verdict(
+            Level.FAILS,
+            f"No candidate keeps every limit. {action}",
+            (
+                f"Limits broken: {told}.",
+                f"Nearest: {design_name(selection, near)}: "
+                + "; ".join(reason(selection, near, n) for n in names)
+                + ".",
+            ),
+            action=action,
+        )
+    best = int(selection.ranking[0])
+    currency, years = selection.search.costing.currency, selection.search.costing.years
+    below, silent = below_standard(selection, best), silent_standard(selection, best)
+    name = design_name(selection, best, slack=False)
+    told = f"Choose {name}"
+    if below:
+        told = f"No candidate {below}; the cheapest is {name}"
+    held = tension_at(selection.search.drive.take_up_place)
+    headline = (
+        f"{silent}{told} with a {held} of "
+        f"{at_least(float(selection.slack_tension[best]))}: "
+        f"{money(float(selection.costs.total[best]), currency)} over {years:g} years, "
+        f"worst creep {named('exit_creep', float(selection.creep[best]))}."
+    )
+    sentences = [
+        *unpriced_words(selection),
+        *next_dearer_words(selection),
+        *saving_words(selection),
+    ]
+    if lighter is not None:
+        width = selection.search.drive.belt.width
+        tight = named("belt_modulus", lighter.tight_tension / width)
+        shares = (selection.search.limits.rating or {}).items()
+        allowed = "".join(f", of which {case} may take {percent(s)}" for case, s in shares)
+        sentences.append(
+            f"The lightest catalogue belt that would do is {lighter.belt.name}: "
+            f"{slack_words(selection.search)} {named('tension', lighter.slack_tension)}, largest "
+            "tension "
+            f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
+        )
+    odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
+    headline = " ".join([headline, *odd[:1]])
+    level = Level.ATTENTION if below or silent or odd else Level.OK
+    lagging = selection.search.laggings[selection.grid.places[0, best]]
+    kind = lagging.source_of("law").kind
+    ground = ""
+    if level is Level.OK:
+        dry = all(c.name == DRY for c in selection.search.conditions)
+        ground = f"{level}{' dry only' if dry else ''}"
+        ground += f", on {kind} data" if kind in WEAK else ""
+    return Verdict(level, headline, tuple(sentences), ground)
+
+
+def _chosen(selection: Selection) -> Drive:
+    """Return the recommended design, at the slack-side tension that it is recommended with."""
+    best = int(selection.ranking[0])
+    slack = np.asarray(selection.slack_tension, dtype=float)
+    return selection.grid.with_slack(slack).drive(best)
+
+
+def _heads(selection: Selection) -> tuple[str, ...]:
+    money_heads = tuple(
+        f"{part} [{selection.search.costing.currency}]" for part in ("total", "lagging", "energy")
+    )
+    uneven = ("uneven",) if is_uneven(selection.search) else ()
+    tensions = (headed("T2", "force"), headed("T1/B", "force_per_width"))
+    return (*money_heads, headed("creep", "length"), *uneven, *tensions, "front")
+
+
+def _ranking(selection: Selection, most: int) -> Table:
+    costs, rows = selection.costs, []
+    width = selection.search.drive.belt.width
+    on_creep, on_slack = set(selection.creep_front), set(selection.slack_front)
+    for i in map(int, selection.ranking[:most]):
+        marks = [w for w, s in (("creep", on_creep), ("T2", on_slack)) if i in s]
+        values = (
+            *(f"{v[i]:,.0f}" for v in (costs.total, costs.lagging, costs.energy)),
+            number("exit_creep", float(selection.creep[i])),
+            *([_uneven(selection, i)] if is_uneven(selection.search) else []),
+            number("tension", float(selection.slack_tension[i])),
+            number("belt_modulus", float(selection.tight_tension[i]) / width),
+            " ".join(marks),
+        )
+        rows.append(Row(design_name(selection, i), values))
+    more = len(selection.ranking) - len(rows)
+    note = "front: no cheaper design has less creep, or needs less slack-side tension T2"
+    if max(selection.search.shape[4:]) > 1:
+        note += "; of designs that differ in wrap and tension alone the least of both comes first"
+    if is_uneven(selection.search):
+        note += "; uneven: tightest strip at the entry over the mean tension, the worst case"
+        note += ", - where not solved across the width" if len(selection.unjudged) else ""
+    note += (
+        f"; {more} more feasible designs, all of them in the CSV of wraparc choose"
+        if more > 0
+        else ""
+    )
+    order = "as recommended" if max(selection.search.shape[4:]) > 1 else "cheapest first"
+    return Table(
+        f"Designs that keep every limit, {order}",
+        tuple(rows),
+        _heads(selection),
+        note,
+        "ranking",
+    )
+
+
+def _uneven(selection: Selection, i: int) -> str:
+    value = float(selection.unevenness[i])
+    return "-" if math.isnan(value) else f"{100.0 * (value - 1.0):+.1f} %"
+
+
+def _rejected(selection: Selection, most: int) -> Table:
+    bad = [int(i) for i in np.flatnonzero(~selection.feasible)]
+    if len(bad) > most:
+        rows = [
+            Row(name.replace("_", " "), (f"{int(held.broken.sum())} designs break it",))
+            for name, held in selection.held.items()
+            if held.broken.any()
+        ]
+        return Table(
+            "Why designs were rejected",
+            tuple(rows),
+            note="each with its reasons in the CSV of wraparc choose",
+            name="rejected",
+        )
+    rows = [Row(design_name(selection, i), ("",), note=reasons(selection, i)) for i in bad]
+    return Table("Rejected, with every limit broken", tuple(rows), name="rejected")
+
+
+def _remarks(selection: Selection) -> Iterator[str]:
+    search = selection.search
+    yield (
+        "Lagging cost: material and installation, scaled by the lagged area, for as many laggings "
+        f"as wear out in {search.costing.years:g} years at the middle of their life; no interest."
+    )
+    by_wear = [lag.name for lag in search.laggings if lag.wear_coefficient is not None]
+    by_vendor = [lag.name for lag in search.laggings if lag.wear_coefficient is None]
+    if by_wear:
+        yield f"Life by frictional energy and wear coefficient: {', '.join(by_wear)}."
+    if by_vendor:
+        yield (
+            f"The life of {', '.join(by_vendor)} is that of the vendor, the same at every creep: "
+            "no wear coefficient is known, which would make it follow the frictional energy."
+        )
+    yield from _slack_remarks(selection)
+    yield from _edge_remarks(selection)
+    if search.costing.tariff is None:
+        yield "Energy lost to creep is left out: no tariff is given."
+    elif len(search.conditions) > 1:
+        yield f"Energy is that of condition {search.conditions[0].name}."
+    if not search.costing.belts:
+        yield "The belt is left out of the cost."
+    unrated = [b.name for b in search.belts if b.rating is None]
+    if unrated and search.limits.rating is not None:
+        yield f"No rating is known of {', '.join(unrated)}: that limit was not applied."
+    if search.limits.least_pulley_diameter:
+        unknown = [b.name for b in search.belts if b.least_pulley_diameter is None]
+        if unknown:
+            yield f"No least pulley diameter is published of {', '.join(unknown)}."
+    if len(search.drive.pulleys) > 1:
+        yield (
+            f"Only pulley {search.pulley} was varied. The slack-side tension is that behind the "
+            "drives, where the take-up is; every pulley pulls as in the drive file."
+        )
+
+
+def _slack_remarks(selection: Selection) -> Iterator[str]:
+    search, sag = selection.search, selection.search.limits.sag
+    asked = ["creep", "the safety against gross slip"] + [
+        "the lowest tested wrap pressure"
+    ] * search.limits.tested_pressure
+    if search.drive.criteria.standard.name != "none":
+        asked.append("the design standard")
+    if selection.grid.others > 0.0:
+        least = quantity(selection.grid.others, "force")
+        asked.append(f"the checks of the other pulleys ({least})")
+    if sag is not None:
+        least = quantity(sag.tension, "force")
+        asked.append(f"a belt sag of {percent(sag.share, 2)} of the idler spacing ({least})")
+    if search.least_slack:
+        words = " and ".join((", ".join(asked[:-1]), asked[-1]))
+        held = tension_at(search.drive.take_up_place)
+        yield f"The {held} is the least for {words}."
+    if sag is None:
+        yield (
+            "Belt sag may need more slack-side tension; it is not checked, because limits.sag does "
+            "not give the idler spacing and the mass of the belt."
+        )
+
+
+def _edge_remarks(selection: Selection) -> Iterator[str]:
+    count = len(selection.unjudged)
+    if count:
+        yield (
+            f"The first {MOST} of the ranking and the designs of the fronts are solved across the "
+            f"width. {count} further designs are not: how uneven they run and what their edges "
+            "carry is not known. To judge them too, search fewer."
+        )
+
+
+def _sources(selection: Selection) -> Iterator[str]:
+    search = selection.search
+    if search.limits.sag is not None:
+        yield Sag.SOURCE
+    for lagging in search.laggings:
+        yield f"{lagging.name}, friction: {lagging.source_of('law')}"
+        price = search.costing.laggings[lagging.name]
+        low, high = price.cost.life_years
+        life = f"{low:g} to {high:g}" if low < high else f"{low:g}"
+        yield f"{lagging.name}, cost, life {life} years: {price.source}"
+    for condition in search.conditions:
+        for lagging in search.laggings:
+            if lagging.condition != condition.name:
+                factor, source = condition.factor_of(lagging)
+                yield f"{lagging.name}, {condition.name}: friction factor {factor:.3g}, {source}"
+
+
+def choose_csv(selection: Selection) -> str:
+    """Return every design in SI units, with what it breaks, as CSV."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    names = list(selection.held)
+    writer.writerow(
+        [*_CSV_HEADS]
+        + [
+            f"{p} [{selection.search.costing.currency}]"
+            for p in ("total", "lagging", "belt", "energy")
+        ]
+        + ["rank", *_uneven_heads(selection), *(f"excess {n}" for n in names)]
+    )
+    rank = {int(d): k + 1 for k, d in enumerate(selection.ranking)}
+    for i in range(len(selection)):
+        writer.writerow(
+            _csv_row(selection, i, names)
+            + [str(rank.get(i, "")), *_uneven_cells(selection, i)]
+            + [_plain(float(selection.held[n].excess[i])) for n in names]
+        )
+    return out.getvalue()
+
+
+def _csv_row(selection: Selection, i: int, names: list[str]) -> list[str]:
+    s, g, c = selection.search, selection.grid, selection.costs
+    numbers = (
+        g.thickness, g.diameter, g.wrap_angle, selection.slack_tension, selection.tight_tension,
+        selection.creep, selection.bond_stress, c.total, c.lagging, c.belt, c.energy,
+    )  # fmt: skip
+    named_ = [s.laggings[g.places[0, i]].name, s.belts[g.places[2, i]].name]
+    return named_ + [_plain(float(v[i])) for v in numbers]
+
+
+def _uneven_heads(selection: Selection) -> tuple[str, ...]:
+    if not is_uneven(selection.search):
+        return ()
+    return "across the width", "entry unevenness [-]", "edge tension [N/m]", "edge limit [N/m]"
+
+
+def _uneven_cells(selection: Selection, i: int) -> list[str]:
+    """Say how uneven a design runs; of one not solved across the width, that it was not."""
+    if not is_uneven(selection.search):
+        return []
+    edge = selection.held["edge_tension"]
+    known = math.isfinite(edge.value[i])
+    told = "solved" if known else "not solved" if math.isnan(edge.value[i]) else "not carried"
+    numbers = (selection.unevenness[i], edge.value[i], edge.limit[i])
+    return [told, *(_plain(float(v)) if known else "" for v in numbers)]
+
+
+def _plain(value: float) -> str:
+    return "" if math.isnan(value) else f"{value + 0.0:.8g}"  # no -0.0
+
+
+def choose_document(selection: Selection, lighter: LighterBelt | None = None) -> dict[str, Any]:
+    """Return the ranking and the rejections as plain data [SI] for JSON; at most 10,000 designs."""
+    some = range(min(len(selection), 10_000))
+    return {
+        "format": 1,
+        "title": selection.search.title,
+        "currency": selection.search.costing.currency,
+        "years": selection.search.costing.years,
+        "designs": [_design_data(selection, i) for i in some],
+        "ranking": [int(i) for i in selection.ranking],
+        "creep_front": [int(i) for i in selection.creep_front],
+        "slack_front": [int(i) for i in selection.slack_front],
+        "next_dearer": selection.next_dearer(),
+        "lightest_belt": lighter.belt.name if lighter else None,
+    }
+
+
+def _design_data(selection: Selection, i: int) -> dict[str, Any]:
+    held = selection.held
+    return {
+        "name": design_name(selection, i),
+        "creep": float(selection.creep[i]),
+        **(
+            {
+                "entry_unevenness": float(selection.unevenness[i]),
+                "solved_across": not math.isnan(selection.unevenness[i]),
+            }
+            if is_uneven(selection.search)
+            else {}
+        ),
+        "peak_shear_stress": float(selection.bond_stress[i]),
+        "slack_tension": float(selection.slack_tension[i]),
+        "tight_tension": float(selection.tight_tension[i]),
+        "cost": float(selection.costs.total[i]),
+        "cost_range": [
+            float(selection.costs.total[i] - selection.costs.lagging[i] + part[i])
+            for part in (selection.costs.lagging_least, selection.costs.lagging_most)
+        ],
+        "broken": {
+            name: {
+                "value": float(held[name].value[i]),
+                "limit": float(held[name].limit[i]),
+                "excess": float(held[name].excess[i]),
+                "where": list(selection.place(int(held[name].where[i]))),
+            }
+            for name in selection.broken(i)
+        },
+    }

@@ -1,0 +1,217 @@
+"""Selection in words: what a design is, why one was rejected, what the next dearer one buys."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from wraparc.answer.least_tension import at_least, tension_at
+from wraparc.answer.sheet import named, percent, quantity
+from wraparc.choose.limits import NO_TENSION
+from wraparc.choose.ranking import SAME
+from wraparc.choose.search import Search
+from wraparc.choose.selection import Selection, own_slack
+from wraparc.choose.slack_rules import inapplicable, standard_asks
+from wraparc.units import RESULT_DIGITS, Cell, Dimension
+
+SLACK = tension_at("")
+#: limit -> what is limited, its dimension, whether the limit is a least
+_LIMITS: dict[str, tuple[str, Dimension, bool]] = {
+    "traction": ("tension ratio over the largest the friction carries", "number", False),
+    "creep": ("creep", "length", False),
+    "bond_stress": ("shear stress at the bond", "pressure", False),
+    "creep_limit_margin": ("margin to the creep limit", "number", True),
+    "tested_slip_margin": ("margin to the edge of tested slip", "number", True),
+    "gross_slip_margin": ("margin to gross slip", "number", True),
+    "tested_pressure": ("wrap pressure", "pressure", False),
+    "gross_slip": (SLACK, "force", True),
+    "design_standard": (SLACK, "force", True),
+    "least_slack": ("pull over the largest pull within the creep limit", "number", False),
+    "belt_sag": (SLACK, "force", True),
+    "other_pulleys": (SLACK, "force", True),
+    "edge_tension": ("tension of an edge", "force_per_width", False),
+    "belt_rating": ("tension per width", "force_per_width", False),
+    "least_pulley_diameter": ("pulley diameter", "length", True),
+}
+
+
+_WHY = {
+    "belt_sag": " for the sag of the belt",
+    "other_pulleys": " for the checks of the other pulleys",
+    "gross_slip": " for the safety against gross slip",
+    "design_standard": " by the design standard",
+}
+
+
+def money(value: float, currency: str) -> str:
+    """Return an amount: whole units of the currency, thousands apart as in every count."""
+    return "-" if math.isnan(value) else f"{value:,.0f} {currency}"
+
+
+def slack_words(search: Search) -> str:
+    """Return what has the tension of a design: the slack side, or the take-up elsewhere."""
+    return "take-up" if search.drive.take_up_place else "slack side"
+
+
+def design_name(selection: Selection, design: int, *, slack: bool = True) -> str:
+    """Return what sets a design apart: only candidates of which there are several.
+
+    Its slack-side tension too, unless that is said beside it.
+    """
+    search, grid = selection.search, selection.grid
+    shape = search.shape
+    places = grid.places[:, design]
+    parts = [search.laggings[places[0]].name]
+    if shape[1] > 1:
+        parts.append(named("lagging_thickness", float(grid.thickness[design])))
+    if shape[2] > 1:
+        parts.append(search.belts[places[2]].name)
+    if shape[3] > 1:
+        parts.append("D " + named("diameter", float(grid.diameter[design])))
+    if shape[4] > 1:
+        parts.append("wrap " + named("wrap_angle", float(grid.wrap_angle[design])))
+    if slack and shape[5] > 1:
+        held = named("tension", float(grid.slack[design]))
+        parts.append(f"{slack_words(search)} {held}")
+    return ", ".join(parts)
+
+
+def reason(selection: Selection, design: int, name: str) -> str:
+    """Return how a design stands to a limit it breaks, with by how much."""
+    held = selection.held[name]
+    what, dimension, least = _LIMITS[name]
+    if what == SLACK:
+        what = tension_at(selection.search.drive.take_up_place)
+    value, limit = float(held.value[design]), float(held.limit[design])
+    excess = float(held.excess[design])
+    if name == "traction":
+        by = f"by {percent(excess, 2)}" if math.isfinite(excess) and excess > 2e-3 else ""
+        text = " ".join(p for p in ("gross slip: beyond the largest tension ratio", by) if p)
+    elif name == "edge_tension" and not math.isfinite(value):
+        text = "a strip of the belt goes slack, or the uneven belt is not carried"
+    elif abs(limit) >= NO_TENSION:
+        text = "no slack-side tension is enough"
+    elif name == "least_slack":
+        text = (
+            "no slack-side tension with wrap pressures in the tested range keeps the creep limit; "
+            f"the pull is {percent(excess, 2)} too large"
+        )
+    else:
+        under = least or (name == "tested_pressure" and value < limit)
+        word = "under" if under else "over"
+        text = (
+            f"{what} {quantity(value, dimension)}, "
+            f"{'at least' if under else 'at most'} {quantity(limit, dimension)} "
+            f"({percent(excess, 2)} {word})"
+        )
+    if name in ("least_pulley_diameter", "least_slack"):
+        return text
+    text += _WHY.get(name, "")
+    case, condition = selection.place(int(held.where[design]))
+    several = len(selection.search.conditions) > 1 and name not in ("belt_rating", "belt_sag")
+    return f"{text} [{case}{', ' + condition if several else ''}]"
+
+
+def reasons(selection: Selection, design: int) -> str:
+    """Return every limit that a design breaks, in one line."""
+    return "; ".join(reason(selection, design, n) for n in selection.broken(design))
+
+
+def below_standard(selection: Selection, design: int) -> str:
+    """Return that a design stands below its design standard; nothing where it does not."""
+    asked, rule = standard_asks(selection.search, selection.grid, design)
+    if asked <= float(selection.slack_tension[design]) * (1.0 + 1e-9):
+        return ""
+    return f"reaches the {at_least(asked)} that {rule} asks for"
+
+
+def silent_standard(selection: Selection, design: int) -> str:
+    """Return that the standard that was chosen says nothing on a design; else nothing."""
+    why = inapplicable(selection.search, selection.grid, design)
+    return f"The design standard cannot be applied ({why}). " if why else ""
+
+
+def unpriced_words(selection: Selection) -> Iterator[str]:
+    """Yield what wrap or tension beyond that of the first design would save, and at what price."""
+    ranking, total = selection.ranking, selection.costs.total
+    best, least = int(ranking[0]), int(ranking[np.argmin(total[ranking])])
+    saved = float(total[best] - total[least])
+    if saved <= SAME * total[best]:
+        return
+    why = "what more wrap or tension costs (snub pulley, take-up, belt) is not in it"
+    if below_standard(selection, least):
+        why = "it is below the design standard"
+    yield (
+        f"{design_name(selection, least)} would save "
+        f"{money(saved, selection.search.costing.currency)}; {why}."
+    )
+
+
+def saving_words(selection: Selection) -> Iterator[str]:
+    """Yield what the least take-up tension saves against that of the drive file.
+
+    Said of the cheapest design, where least tensions were asked for: the slack side, the largest
+    tension with what belt rating it takes, and the mass of a gravity take-up.
+    """
+    search = selection.search
+    if not search.least_slack or not len(selection.ranking):
+        return
+    best, width = int(selection.ranking[0]), search.drive.belt.width
+    now, then = own_slack(search), float(selection.slack_tension[best])
+    tight_now = max(
+        max(t.entry, t.exit) for case in search.drive.load_cases for t in case.tensions.values()
+    )
+    tight = float(selection.tight_tension[best])
+    where = "" if search.drive.take_up_place else " next to the pulley"
+    words = "less" if then <= now else "more"
+    parts = f"{named('tension', abs(now - then))} {words}"
+    yield (
+        f"Against the take-up of the drive file, {named('tension', now)}, the "
+        f"{slack_words(search)} is {parts}; the mass of a gravity take-up{where}, of sheave ratio "
+        f"{search.drive.criteria.take_up.sheave_ratio:g}, goes from {_mass(search, now)} "
+        f"to {_mass(search, then)}."
+    )
+    per_width = [quantity(t / width, "force_per_width") for t in (tight_now, tight)]
+    rating = search.belts[selection.grid.places[2, best]].rating
+    share = "" if not rating else f", {percent(tight / width / rating, 3)} of the belt's rating"
+    yield (
+        f"The largest tension goes from {per_width[0]} to {per_width[1]}{share}: what a belt must "
+        "be rated for; wraparc choose --lightest-belt looks for one."
+    )
+
+
+def _mass(search: Search, tension: float) -> str:
+    weight = search.drive.criteria.take_up.counterweight(tension)
+    return Cell(weight, "mass", RESULT_DIGITS, "up")
+
+
+def next_dearer_words(selection: Selection) -> Iterator[str]:
+    """Yield what the next dearer lagging would buy."""
+    if not len(selection.ranking):
+        return
+    best, other = int(selection.ranking[0]), selection.next_dearer()
+    currency = selection.search.costing.currency
+    if other is None:
+        if len(selection.search.laggings) > 1:
+            names = [lagging.name for lagging in selection.search.laggings]
+            ranking, total = selection.ranking, selection.costs.total
+            own, cheapest = (
+                names[selection.grid.places[0, i]]
+                for i in (best, int(ranking[np.argmin(total[ranking])]))
+            )
+            also = ", which also costs least over its life" if own == cheapest else ""
+            yield f"No feasible candidate has a more expensive lagging than {own}{also}."
+        return
+    more = selection.costs.total[other] - selection.costs.total[best]
+    changes = [
+        f"the creep goes from {named('exit_creep', float(selection.creep[best]))} to "
+        f"{named('exit_creep', float(selection.creep[other]))}",
+        f"the {slack_words(selection.search)} from "
+        f"{named('tension', float(selection.slack_tension[best]))} to "
+        f"{named('tension', float(selection.slack_tension[other]))}",
+    ]
+    years = selection.search.costing.years
+    yield (
+        f"The next more expensive lagging, {design_name(selection, other)}, costs "
+        f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}."
+    )

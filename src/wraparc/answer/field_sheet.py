@@ -1,0 +1,259 @@
+"""Field numbers in a sheet: speeds, alarm and trip, wear and life."""
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from wraparc.answer.checks_table import verdict_document
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, percent, quantity
+from wraparc.answer.words import as_it_is, in_short, in_words
+from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
+from wraparc.checks import Level
+from wraparc.checks import Verdict as Judgement
+from wraparc.checks.of_arc import COVER_UNKNOWN
+from wraparc.train.turning import surface_sentence
+from wraparc.units import display, either
+
+#: Wear that a tape around the drum, read to 1 mm of circumference, tells [m].
+TAPE = 1e-3 / (2.0 * math.pi)
+
+
+def field_sheet(
+    found: FieldNumbers | None,
+    judged: Judgement,
+    title: str,
+    pulley: str,
+    wear_source: str = "",
+) -> Sheet:
+    """Return what to expect of a pulley in the field; `judged` is that of the whole drive."""
+    if found is None:
+        return Sheet(
+            title=title,
+            subtitle=f"Pulley {pulley}: nothing to measure, as the belt slips on it.",
+            verdict=in_words(judged, [*judged.others]),
+        )
+    rows = [
+        Row(
+            f"Healthy, {name}",
+            tuple(percent(v) for v in (*pair, *(found.shown[name] if found.shown else ()))),
+            "g, g2",
+        )
+        for name, pair in found.healthy.items()
+    ]
+    by_shaft = ("shaft to belt at entry", "at exit") if found.shown else ()
+    speeds = Table(
+        "Drum speed less belt speed, over drum speed",
+        tuple(rows),
+        ("belt at entry", "belt at exit", *by_shaft),
+        "drum speed: of the lagging surface under the belt, which runs on the radius less its "
+        "compression"
+        + (
+            "; shaft to belt: 1 - v/(omega R), what a tachometer pair shows, as the belt runs on "
+            "the radius of its tension member"
+            if found.shown
+            else ""
+        ),
+        "speeds",
+    )
+    return Sheet(
+        title=title,
+        subtitle=f"Pulley {pulley}: numbers to measure and to set.",
+        verdict=_verdict(found, judged),
+        tables=(speeds, _levels(found), *_wear(found, wear_source)),
+        remarks=tuple(_remarks(found)),
+        sources=tuple(f"{rule.name}: {rule.source}" for rule in TRIP_RULES),
+    )
+
+
+def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
+    worst, governing = found.worst, judged.governing
+    why, as_is = in_short(judged), []
+    why += " " if why else ""
+    if governing is not None and governing.missed:
+        as_is = [as_it_is(judged)]
+    at_once, again = [*_at_once(found, worst)], _circumference(found)
+    who = "A healthy drive" if found.alarm > worst else "The drive as described"
+    # no level that a tachometer pair is set by is an OK without the thickness of the belt
+    surface = () if found.shown else (surface_sentence(found.diameter),)
+    covered = tuple(_covered(found))
+    doubt = not found.shown or at_once or found.alarms_at(found.covered or found.worst_seen)
+    open_ = bool(doubt) and judged.level is Level.OK
+    reason, action = "", ""
+    if open_ and not found.shown:
+        action = "Give pulley_cover, carry_cover and carcass in [belt]."
+        reason = f" The thickness of the belt, which moves these levels, is not given. {action}"
+    elif open_:
+        reason = f" {[*at_once, *covered, again][0]}"
+    return Verdict(
+        Level.ATTENTION if open_ else judged.level,
+        f"{why}{who} shows at {'most' if found.side > 0.0 else 'least'} "
+        f"{percent(found.worst_seen)} between {'shaft' if found.shown else 'drum'} and belt; alarm "
+        f"at {percent(found.seen(found.alarm, 0.0))}, trip at "
+        f"{percent(found.seen(found.trip, 0.0))}.{reason}",
+        (*as_is, *at_once, *surface, *covered, *_rules(found, worst), again),
+        "" if open_ else judged.word,
+        action,
+        kept=(*as_is, *at_once, *surface, *covered, again),
+    )
+
+
+def _circumference(found: FieldNumbers) -> str:
+    """Say that wear of the lagging shows as a difference, and when to measure the drum again."""
+    moved = percent(2.0 * found.depth / found.diameter)
+    depth = quantity(found.depth, "length")
+    steps = 1e-3, 0.0254 / 16.0
+    each = either(*(quantity(step, "length") for step in steps))
+    moved_each = either(*(percent(step * found.drift) for step in steps))
+    worn, again = found.wear_to_alarm, 0.25 * found.wear_to_alarm
+    alarms, measure = "any wear", "the drum's surface instead of its shaft"
+    if math.isinf(worn):
+        return (
+            "These levels need the drum speed from a measured circumference: wear since it was "
+            f"measured hides the slip of a brake, {each} moves every difference by {moved_each}, "
+            f"and {depth} by {moved}. Measure {measure}."
+        )
+    if again >= TAPE:
+        alarms = f"{quantity(worn, 'length')} of wear"
+        every = quantity(again, "length")
+        measure = f"the circumference again for every {every} worn off, or measure {measure}"
+    return (
+        f"These levels need the drum speed from a measured circumference: {alarms} since it "
+        f"was measured raises the alarm by itself, {each} moves every difference by {moved_each}, "
+        f"and {depth} by {moved}. Measure {measure}."
+    )
+
+
+def _at_once(found: FieldNumbers, worst: float) -> Iterator[str]:
+    limits = {name: ratio for name, (ratio, _) in found.limits.items()}
+    beyond = [n for n, ratio in limits.items() if max(map(abs, found.healthy[n])) > ratio]
+    if beyond or (not limits and found.at_limit is not None and worst > found.at_limit):
+        yield (
+            "As described, the drive already creeps beyond its limit, where the alarm is set: it "
+            "alarms at once."
+        )
+    elif found.alarms_at(found.worst_seen):
+        yield (
+            "One load case sets this alarm, and another shows more without creeping beyond its "
+            "limit: set each load case's own level, that of its creep limit."
+        )
+
+
+def _covered(found: FieldNumbers) -> Iterator[str]:
+    if found.covered is None:
+        return
+    told = "the belt slips through"
+    if math.isfinite(found.covered):
+        told = (
+            f"a healthy drive shows at {'most' if found.side > 0.0 else 'least'} "
+            f"{percent(found.covered)}"
+        )
+    yield f"{COVER_UNKNOWN}: with the cover in series {told}."
+
+
+def _rules(found: FieldNumbers, worst: float) -> Iterator[str]:
+    for rule in TRIP_RULES:
+        slack = 1.0 - rule.speed_share
+        healthy, trip = (
+            display(float(f"{slack / of:.2g}"), "number", digits=3) for of in (worst, found.trip)
+        )
+        yield (
+            f"A switch at {rule.name} trips at a difference of {percent(slack, 2)}: {healthy} "
+            f"times the healthy one, {trip} times the trip level given here."
+        )
+
+
+def _levels(found: FieldNumbers) -> Table:
+    def row(title: str, share: float, symbol: str = "", note: str = "") -> Row:
+        shown = (percent(found.seen(share, worn)) for worn in (0.0, found.depth))
+        return Row(title, tuple(shown), symbol, note)
+
+    healthy = (found.worst_seen, found.worn_seen(found.depth))
+    rows = [Row("Healthy, at most", tuple(percent(v) for v in healthy))]
+    limits = found.limits if found.shown else {}
+    for name, (ratio, seen) in limits.items():
+        worn = seen + (1.0 - found.side * ratio) * found.depth * found.drift
+        rows.append(Row(f"At the creep limit, {name}", (percent(seen), percent(worn)), "g2"))
+    if found.at_limit is not None and not limits:
+        rows.append(row("At the creep limit", found.at_limit, "g2"))
+    rows.append(row("Alarm", found.alarm, note="at the creep limit"))
+    rows.append(row("Trip", found.trip, note="twice the alarm, or gross slip"))
+    if found.at_breakaway is not None:
+        note = "creep at gross slip over the wrap length; an extrapolation"
+        rows.append(row("Gross slip", found.at_breakaway, note=note))
+    rows += [
+        Row(f"Switch at {rule.name}", (percent(1.0 - rule.speed_share), NONE))
+        for rule in TRIP_RULES
+    ]
+    depth = quantity(found.depth, "length")
+    heads = ("circumference measured", f"{depth} worn since")
+    note = (
+        "The second column is what shaft speed times the circumference before the wear shows: set "
+        "a level by the first, and keep the circumference measured."
+    )
+    return Table("Alarm and trip levels", tuple(rows), heads, note, "levels")
+
+
+def _wear(found: FieldNumbers, source: str) -> Iterator[Table]:
+    if found.passes_per_year <= 0.0:
+        return
+    rows = [
+        Row("Turns in a year", (quantity(found.passes_per_year, "number"),)),
+        Row(
+            "Frictional energy in a year",
+            (f"{quantity(found.energy_per_year / 1e6, 'number')} MJ/m2",),
+        ),
+    ]
+    if not math.isnan(found.wear_per_year):
+        rows.append(Row("Wear in a year", (quantity(found.wear_per_year, "length"),), note=source))
+        rows.append(Row("Life of the depth allowed", (f"{found.life_years:.3g} years",)))
+    yield Table("Wear of the lagging", tuple(rows), name="wear")
+
+
+def _remarks(found: FieldNumbers) -> Iterator[str]:
+    yield (
+        "Speeds are steady ones; starts and stops show more. The factors 1.25 and 2 of alarm and "
+        "trip are this program's choice, not a rule of a standard."
+    )
+    if found.passes_per_year > 0.0 and math.isnan(found.wear_per_year):
+        yield (
+            "No wear coefficient: give --wear-coefficient, or --measured-wear and the hours it "
+            "took, to have the wear in a year."
+        )
+    if found.at_breakaway is None:
+        yield "No creep marks gross slip: what carries most is approached as creep grows."
+
+
+def field_document(found: FieldNumbers | None, judged: Judgement) -> dict[str, Any]:
+    """Return verdict and numbers as plain data [SI] for JSON."""
+    told = {"format": 1, "verdict": verdict_document(judged)}
+    if found is None:
+        return told
+    return {
+        **told,
+        "healthy": {
+            name: {"entry_creep_ratio": a, "exit_creep_ratio": b}
+            for name, (a, b) in found.healthy.items()
+        },
+        "at_creep_limit": found.at_limit,
+        "at_gross_slip": found.at_breakaway,
+        "alarm": found.alarm,
+        "trip": found.trip,
+        "shown": {
+            "healthy": {
+                name: {"entry": a, "exit": b} for name, (a, b) in (found.shown or {}).items()
+            },
+            "alarm": found.seen(found.alarm, 0.0),
+            "trip": found.seen(found.trip, 0.0),
+        }
+        if found.shown
+        else None,
+        "drift": found.drift,
+        "alarm_when_worn": found.seen(found.alarm, found.depth),
+        "with_cover_in_series": found.covered,
+        "wear_to_alarm": found.wear_to_alarm,
+        "customary_trips": {r.name: 1.0 - r.speed_share for r in TRIP_RULES},
+        "wear_per_year": found.wear_per_year,
+        "life_years": found.life_years,
+        "frictional_energy_per_year": found.energy_per_year,
+        "turns_per_year": found.passes_per_year,
+    }

@@ -1,0 +1,48 @@
+"""What was understood of a machine file, as a sheet."""
+
+import math
+
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, started
+from wraparc.shear_test.record import MachineRecord
+from wraparc.shear_test.strokes import find_strokes
+
+
+def record_sheet(record: MachineRecord) -> Sheet:
+    """Return columns, units, ranges, rows kept and dropped, and every choice made."""
+    written = [record.encoding]
+    if record.delimiter:
+        written += [f"delimiter {record.delimiter}", f"decimal sign {record.decimal}"]
+    columns = tuple(
+        Row(
+            title=column.name,
+            values=(column.unit or NONE, _span(column.low), _span(column.high)),
+            note=f"used as {column.role.replace('_', ' ')}" if column.role else "",
+        )
+        for column in record.columns
+    )
+    rows = [Row("Rows of numbers", (str(record.rows),)), Row("Kept", (str(len(record.travel)),))]
+    rows += [
+        Row("Left out", (str(item.count),), note=f"{item.reason}, from line {item.line}")
+        for item in record.dropped
+    ]
+    strokes = len(find_strokes(record.travel, record.force))
+    note = "the first is used where a plan does not say another" if strokes > 1 else ""
+    rows.append(Row("Strokes", (str(strokes),), note=note))
+    beside = (
+        f"; test {record.block} of {record.blocks} side by side (block = {record.block})"
+        if record.blocks > 1
+        else ""
+    )
+    return Sheet(
+        title=record.file,
+        subtitle=f"{record.place}{beside}; {', '.join(written)}",
+        tables=(
+            Table("Columns", columns, ("unit", "lowest", "highest")),
+            Table("Rows", tuple(rows)),
+        ),
+        remarks=tuple(started(note) + "." for note in record.notes),
+    )
+
+
+def _span(value: float) -> str:
+    return NONE if math.isnan(value) else f"{value:.6g}"

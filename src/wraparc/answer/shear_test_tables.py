@@ -1,0 +1,419 @@
+"""Tables of a fitted test plan, for console, page and paper alike."""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from wraparc.answer.shear_test_budget import budget_table
+from wraparc.answer.shear_test_files import (
+    files_table,
+    left_out_table,
+    remarks_table,
+    unused_table,
+    without_empty,
+)
+from wraparc.answer.shear_test_head import circumstances_table
+from wraparc.answer.shear_test_numbers import number, slope, with_error
+from wraparc.answer.shear_test_standard import laws_table, standard_tables
+from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict
+from wraparc.checks import Level
+from wraparc.friction import ab_from_peak
+from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
+from wraparc.shear_test.campaign import NOT_STATED
+from wraparc.shear_test.curve_fit import Z95
+from wraparc.shear_test.derivative import derivative_check
+from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
+from wraparc.shear_test.pressure_form import equations
+from wraparc.shear_test.sentences import form_sentences
+from wraparc.units import in_unit, quantity, unit_of
+
+Array = NDArray[np.float64]
+
+
+def plan_sheet(result: PlanResult, *, laws: bool = False) -> Sheet:
+    """Return everything to show of a fitted plan.
+
+    Parameters
+    ----------
+    result
+        From `fit_plan`.
+    laws
+        Whether to fit other laws to the same curves and show them side by side.
+    """
+    tables = plan_tables(result)
+    for condition in result.conditions:
+        several = len(result.conditions) > 1
+        name = f" ({condition.condition})" if several else ""
+        tables += condition_tables(condition, name)
+        tables += [laws_table(condition, name)] if laws else []
+    remarks = _remarks(result)
+    plan = result.plan
+    forms = {s for c in result.conditions for s in form_sentences(plan, c.found)}
+    return Sheet(
+        title=f"Shear tests of {result.plan.title or result.plan.name}",
+        subtitle=_subtitle(result),
+        verdict=verdict(result),
+        tables=tuple(tables),
+        remarks=tuple(_started(sentence) for sentence in remarks),
+        sources=(str(result.plan.provenance),),
+        kept=tuple(_started(s) for s in remarks if s not in forms and _bare(s) not in forms),
+    )
+
+
+def plan_tables(result: PlanResult) -> list[Table]:
+    """Tables of the whole plan: what was not used, and under what circumstances was tested."""
+    tables = [left_out_table(result)] if result.left_out else []
+    if result.plan.unused_tests:
+        tables.append(unused_table(result))
+    return [*tables, circumstances_table(result)]
+
+
+def _remarks(result: PlanResult) -> list[str]:
+    """Remarks of all conditions; what is not said of all, with its condition."""
+    several = len(result.conditions) > 1
+    found = []
+    for sentence in dict.fromkeys(s for c in result.conditions for s in c.remarks):
+        said = [c.condition for c in result.conditions if sentence in c.remarks]
+        everywhere = len(said) == len(result.conditions)
+        found.append(f"{', '.join(said)}: {sentence}" if several and not everywhere else sentence)
+    return found
+
+
+def _bare(remark: str) -> str:
+    """A remark without its condition."""
+    return remark.partition(": ")[2]
+
+
+def _subtitle(result: PlanResult) -> str:
+    used = sum(len(condition.tests) for condition in result.conditions)
+    names = ", ".join(condition.condition for condition in result.conditions)
+    unused = len(result.plan.unused_tests)
+    besides = f", {unused} not used, as the plan says" if unused else ""
+    return f"{used} of {len(result.plan.tests)} tests used{besides}; condition {names}"
+
+
+def _started(sentence: str) -> str:
+    """A sentence with its capital, unless it begins with a name, and its full stop."""
+    first = sentence.split(" ", 1)[0]
+    begin = sentence[:1].upper() if first.isalpha() else sentence[:1]
+    return begin + sentence[1:] + ("" if sentence.endswith(".") else ".")
+
+
+def verdict(result: PlanResult) -> Verdict:
+    """Say in a sentence how far the law describes the tests."""
+    misfit = result.misfit
+    shown = tuple(_started(sentence) for sentence in misfit)
+    if misfit and result.misfit_accepted:
+        shown += (_started(f"Misfit accepted: {result.misfit_accepted}"),)
+    if result.left_out:
+        count = len({problem.file for problem in result.left_out})
+        headline = f"{count} of {len(result.plan.used_tests)} tests could not be used"
+        if misfit:
+            headline += f", and the law does not describe all others ({counted(misfit)} below)"
+        return Verdict(Level.ATTENTION, headline + ".", shown)
+    if misfit:
+        headline = f"The law does not describe everything: {counted(misfit)}."
+        return Verdict(Level.ATTENTION, headline, shown)
+    unsure = any(NOT_STATED in condition.remarks for condition in result.conditions)
+    # What nobody could have noticed is no bare OK.
+    unless = ", if nothing wore meanwhile: their order is not stated" if unsure else ""
+    headline = f"The law describes the tests{unless}. {_remainders(result)}"
+    return Verdict(Level.OK, headline, (_started(NOT_STATED),) if unsure else ())
+
+
+def _remainders(result: PlanResult) -> str:
+    """Largest remainder of a single curve, by size and by noise, and the scatter of samples."""
+    tests = [test for condition in result.conditions for test in condition.tests]
+    share = max(test.fit.remainder / _top(test) for test in tests)
+    levels = max(noise_levels(test.fit, test.curve) for test in tests)
+    scatters = [s for c in result.conditions if (s := c.found.scatter) is not None]
+    told = scatters and not result.plan.digitised
+    between = f"; {max(scatters, key=lambda s: s.value).words}" if told else ""
+    swings = [test.curve.swing for test in tests if test.curve.swing is not None]
+    largest = max(swings, default=None)
+    stick_slip = (
+        f" Stick-slip swings friction by up to {100 * largest.size:.0f} %, every "
+        f"{quantity(largest.period, 'length', 2)}."
+        if largest
+        else ""
+    )
+    return (
+        f"No single curve is off its law by more than {100 * share:.1f} % of its friction "
+        f"({levels:.1f} noise levels){between}.{stick_slip}"
+    )
+
+
+def counted(remarks: Sequence[str]) -> str:
+    """How many remarks, in words."""
+    return "1 remark" if len(remarks) == 1 else f"{len(remarks)} remarks"
+
+
+def condition_tables(condition: ConditionResult, name: str) -> list[Table]:
+    """Tables of one condition."""
+    tables = [
+        curves_table(condition, name),
+        coefficients_table(condition, name),
+        law_table(condition, name),
+        *standard_tables(condition, name),
+    ]
+    budget = budget_table(condition, name)
+    if budget is not None:
+        tables.append(budget)
+    if condition.fit is not None and condition.found.choice is not None:
+        lines = equations(condition.fit.form, condition.fit.theta, condition.fit.ends)
+        rows = tuple(Row(x, ()) for x in lines)
+        tables.append(Table(f"Equations over pressure{name}", rows, (), name="equations"))
+        tables.append(forms_table(condition, name))
+    if condition.found.left_out:
+        tables.append(prediction_table(condition, name))
+    if any(test.other is not None for test in condition.tests):
+        tables.append(shear_table(condition, name))
+    single = remarks_table(condition, name)
+    return [*tables, files_table(condition, name), *([single] if single else [])]
+
+
+def curves_table(condition: ConditionResult, name: str) -> Table:
+    """One line a test: the peak of its own curve, lash, quality."""
+    unit = unit_of("length")
+    heads = (
+        _pressure_head(),
+        f"peak slip [{unit}]",
+        "peak friction",
+        f"lash [{unit}]",
+        "R\u00b2",
+        "noise",
+    )
+    rows = tuple(
+        Row(
+            title=test.test.label,
+            values=_curve_values(test),
+            note="outlier"
+            if condition.found.flagged[k]
+            else ("misfit" if test.judged.misfit else ""),
+        )
+        for k, test in enumerate(condition.tests)
+    )
+    note = (
+        "Each curve by itself; \u00b1 is half the 95 % interval. A peak slip in brackets lies "
+        "beyond the tested slip; if the curve hardly determines it, its ends are from the profile "
+        "of the likelihood (? if it has no upper end). A curve that its law does not describe has "
+        "no interval. Noise: standard deviation of one reading of friction."
+    )
+    return Table(f"Tests{name}", rows, heads, note, "tests")
+
+
+def _curve_values(test: TestResult) -> tuple[str, ...]:
+    fit, q, spread = test.fit, test.fit.parameters, _spread(test)
+    lash = in_unit("length", lambda mm: f"{q.lash / mm:.3g} (held)")
+    if "lash" in fit.free:
+        lash = _length(q.lash, spread * fit.error("lash"))
+    peak = with_error(q.peak_friction, spread * fit.error("ln_peak_friction") * q.peak_friction)
+    if fit.held.peak_friction is not None:
+        peak = f"{q.peak_friction:.3g} (held)"
+    return (
+        _pressure(test.curve.pressure),
+        in_unit("length", lambda mm: _peak_slip(test, mm)),
+        peak,
+        lash,
+        f"{fit.r_squared:.4f}",
+        f"{test.curve.noise:.4f}",
+    )
+
+
+def _peak_slip(test: TestResult, size: float) -> str:
+    """Peak slip with its interval; in brackets where it is extrapolated."""
+    fit, x = test.fit, test.fit.parameters.peak_slip / size
+    if fit.held.peak_slip is not None:
+        return f"{x:.3g} (held)"
+    if _spread(test) and test.is_skewed:
+        low, high = (end / size for end in test.peak_slip_interval)
+        return f"({x:.3g}, {low:.3g} to {'?' if math.isinf(high) else f'{high:.3g}'})"
+    text = with_error(x, _spread(test) * fit.error("ln_peak_slip") * x)
+    return text if fit.peak_inside else f"({text})"
+
+
+def _spread(test: TestResult) -> float:
+    """Half a 95 % interval in standard errors; 0 where the law does not describe the curve.
+
+    Its interval would be that of a law that does not hold.
+    """
+    return 0.0 if any(s.about != OTHER_PRESSURE for s in test.judged.misfit) else Z95
+
+
+def coefficients_table(condition: ConditionResult, name: str) -> Table:
+    """One line a test: the paper's A and b, and what follows the peak."""
+    rows = []
+    for test in condition.tests:
+        fit, q = test.fit, test.fit.parameters
+        (a, b), (by_a, by_b) = fit.coefficients(), fit.coefficient_errors()
+        spread = _spread(test)
+        of = (
+            q.post_peak_slope,
+            spread * fit.error("post_peak_slope"),
+            q.peak_friction / q.peak_slip,
+        )
+        level = with_error(q.residual_friction, spread * fit.error("residual_friction"))
+        check = derivative_check(fit)
+        rows.append(
+            Row(
+                title=test.test.label,
+                values=(
+                    with_error(a, spread * by_a),
+                    with_error(b, spread * by_b),
+                    _slope(*of) if "post_peak_slope" in fit.free else NONE,
+                    level if "residual_friction" in fit.free else NONE,
+                    number(check.a, 3) if check else NONE,
+                    number(check.b, 3) if check else NONE,
+                ),
+            )
+        )
+    heads = (
+        "A [1/mm]",
+        "b [1/mm]",
+        f"slope [1/{unit_of('length')}]",
+        "residual",
+        "A of derivative",
+        "b of derivative",
+    )
+    note = (
+        "mu = A x ln x - b x, x in mm. The last two columns are from the five-point derivative "
+        "of the curve, fitted by A ln x + (A - b)."
+    )
+    title = f"Coefficients of the tests{name}"
+    return without_empty(Table(title, tuple(rows), heads, note, "coefficients"))
+
+
+def law_table(condition: ConditionResult, name: str) -> Table:
+    """The law at the tested pressures, with 95 % intervals and the paper's A and b."""
+    unit = unit_of("length")
+    pressures = condition.found.level_pressures()
+    slip, friction, error = condition.peaks_at(pressures)
+    slopes, ratio = condition.found.tails.at(pressures)
+    rows = []
+    for k, pressure in enumerate(pressures):
+        a, b = ab_from_peak(float(friction[k]), float(slip[k]) / 1e-3)
+        falls = slopes[k] < 0.0
+        rows.append(
+            Row(
+                title=_pressure(pressure),
+                values=(
+                    _length(float(slip[k]), float(error[k, 0] * slip[k])),
+                    with_error(friction[k], error[k, 1] * friction[k]),
+                    number(a),
+                    number(b),
+                    _slope(slopes[k], 0.0, friction[k] / slip[k]) if falls else NONE,
+                    f"{ratio[k] * friction[k]:.3f}" if falls else NONE,
+                ),
+            )
+        )
+    heads = (
+        f"peak slip [{unit}]",
+        "peak friction",
+        "A [1/mm]",
+        "b [1/mm]",
+        f"slope [1/{unit}]",
+        "residual",
+    )
+    note = (
+        f"First column: {_pressure_head()}. \u00b1 is half the 95 % interval of the law, "
+        "every part of the budget included. A and b hold for slip in mm."
+    )
+    return without_empty(Table(f"Law of all tests{name}", tuple(rows), heads, note, "law"))
+
+
+def forms_table(condition: ConditionResult, name: str) -> Table:
+    """Forms of the pressure dependence that were tried."""
+    choice, fit = condition.found.choice, condition.fit
+    assert choice is not None and fit is not None  # noqa: S101, PT018 - asked only where there is one
+    rows = tuple(
+        Row(
+            title=str(item.form),
+            values=(
+                str(item.parameters),
+                f"{item.criterion - choice.candidates[0].criterion:.1f}",
+                NONE if math.isnan(item.left_out_error) else f"{100 * item.left_out_error:.2g} %",
+            ),
+            note="chosen" if item.form == fit.form else "",
+        )
+        for item in choice.candidates[:6]
+    )
+    note = (
+        "Difference of Akaike's criterion (AICc) to the best, and error of friction at pressures "
+        "left out, inside the tested range, for the forms near the best."
+    )
+    heads = ("parameters", "AICc", "left-out error")
+    return Table(f"Forms of the pressure dependence{name}", rows, heads, note, "forms")
+
+
+def prediction_table(condition: ConditionResult, name: str) -> Table:
+    """Each pressure predicted by the law of the others."""
+    rows = tuple(
+        Row(
+            title=_pressure(item.pressure),
+            values=(f"{item.error:.4f}", f"{item.noise_levels:.2f}", f"{item.scatter:.4f}"),
+            note="" if item.inside else "outside the others: extrapolated",
+        )
+        for item in condition.found.left_out
+    )
+    note = (
+        f"First column: {_pressure_head()}. Root mean square of predicted less measured "
+        "friction over the curve, alone and in noise levels of one reading; scatter between "
+        "samples for comparison."
+    )
+    heads = ("error", "noise levels", "sample scatter")
+    return Table(f"Pressures left out in turn{name}", rows, heads, note, "prediction")
+
+
+def shear_table(condition: ConditionResult, name: str) -> Table:
+    """Each curve with the sample's own shear taken off, and left in."""
+    unit = unit_of("length")
+    rows = []
+    for test in condition.tests:
+        if test.other is None:
+            continue
+        both = sorted((test.fit, test.other), key=lambda fit: -fit.bending)
+        rows.append(
+            Row(
+                title=test.test.label,
+                values=(
+                    _bent(test.curve.bending * _top(test)),
+                    *(_bent(fit.parameters.peak_slip, number) for fit in both),
+                    *(f"{fit.parameters.peak_friction:.3f}" for fit in both),
+                ),
+            )
+        )
+    heads = (
+        f"shear [{unit}]",
+        f"peak slip, off [{unit}]",
+        f"left in [{unit}]",
+        "peak friction, off",
+        "left in",
+    )
+    note = "Shear of sample and rig at the largest force; peaks with it taken off and left in."
+    return Table(f"The sample's own shear{name}", tuple(rows), heads, note, "shear")
+
+
+def _pressure(pressure: float) -> str:
+    return in_unit("pressure", lambda kpa: number(pressure / kpa))
+
+
+def _length(value: float, error: float) -> str:
+    return in_unit("length", lambda mm: with_error(value / mm, error / mm))
+
+
+def _slope(*of: float) -> str:
+    return in_unit("length", lambda mm: slope(*(part * mm for part in of)))
+
+
+def _bent(length: float, shown: Callable[[float], str] = "{:.3f}".format) -> str:
+    return in_unit("length", lambda mm: shown(length / mm))
+
+
+def _top(test: TestResult) -> float:
+    return float(np.max(test.fit.fitted))
+
+
+def _pressure_head() -> str:
+    return f"pressure [{unit_of('pressure')}]"

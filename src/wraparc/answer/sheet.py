@@ -1,0 +1,252 @@
+"""What there is to show, before anybody decides how: sheets of labelled rows.
+
+Command line, notebook, web page and documents all draw the same sheets, so that a number has one
+label and one remark wherever it appears. Numbers stand in them as cells, in SI; `shown` gives a
+sheet in a system of units.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, fields, replace
+from typing import Any, TypeVar, cast
+
+from wraparc.checks import Level
+from wraparc.glossary import GLOSSARY, Quantity
+from wraparc.provenance import Kind
+from wraparc.units import (
+    NONE,
+    RESULT_DIGITS,
+    Cell,
+    Dimension,
+    System,
+    bare,
+    in_units,
+    percent,
+    quantity,
+    unit_of,
+)
+from wraparc.units.cell import Form
+
+__all__ = [
+    "NONE",
+    "WEAK",
+    "Row",
+    "Sheet",
+    "Table",
+    "Verdict",
+    "bare",
+    "between",
+    "headed",
+    "named",
+    "number",
+    "percent",
+    "quantity",
+    "row_of",
+    "shown",
+    "started",
+    "term",
+    "weak_sources",
+]  # fmt: skip
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of a table.
+
+    Attributes
+    ----------
+    title
+        What it is.
+    values
+        For each column of the table a cell (`wraparc.units.Cell`), or a text.
+    symbol
+        Letter of the equations.
+    note
+        What to know about it.
+    name
+        Name in the glossary, or empty.
+    level
+        Whether it is good or bad news, or None.
+    """
+
+    title: str
+    values: tuple[str, ...]
+    symbol: str = ""
+    note: str = ""
+    name: str = ""
+    level: Level | None = None
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under one heading.
+
+    Attributes
+    ----------
+    title
+        Heading.
+    rows
+        Lines; each has as many values as `heads`.
+    heads
+        Headings of the value columns; a single empty one needs no line of its own.
+    note
+        What to know about the whole table.
+    name
+        Word that it is asked for by; several tables of a sheet may share it.
+    short
+        What a short answer shows of it, where `wraparc.answer.short` does not pick the rows.
+    brief
+        What a short answer says of it at its foot.
+    """
+
+    title: str
+    rows: tuple[Row, ...]
+    heads: tuple[str, ...] = ("",)
+    note: str = ""
+    name: str = ""
+    short: "Table | None" = None
+    brief: str = ""
+
+    @property
+    def has_symbols(self) -> bool:
+        """Whether any row has a symbol."""
+        return any(row.symbol for row in self.rows)
+
+    @property
+    def has_notes(self) -> bool:
+        """Whether any row has a note."""
+        return any(row.note for row in self.rows)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The answer in words.
+
+    Attributes
+    ----------
+    level
+        How good it is.
+    headline
+        One sentence.
+    sentences
+        What follows from it: how far from a limit, what to do, what limits the answer.
+    word
+        What stands for the level, ``OK, on illustrative data``; the level itself unless given.
+    action
+        What to do, as the headline says it; empty where it says nothing of the kind.
+    kept
+        Those of the sentences that a short answer keeps; all of them unless given.
+    """
+
+    level: Level
+    headline: str
+    sentences: tuple[str, ...] = ()
+    word: str = ""
+    action: str = ""
+    kept: tuple[str, ...] | None = None
+
+    @property
+    def told(self) -> str:
+        """Word of the verdict."""
+        return self.word or str(self.level)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Everything to show of one thing.
+
+    Attributes
+    ----------
+    title, subtitle
+        Headings.
+    verdict
+        The answer in words, or None where nothing was asked.
+    tables
+        The tables, most important first.
+    remarks
+        Sentences a reader must not miss.
+    sources
+        Where numbers came from; a note ``[2]`` in a row refers to the second.
+    foot
+        Lines at its foot, without a heading.
+    kept
+        Remarks and sources that a short answer keeps; all remarks unless given.
+    """
+
+    title: str
+    subtitle: str = ""
+    verdict: Verdict | None = None
+    tables: tuple[Table, ...] = ()
+    remarks: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()
+    foot: tuple[str, ...] = ()
+    kept: tuple[str, ...] | None = None
+
+
+#: Kinds of data that a short answer names.
+WEAK = (Kind.ILLUSTRATIVE, Kind.CALIBRATED)
+
+
+def weak_sources(sources: Iterable[str]) -> tuple[str, ...]:
+    """Return the sources that tell of data which describe no product, or were fitted to a drive."""
+    return tuple(s for s in sources if any(f": {kind}" in s for kind in WEAK))
+
+
+def term(name: str) -> Quantity:
+    """Return what the glossary has of a quantity."""
+    return GLOSSARY[name]
+
+
+def named(name: str, value: float) -> str:
+    """Return the cell of the value [SI] of a quantity of the glossary."""
+    return quantity(value, term(name).dimension, RESULT_DIGITS, name)
+
+
+def number(name: str, value: float) -> str:
+    """Return the same without its unit, which stands in the head: see `headed`."""
+    return bare(value, term(name).dimension, RESULT_DIGITS, name)
+
+
+def headed(words: str, dimension: Dimension) -> str:
+    """Return the head of a column of numbers without units, ``creep [mm]``."""
+    return words if dimension == "number" else f"{words} [{unit_of(dimension)}]"
+
+
+def between(name: str, first: float, last: float, form: Form = "to") -> str:
+    """Return the cell of two values [SI] of a quantity of the glossary, ``387.5 to 125.0 kPa``."""
+    return Cell(last, term(name).dimension, RESULT_DIGITS, form, first, name)
+
+
+def row_of(
+    name: str,
+    *values: float,
+    note: str = "",
+    title: str = "",
+    level: Level | None = None,
+) -> Row:
+    """Return the row of a quantity of the glossary, its words taken from there."""
+    entry = term(name)
+    cells = tuple(named(name, value) for value in values)
+    return Row(title or entry.title, cells, entry.symbol, note, name, level)
+
+
+def started(sentence: str) -> str:
+    """Return a sentence with its capital."""
+    return sentence[:1].upper() + sentence[1:]
+
+
+def shown(thing: _T, system: System) -> _T:
+    """Return a text, or what is made of texts, with its cells shown in a system of units.
+
+    The only place in which an answer meets a system of units: sheets, tables, rows, verdicts and
+    tuples of them.
+    """
+    of: Any = thing
+    if isinstance(thing, str):
+        of = in_units(thing, system)
+    elif isinstance(thing, tuple):
+        of = tuple(shown(part, system) for part in thing)
+    elif isinstance(thing, Sheet | Verdict | Table | Row):
+        parts = ((f.name, getattr(thing, f.name)) for f in fields(thing))
+        of = replace(thing, **{name: shown(part, system) for name, part in parts})
+    return cast(_T, of)

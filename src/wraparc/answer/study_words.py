@@ -1,0 +1,211 @@
+"""What a study says in sentences: its headline, how its fields are called, its histograms."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, started
+from wraparc.checks import RULES, Level
+from wraparc.glossary import GLOSSARY
+from wraparc.study.fields import names_of
+from wraparc.study.histogram import Histogram, Limit
+from wraparc.study.monte_carlo import Group, Summary
+from wraparc.units import Dimension, distinct, in_units
+
+_SETTINGS = {"engineering": "creep within 1e-4", "precise": "the accuracy of `wraparc solve`"}
+_NO_ANSWER = (
+    ("refused", "the friction law is unfit for their arc"),
+    ("invalid", "their tensions or sizes cannot be"),
+    ("unsolved", "the solver did not reach its accuracy"),
+)
+_ENDS = (
+    (Level.FAULT, "could not be solved"),
+    (Level.FAILS, "fail"),
+    (Level.ATTENTION, "need attention"),
+    (Level.OK, "keep every check that is made"),
+)
+#: What the limit of a result is called.
+_LIMITS = {
+    "exit_creep": RULES["creep"].what,
+    "entry_tension": RULES["belt_tension"].what,
+    "peak_shear_stress": RULES["bond_stress"].what,
+    "creep_limit_margin": "the margin",
+    "tested_slip_margin": "the margin",
+    "gross_slip_margin": "the margin",
+}
+
+
+def subtitle(data: Mapping[str, Any]) -> str:
+    """Return how many designs there are, how they are drawn and solved."""
+    drawn = f", {data['sampling']} draws, seed {data['seed']}" if data["sampling"] else ""
+    cases = _cases(data)
+    times = f" in {cases} cases" if cases > 1 else ""
+    setting = _SETTINGS[data["setting"]]
+    return f"{data['designs']:,} designs{times}{drawn}; {data['setting']} setting, {setting}."
+
+
+def _cases(data: Mapping[str, Any]) -> int:
+    return len(data["load_cases"]) * max(1, len(data["conditions"]))
+
+
+def verdict(summary: Summary) -> Verdict:
+    """Return the answer in words: the share beyond the creep limit, how rows end, what governs."""
+    counts, judged, total = summary.counts, summary.judged, sum(summary.counts.values())
+    missed = judged.missed
+    level = Level.ATTENTION if missed or judged.total < total else Level.OK
+    if judged.share(Level.FAILS).count == total:
+        level = Level.FAILS
+    over, what = summary.over_limit, "designs" if _cases(summary.data) == 1 else "rows"
+    beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
+    lost = ((counts["breakaway"], "in gross slip"), (_unanswered(summary), "without an answer"))
+    sentences = [f"{counts['solved']:,} carry their load, {counts['breakaway']:,} break away."]
+    for word, why in _NO_ANSWER:
+        if counts[word]:
+            sentences.append(f"{counts[word]:,} {what} have no answer: {why}.")
+    leads = ""
+    if missed:
+        name, most = next(iter(missed.items()))
+        of = part(most, sum(missed.values())) if len(missed) > 1 else "all"
+        governs = f"{started(RULES[name].what)} governs {of} of those that fail or need attention."
+        if name == "creep":  # the first words are of it
+            sentences.append(governs)
+        else:
+            leads = f" {governs}"
+    left = summary.data.get("not_checked", ())
+    ground = summary.data.get("ground", "") if level is Level.OK else ""
+    if left:
+        sentences.append(f"Rows leave out {' and '.join(left)}, which `wraparc solve` checks.")
+    if level is Level.OK:
+        ground = ground or ", ".join(f"without {what}" for what in left)
+    weighted = _weighted(summary, lambda group: group.over_limit.value)
+    if not math.isnan(weighted):
+        beyond = _over_time(weighted, summary, what)
+    headline = f"{beyond}{_among(lost)}; {_ends(summary)}.{leads}"
+    return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
+
+
+def _unanswered(summary: Summary) -> int:
+    return sum(summary.counts[word] for word, _ in _NO_ANSWER)
+
+
+def _ends(summary: Summary) -> str:
+    """Say which part of all rows fails, needs attention, keeps every check."""
+    total = sum(summary.counts.values())
+    over_time = [
+        (_weighted(summary, lambda group, level=level: group.judged.share(level).value), one)  # type: ignore[misc]
+        for level, one in _ENDS
+    ]
+    if not math.isnan(over_time[0][0]) and summary.judged.total == total:
+        return ", ".join(f"{_of_time(share)} {one}" for share, one in over_time if share > 0.0)
+    ends = [(summary.judged.share(level).count, one) for level, one in _ENDS]
+    ends.insert(2, (total - summary.judged.total, "could not be judged"))
+    return ", ".join(f"{part(count, total)} {one}" for count, one in ends if count)
+
+
+def _weighted(summary: Summary, value: Callable[[Group], float]) -> float:
+    """Mean of a share over levels and load cases, each condition by its time; nan without times."""
+    sums: dict[tuple[float | str, ...], float] = {}
+    for group in summary.groups:
+        if group.share is None:
+            return math.nan
+        key = (*group.levels.values(), group.load_case)
+        sums[key] = sums.get(key, 0.0) + group.share * value(group)
+    return sum(sums.values()) / len(sums) if sums else math.nan
+
+
+def _of_time(share: float) -> str:
+    told = percent(share)
+    return "all" if share >= 1.0 else "none" if share <= 0.0 else told
+
+
+def _over_time(share: float, summary: Summary, what: str) -> str:
+    """Say how much of the time the creep limit is not kept."""
+    total = summary.over_limit.total
+    count = 0 if share <= 0.0 else total if share >= 1.0 else 1  # for none, all and the verb
+    text = _exceed("exit_creep", count, total, what, summary.creep_limit)
+    rest = text.partition(f" of {total:,} ")[2]
+    weighted = "each condition by its share of the time"
+    return f"{started(_of_time(share))} of {total:,} {rest}, {weighted}"
+
+
+def part(count: int, total: int) -> str:
+    """Return a share in words: all, none, or percent that never round to these."""
+    if count == total:
+        return "all"
+    if not count:
+        return "none"
+    told = in_units(percent(count / total))
+    if told in ("100 %", "0 %"):
+        return f"all but {total - count:,}" if told == "100 %" else f"{count:,}"
+    return told
+
+
+def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
+    """Say which part of the rows does not keep the limit of a result."""
+    verb = "exceed" if limit.at_most else "fall short of"
+    if not count:
+        verb = "exceeds" if limit.at_most else "falls short of"
+    words = _LIMITS[name]
+    if not math.isnan(limit.least):
+        ends = distinct(named(name, v) for v in (limit.least, limit.most))
+        words += f" of {' to '.join(ends)}"
+    return f"{started(part(count, total))} of {total:,} {what} {verb} {words}"
+
+
+def _among(lost: tuple[tuple[int, str], ...]) -> str:
+    told = " and ".join(f"{count:,} {how}" for count, how in lost if count)
+    return f", {told} among them" if told else ""
+
+
+def histogram_sentence(name: str, found: Histogram) -> str:
+    """Say which part of the draws does not keep the limit of a result; what is drawn otherwise."""
+    lost = _among(((found.away, "in gross slip"), (found.unanswered, "without an answer")))
+    if math.isnan(found.limit.least):
+        without = lost.removesuffix(" among them").removeprefix(", ")
+        title = GLOSSARY[name].title
+        return f"{title} of {found.total:,} draws{f'; {without}' if without else ''}."
+    said = _exceed(name, found.beyond, found.total, "draws", found.limit)
+    return f"{said}{lost if found.beyond else ''}."
+
+
+def varied_table(data: Mapping[str, Any]) -> Iterator[Table]:
+    """Yield what is varied and how, each with its key path in the drive file."""
+    called = names_of(data)
+    axes = data["input"].get("study", {}).get("axis", ())
+    rows = [
+        Row(started(called(str(axis["field"]))), (str(axis["field"]), _spread(axis)))
+        for axis in axes
+    ]
+    if rows:
+        heads = ("field of the drive file", "values")
+        yield Table("What is varied", tuple(rows), heads, name="varied")
+
+
+def _spread(axis: Mapping[str, Any]) -> str:
+    """Say how an axis is spread, as its file does."""
+    values = axis.get("values")
+    if values is not None:
+        return ", ".join(str(v) for v in values)
+    kind = [str(axis["distribution"])] if "distribution" in axis else []
+    spread = [
+        f"{str(key).replace('_', ' ')} {value}"
+        for key, value in axis.items()
+        if key not in ("field", "distribution", "provenance")
+    ]
+    return ", ".join(kind + spread)
+
+
+def value_of(name: str, value: float | str, units: Mapping[str, Dimension | None]) -> str:
+    """Return the value of a field in its unit."""
+    dimension = units.get(name)
+    if isinstance(value, str | bool) or dimension is None:
+        return str(value)
+    return quantity(value, dimension)
+
+
+def group_name(group: Group, units: Mapping[str, Dimension | None]) -> str:
+    """Return the levels of a group."""
+    parts = [value_of(name, value, units) for name, value in group.levels.items()]
+    return ", ".join(parts)

@@ -1,0 +1,454 @@
+"""What a calculation note says, section by section, before anybody sets it in type.
+
+What only trains need is imported for them alone: the note of a single drive must start fast.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, fields, replace
+from typing import TYPE_CHECKING, Literal
+
+from wraparc.answer.arc_tables import (
+    answer_table,
+    belongs,
+    capacity_table,
+    creep_table,
+)
+from wraparc.answer.catalogue_sheets import law_table
+from wraparc.answer.checks_table import check_table, checks_summary
+from wraparc.answer.conditions_table import conditions_table
+from wraparc.answer.conveyor_table import conveyor_tables
+from wraparc.answer.design_values import comparison_table
+from wraparc.answer.drive_sheet import loads_table, method_remarks, with_sides
+from wraparc.answer.input_tables import input_tables
+from wraparc.answer.inputs import Input, drive_inputs
+from wraparc.answer.least_tension import least_table, margins_table
+from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, shown, started
+from wraparc.answer.sources import Sources
+from wraparc.answer.wear_table import life_table, wear_table
+from wraparc.answer.words import verdict
+from wraparc.arc import DriveResult
+from wraparc.checks import Verdict as Judgement
+from wraparc.checks import judge
+from wraparc.drive import Drive, Lagging
+from wraparc.drive.conditions import SCALED
+from wraparc.errors import InputError, Problem
+from wraparc.errors import shown as quoted
+from wraparc.friction import Equation
+from wraparc.render.drawings import (
+    Drawing,
+    across_drawing,
+    budget_drawing,
+    profile_drawing,
+    pulley_drawing,
+)
+from wraparc.render.equations import equations
+from wraparc.render.note_tables import arcs_table, shares_table
+from wraparc.units import GIVEN_DIGITS, System, distinct
+from wraparc.version import __version__
+
+if TYPE_CHECKING:
+    from wraparc.motion.reported import InTime
+    from wraparc.train import TrainResult
+
+Paper = Literal["a4", "us-letter"]
+PAPERS: tuple[Paper, ...] = ("a4", "us-letter")
+PROGRAM = f"wraparc {__version__}"
+_LONGEST = 120
+_MOST_PULLEYS_DRAWN = 4
+
+
+#: Columns of a table that leave no room for a further one.
+_FILLS = 8
+
+
+@dataclass(frozen=True, kw_only=True)
+class NoteHead:
+    """What stands in the title block and in the box to sign; plain text, never markup.
+
+    Parameters
+    ----------
+    title
+        Title; that of the drive unless given.
+    project, number, revision
+        Project or customer, number and revision of the document.
+    author
+        Who prepared it.
+    date
+        As it shall be printed.
+    file
+        Name of the drive file.
+    changes
+        What was put over it, ``belt.speed=2.8 m/s``.
+    paper
+        ``a4`` or ``us-letter``.
+
+    Raises
+    ------
+    InputError
+        For texts that are longer than a line, or hold letters that cannot be printed.
+    """
+
+    title: str = ""
+    project: str = ""
+    number: str = ""
+    revision: str = ""
+    author: str = ""
+    date: str = ""
+    file: str = ""
+    changes: tuple[str, ...] = ()
+    paper: Paper = "a4"
+
+    def __post_init__(self) -> None:
+        problems = []
+        for f in fields(self):
+            value = getattr(self, f.name)
+            if f.name == "changes":
+                value = "".join(c for change in self.changes for c in change if not c.isprintable())
+            if not isinstance(value, str) or len(value) > _LONGEST or not value.isprintable():
+                message = f"must be printable text of at most {_LONGEST} characters"
+                problems.append(Problem(key=f.name, value=quoted(value), message=message))
+        if self.paper not in PAPERS:
+            message = f"no such paper, only {' and '.join(PAPERS)}"
+            problems.append(Problem(key="paper", value=quoted(self.paper), message=message))
+        if problems:
+            raise InputError(problems)
+
+
+@dataclass(frozen=True)
+class Section:
+    """A part of a note under one heading: sentences, then tables, pictures and equations."""
+
+    title: str
+    sentences: tuple[str, ...] = ()
+    tables: tuple[Table, ...] = ()
+    drawings: tuple[Drawing, ...] = ()
+    equations: tuple[Equation, ...] = ()
+    numbered: bool = False
+
+    def shown(self, system: System) -> "Section":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            sentences=shown(self.sentences, system),
+            tables=shown(self.tables, system),
+            drawings=tuple(drawing.shown(system) for drawing in self.drawings),
+        )
+
+
+@dataclass(frozen=True)
+class Note:
+    """A calculation note.
+
+    Attributes
+    ----------
+    head
+        Title block.
+    title, subtitle, belt
+        Headings, and the name of the belt.
+    told
+        The answer in words.
+    judged
+        Every check.
+    summary
+        How the checks end, in one sentence.
+    sections
+        Everything else.
+    """
+
+    head: NoteHead
+    title: str
+    subtitle: str
+    belt: str
+    told: Verdict
+    judged: Judgement
+    summary: str
+    about: tuple[tuple[str, str], ...]
+    sections: tuple[Section, ...]
+
+    def shown(self, system: System) -> "Note":
+        """Return it in a system of units."""
+        return replace(
+            self,
+            told=shown(self.told, system),
+            summary=shown(self.summary, system),
+            about=shown(self.about, system),
+            sections=tuple(section.shown(system) for section in self.sections),
+        )
+
+    @property
+    def drawings(self) -> tuple[Drawing, ...]:
+        """Every picture, in order."""
+        return tuple(drawing for section in self.sections for drawing in section.drawings)
+
+    @property
+    def title_block(self) -> tuple[tuple[str, str], ...]:
+        """What the title block says: name and value, what is empty left out."""
+        head = self.head
+        pairs = (
+            ("Project", head.project), ("Document", head.number), ("Revision", head.revision),
+            ("Prepared by", head.author), ("Date", head.date), ("Drive file", head.file),
+            ("Changed from the file", "; ".join(head.changes)), ("Program", PROGRAM),
+            ("Belt", self.belt), *self.about,
+        )  # fmt: skip
+        return tuple(pair for pair in pairs if pair[1])
+
+
+def make_note(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    system: System = "si",
+    train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
+) -> Note:
+    """Return the note of a solved drive in a system of units, see `compose_note`."""
+    return compose_note(results, head, train, in_time).shown(system)
+
+
+def compose_note(
+    results: Sequence[DriveResult],
+    head: NoteHead,
+    train: "TrainResult | None" = None,
+    in_time: "InTime | None" = None,
+) -> Note:
+    """Return the note of a solved drive.
+
+    Parameters
+    ----------
+    results
+        The drive by the main solver, then by others.
+    head
+        Title block.
+    train
+        How the drives share the load, where there are several on the belt.
+    in_time
+        Events that were followed for the note; their checks count in its verdict.
+    """
+    first = results[0]
+    of = Sources()
+    judged = judge(first if train is None else train)
+    told = verdict(first) if train is None else _train_verdict(train)
+    in_time_sections: tuple[Section, ...] = ()
+    if in_time is not None:
+        from wraparc.render.note_in_time import judged_with, section, told_with
+
+        judged, told = judged_with(judged, in_time), told_with(told, in_time)
+        in_time_sections = (Section("In time: events and vibrations", *section(in_time)),)
+    least = [t for t in (least_table(first if train is None else train),) if t]
+    details = tuple(_details(results, of))
+    inputs = Section("Inputs and where they came from", tables=_inputs(first, of, train))
+    assumed = Section("Assumptions", sentences=tuple(_assumptions(results, train)))
+    sections = [
+        *_in_condition(
+            first.drive,
+            Section("Checks against limits", tables=(check_table(judged, of, ""), *least)),
+            _results_section(results, train),
+            *details,
+        ),
+        *_across_sections(first),
+        *in_time_sections,
+        inputs,
+        assumed,
+        _equation_section(results, train),
+        Section("Warnings", sentences=tuple(_warnings(results))),
+        Section("Sources", sentences=of.listed(), numbered=True),
+    ]
+    return Note(
+        head=head,
+        title=head.title or first.drive.title or "Drive",
+        subtitle=first.drive.description,
+        belt=first.drive.belt.name,
+        told=with_sides(told, results),
+        judged=judged,
+        summary=checks_summary(judged),
+        about=tuple(_about(first.drive)),
+        sections=tuple(
+            replace(s, tables=tuple(map(_worded, s.tables)))
+            for s in sections
+            if s.sentences or s.tables or s.drawings or s.equations
+        ),
+    )
+
+
+def _in_condition(drive: Drive, *sections: Section) -> Iterator[Section]:
+    """Name the condition in titles where it is one that no load case names, and not dry."""
+    conditions = {p.lagging.condition for p in drive.pulleys}
+    told = "" if drive.conditions or conditions == {"dry"} else f", {', '.join(sorted(conditions))}"
+    yield from (replace(section, title=f"{section.title}{told}") for section in sections)
+
+
+def _about(drive: Drive) -> Iterator[tuple[str, str]]:
+    """Yield what a reader looks for in the title block: conditions, and the conveyor."""
+    conditions = drive.conditions or tuple(
+        dict.fromkeys(pulley.lagging.condition for pulley in drive.pulleys)
+    )
+    yield "Condition of the lagging", ", ".join(conditions)
+    of = drive.conveyor
+    if of is None:
+        return
+    parts = [f"length {quantity(of.length, 'length', GIVEN_DIGITS)}"]
+    parts.append(f"lift {quantity(of.lift, 'length', GIVEN_DIGITS)}")
+    if of.capacity is not None:
+        parts.append(f"capacity {quantity(of.capacity, 'mass_flow', GIVEN_DIGITS)}")
+    elif of.material_mass is not None:
+        parts.append(f"material {quantity(of.material_mass, 'mass_per_length', GIVEN_DIGITS)}")
+    yield "Conveyor", ", ".join(parts)
+
+
+def _worded(table: Table) -> Table:
+    """Say beside every colour what it means; in the last cell of a table that fills the page."""
+    return replace(table, rows=tuple(_worded_row(row, table) for row in table.rows))
+
+
+def _worded_row(row: Row, table: Table) -> Row:
+    if not row.level:
+        return row
+    if len(table.heads) > _FILLS and not table.has_notes:
+        *cells, last = row.values
+        return replace(row, values=(*cells, f"{row.level}: {last}"))
+    return replace(row, note=f"{row.level}: {row.note}" if row.note else str(row.level))
+
+
+def _train_verdict(train: "TrainResult") -> Verdict:
+    from wraparc.answer.train_words import train_verdict
+
+    return train_verdict(train)
+
+
+def _inputs(result: DriveResult, of: Sources, train: "TrainResult | None") -> tuple[Table, ...]:
+    laws = (law_table(lagging) for lagging in result.drive.laggings)
+    inputs = note_inputs(result, train)
+    conveyor = conveyor_tables(result.drive, of) if train is None else ()
+    return (*conveyor, *input_tables(inputs, of, stated=True), *laws)
+
+
+def note_inputs(result: DriveResult, train: "TrainResult | None") -> tuple[Input, ...]:
+    """Return every input of a note."""
+    if train is None:
+        return drive_inputs(result.drive)
+    from wraparc.answer.train_inputs import train_inputs
+
+    return (*drive_inputs(result.drive, divided=True), *train_inputs(train.train))
+
+
+def _results_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
+    tables = [arcs_table(results), loads_table(results[0])]
+    if results[0].drive.conditions:
+        tables.append(conditions_table(results[0]))
+    if train is not None:
+        from wraparc.answer.train_sheet import case_table
+
+        tables += [shares_table(train), case_table(train.governing)]
+    return Section("Results by load case", tables=tuple(tables))
+
+
+def _details(results: Sequence[DriveResult], of: Sources) -> Iterator[Section]:
+    """The arc that governs in full, with its pictures."""
+    first = results[0]
+    worst = first.governing
+    position = first.arcs.index(worst)
+    arcs = tuple(r.arcs[position] for r in results)
+    solved = tuple(r for r in arcs if r.status.solved)
+    pulleys = [r for r in first if r.arc.load_case == worst.arc.load_case]
+    pictures = [pulley_drawing(r) for r in pulleys[:_MOST_PULLEYS_DRAWN]]
+    if worst.status.solved:
+        pictures += [budget_drawing(solved), profile_drawing(solved)]
+    yield Section(f"Governing arc: {belongs(worst)}", drawings=tuple(pictures))
+    tables = []
+    if solved:
+        tables += [replace(answer_table(solved), title=""), creep_table(solved)]
+    tables += [t for t in (capacity_table(worst), margins_table(first, worst)) if t]
+    case = first.drive.load_case(worst.arc.load_case)
+    lagging = first.drive.pulley(worst.arc.pulley).lagging_in(case.condition)
+    tables.append(comparison_table(worst, lagging, of))
+    found = (wear_table(worst, lagging), life_table(worst, lagging, of))
+    tables += [table for table in found if table]
+    yield Section(f"Governing arc in detail: {belongs(worst)}", tables=tuple(tables))
+
+
+def _across_sections(result: DriveResult) -> Iterator[Section]:
+    """The belt across its width, where a pulley says what is uneven."""
+    if not any(pulley.across for pulley in result.drive.pulleys):
+        return
+    from wraparc.answer.across_tables import across_tables, worst_first
+
+    yield Section(
+        "Across the width",
+        tables=tuple(across_tables(result)),
+        drawings=(across_drawing(worst_first(result)[0]),),
+    )
+
+
+def _assumptions(results: Sequence[DriveResult], train: "TrainResult | None") -> Iterator[str]:
+    drive = results[0].drive
+    yield (
+        "Steady running; tension and pressure uniform over the width of the belt; weight, bending "
+        "and centrifugal force of the belt left out; diameters over the unloaded lagging."
+    )
+    if any(pulley.across for pulley in drive.pulleys):
+        yield (
+            "Across the width alone they are not uniform: the belt is cut into strips that its "
+            "in-plane shear couples, the spans are membranes held to their track."
+        )
+    told = "The friction law depends on slip and pressure, not on speed, temperature or time"
+    if any(lagging.factors is not None for lagging in drive.laggings):
+        told += " (but by the factors among the inputs, the least over the whole arc)"
+    yield f"{told}; it is that of the condition named ({_conditions(drive.laggings)})."
+    for lagging in (lagging for lagging in drive.laggings if SCALED in lagging.sources):
+        yield (
+            f"The law of {lagging.name} when {lagging.condition} is a tested law scaled as a whole "
+            f"({lagging.notes[-1]}; {lagging.sources[SCALED]}): nobody has measured it."
+        )
+    if any(lagging.law.tested is not None for lagging in drive.laggings):
+        yield (
+            "Below the lowest tested pressure the coefficient of friction is held constant, above "
+            "the highest the traction; both are extrapolations, as is slip beyond the tested range."
+        )
+    if any(p.recovery for p in drive.pulleys):
+        yield "The compressed lagging recovers as the pressure falls, which adds creep."
+    if train is not None:
+        yield (
+            "Friction on runs between drives is as given; the load is divided as the drive file "
+            "says, and belt mass flow is continuous."
+        )
+    if len(results) > 1:
+        yield (
+            "The headline numbers are those of the distributed method, which solves equilibrium "
+            "and creep along the wrap; the paper's march stands beside it as a second opinion."
+        )
+
+
+def _conditions(laggings: Sequence[Lagging]) -> str:
+    return ", ".join(f"{lagging.name}: {lagging.condition}" for lagging in laggings)
+
+
+def _equation_section(results: Sequence[DriveResult], train: "TrainResult | None") -> Section:
+    design = any(p.lagging.surface for p in results[0].drive.pulleys)
+    listed = equations(
+        results[0].arcs, paper=len(results) > 1, train=train is not None, design=design
+    )
+    return Section("Equations", equations=listed)
+
+
+def _warnings(results: Sequence[DriveResult]) -> Iterator[str]:
+    yield from judge(results[0]).data
+    for arc in results[0]:
+        if arc.status.solved and arc.extrapolates:
+            share = percent(arc.outside_tested_share)
+            yield (
+                f"{started(belongs(arc))}: on {share} of the wrap pressure or "
+                "slip lies outside the tested range; the friction is extrapolated there."
+            )
+    gross = results[0].governing.capacities.gross_slip_capacity
+    if gross == gross:
+        yield (
+            "The capacity at gross slip extrapolates the friction law, often far beyond any tested "
+            "slip; do not design by it."
+        )
+    yield from method_remarks(results)
+    limits = distinct(
+        named("creep_limit", limit) for limit in sorted(r.arc.creep_limit for r in results[0])
+    )
+    yield (
+        f"The creep limit ({', '.join(limits)}) is a limit of practice, not of strength; "
+        "this note does not check shaft, shell, or the belt's splice."
+    )
