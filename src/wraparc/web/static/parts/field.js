@@ -1,6 +1,6 @@
 // One field of the drive file: label, box, unit, slider, help and what is wrong with it.
 
-import { app, edit, get, grasp, wrong } from "../base/design.js";
+import { app, edit, get, grasp, gripped, wrong } from "../base/design.js";
 import { factor, sign, split, trim, unit, viewed } from "../base/units.js";
 import { Component, createRef, h } from "../vendor/preact.js";
 import { valueIn } from "./choose.js";
@@ -108,6 +108,7 @@ export class Field extends Component {
   row = createRef();
   /** @type {ReturnType<typeof places> | null} the scale stays while the slider is held */
   held = null;
+  pressed = false;
   seen = "";
 
   componentDidMount() {
@@ -342,6 +343,11 @@ export class Field extends Component {
     if (!scale) return h("input", { ...common, disabled: true });
     const release = () => {
       this.held = null;
+      this.pressed = false;
+    };
+    const press = () => {
+      this.pressed = true;
+      grasp();
     };
     const range = h("input", {
       ...common,
@@ -350,8 +356,9 @@ export class Field extends Component {
       step: 1,
       value: Math.round(scale.at(now)),
       "aria-valuetext": `${text} ${u}`.trim(),
-      onPointerDown: grasp,
+      onPointerDown: press,
       onInput: (/** @type {Event} */ e) => {
+        if (this.pressed && !gripped()) return this.forceUpdate(); // given back by Escape
         this.held = scale;
         this.put(`${scale.value(+valueIn(e))} ${u}`.trim());
       },

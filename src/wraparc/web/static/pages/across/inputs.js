@@ -59,6 +59,9 @@ export const drawingOf = (i) =>
 /** @param {number} i @returns {Children[]} */
 function profile(i) {
   const kind = KINDS.find((k) => k.key === drawn.key) || KINDS[0];
+  // the mark has its place before it is seen: nothing moves by it
+  const given = (/** @type {string} */ key) =>
+    acrossOf(i)[key] === undefined ? { visibility: "hidden" } : {};
   return [
     h(
       "div",
@@ -77,7 +80,7 @@ function profile(i) {
             },
           },
           k.title,
-          acrossOf(i)[k.key] !== undefined && h("span", { class: "mark" }, "given"),
+          h("span", { class: "mark", style: given(k.key) }, "given"),
         ),
       ),
     ),

@@ -113,11 +113,11 @@ export function solve() {
   }
 }
 /** Whether something waits for the hand to let go: nothing is asked of the server while it moves
- * what the page solves itself. */
+ * what the page solves itself, or what only the other views show. */
 let waits = false;
 const moving = () => {
-  waits ||= gripped() && Boolean(answer.quick?.own);
-  return waits && gripped();
+  waits = gripped() && (waits || app.page !== "drive" || Boolean(answer.quick?.own));
+  return waits;
 };
 function rest() {
   if (!waits || gripped()) return;
@@ -125,19 +125,19 @@ function rest() {
   confirmed();
   completeLater();
 }
-/** The server's word on what the page answered itself, once the hand rests. */
-const confirmed = later(150, () => !moving() && answer.quick?.own && quick());
+/** The server's word on what the page answered itself or left alone, once the hand rests. */
+const confirmed = later(150, () => (answer.quick?.own || answer.quickDoc !== app.doc) && quick());
 onReturn(() => {
   asked = [];
   solve();
 });
 
-/** One arc; while it is on its way only the newest change waits. */
+/** One arc; while it is on its way, or a hand moves, only the newest change waits. */
 async function quick() {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
+  while (wanted && !moving()) {
     wanted = false;
     const slow = setTimeout(() => {
       answer.slow = answer.quickDoc !== app.doc; // the page may have answered itself
