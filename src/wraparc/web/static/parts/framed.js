@@ -87,13 +87,14 @@ export function checked(page, found) {
     .map((b) => ({ ...b, title: b.pulley ? `${b.title}, ${b.pulley}` : b.title }));
   const one = bars.find((b) => b.title === chosen.check) ?? bars[0];
   const missed = bars.filter((b) => b.level !== "OK").length;
-  const kept = missed ? `${missed} of ${bars.length} not kept` : `all ${bars.length} kept`;
+  const kept = missed ? `${missed} of ${bars.length} not kept` : "all kept";
+  const worst = bars.some((b) => b.pulley) ? " · at the worst drive" : "";
   const put = (/** @type {Bar} */ b) => () => {
     chosen.check = b.title;
     redraw();
   };
   return [
-    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, kept)),
+    h("h2", { key: "head" }, "Checks", bars.length > 0 && h("span", {}, kept, worst)),
     h(
       "ul",
       { class: "list", key: "list" },
