@@ -275,6 +275,33 @@ def test_no_page_gives_a_verdict_of_another_drive_or_one_that_has_not_come(guest
     page.unroute_all(behavior="ignoreErrors")
 
 
+def test_nothing_of_a_drive_stands_under_the_name_of_the_next(guest: Visitor) -> None:
+    page = tandem(guest)
+    turn(page, "drive")
+    held: list[Route] = []
+
+    def first_arcs() -> list[Route]:
+        assert page.evaluate("1") == 1  # lets what has come be seen
+        return [route for route in held if "solve/fast" in route.request.url]
+
+    page.route("**/api/v1/**", lambda route: held.append(route))  # noqa: PLW0108
+    # what was asked of the drive before is answered when the next is open
+    page.fill("#f-belt-width", "1250")
+    wait_for(first_arcs)
+    take(page, document("tandem-steel-cord"))
+    (first,) = first_arcs()
+    held.remove(first)
+    first.fulfill(response=first.fetch())
+    wait_for(first_arcs)  # the page has taken the answer, and asks for its own
+    for name in ("drive", *ANSWERING):
+        turn(page, name)
+        found = page.inner_text(f"#{name}")
+        assert not re.search(r"\d k?[NW]\b", found), name  # nothing is known of this one yet
+        assert judged(page, name) == [], name
+        assert page.locator(f"#{name} svg.chain, #{name} .map").count() == 0, name
+    page.unroute_all(behavior="ignoreErrors")
+
+
 def test_a_load_case_that_cannot_be_solved_is_named(visitor: Visitor) -> None:
     # T1 of the load that all share is cleared: the other load cases give their own and are solved,
     # and what is shown is one of those

@@ -19,6 +19,7 @@ const state = {
   answer: /** @type {any} */ (null),
   of: /** @type {Design | null} */ (null),
   where: "",
+  opened: -1,
   /** What the answer is of. */
   now: /** @type {unknown[]} */ ([]),
   problems: /** @type {Problem[]} */ ([]),
@@ -26,6 +27,8 @@ const state = {
   waiting: false,
 };
 export function update() {
+  const { opened } = app;
+  if (state.opened !== opened) Object.assign(state, { opened, answer: null, problems: [] });
   const where = `${app.pulley} ${app.case}`;
   if ((state.of === app.doc && state.where === where) || gripped()) return;
   Object.assign(state, { of: app.doc, where, waiting: true });
@@ -50,7 +53,7 @@ const solve = later(250, async (/** @type {Design} */ doc, /** @type {string} */
     Object.assign(state, { answer, now: [doc, where], problems: [], waiting: false });
     mark([]);
   } catch (x) {
-    if (aborted(x) || app.gone) return;
+    if (aborted(x) || app.gone || doc !== app.doc) return;
     const problems = refusal(x);
     mark(problems);
     Object.assign(state, { problems, waiting: false });

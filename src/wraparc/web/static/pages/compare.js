@@ -34,11 +34,14 @@ const state = {
   busy: false,
   /** What the answer is of, as `of` says what is asked. */
   now: /** @type {unknown[]} */ ([]),
+  opened: -1,
 };
 const pinned = new Set();
 
 /** Ask anew where the drive, or what is asked of it, is another. */
 export function update() {
+  const { opened } = app;
+  if (state.opened !== opened) Object.assign(state, { opened, answer: null, problems: [] });
   const key = [app.doc, app.pulley, app.case, JSON.stringify(asked)];
   if (key.every((k, i) => k === state.of[i])) return;
   state.of = key;

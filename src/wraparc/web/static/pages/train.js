@@ -21,6 +21,7 @@ const state = {
   /** The drive that it is of. */
   doc: /** @type {Design | null} */ (null),
   of: /** @type {Design | null} */ (null),
+  opened: -1,
   problems: /** @type {Problem[]} */ ([]),
   /** How exactly drives must be matched, by load case and drive. */
   matched: /** @type {Record<string, any>} */ ({}),
@@ -33,8 +34,10 @@ const trimmed = () => app.doc.pulley.slice(1).map((p) => p.name || "");
 export function update() {
   const names = trimmed();
   if (!names.includes(state.drive)) state.drive = names[0] || "";
-  if (state.of === app.doc || gripped()) return;
-  state.of = app.doc;
+  const { opened, doc } = app;
+  if (state.opened !== opened) Object.assign(state, { opened, answer: null, matched: {} });
+  if (state.of === doc || gripped()) return;
+  state.of = doc;
   if (several()) solve(app.doc);
   else Object.assign(state, { answer: null, matched: {}, problems: [] });
 }
@@ -53,7 +56,7 @@ const solve = later(200, async (/** @type {Design} */ doc) => {
     Object.assign(state, { answer, doc, matched: {}, problems: [] });
     mark([]);
   } catch (x) {
-    if (aborted(x) || app.gone) return;
+    if (aborted(x) || app.gone || doc !== app.doc) return;
     state.problems = refusal(x);
     mark(state.problems);
   }

@@ -158,11 +158,13 @@ async function quick() {
 /** @param {Design} doc */
 async function quickOnce(doc) {
   const of = { doc, pulley: app.pulley, case: app.case };
+  const { opened } = app;
   const arc = { pulley: doc.pulley[of.pulley]?.name ?? null, load_case: askedCase() };
   const how = { points: POINTS, sequence: ++sequence, tables: false, prepared: true };
   try {
     const given = !of.pulley && !of.case && came.get(doc)?.quick;
     const found = given || (await ask("solve/fast", { document: doc, ...arc, ...how }));
+    if (opened !== app.opened) return; // of the drive that was open before
     base = { ...of, answer: found };
     const looked = of.pulley === app.pulley && of.case === app.case;
     take(found, doc === app.doc && looked && !wanted ? doc : null);
