@@ -18,7 +18,7 @@ _CHOSEN = 2  # presses to choose from a list, or a file in its window: outside t
 
 @pytest.fixture
 def visitor(visitor: Visitor) -> Visitor:
-    visitor.context.add_init_script(_COUNT)
+    visitor.page.add_init_script(_COUNT)
     return visitor
 
 
