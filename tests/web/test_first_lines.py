@@ -4,7 +4,9 @@ Drives are invented so that each fails in a way of its own. Expected of each: a 
 whole at every width, and an action that comes to what it told.
 """
 
+import contextlib
 import re
+from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Page, Route, ViewportSize, expect
@@ -114,34 +116,73 @@ def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visito
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 178 %")
 
 
-def test_what_is_asked_most_takes_one_press(visitor: Visitor) -> None:
-    page = visitor.open("drive", unfold=False)
-    visitor.alone()
-    page.wait_for_selector(".ways li")
+#: Counts what a hand does: presses of the mouse, choices from a list and numbers typed.
+COUNT = """() => {
+  window.presses = 0;
+  addEventListener("pointerdown", () => { presses += 1; }, true);
+  addEventListener("change", (e) => { presses += e.target.matches("select, .box input"); }, true);
+}"""
+
+
+def test_ten_jobs_take_the_fewest_presses(visitor: Visitor) -> None:
+    # two numbers for a drive, one press for all else; of a list the choice is counted
+    page = new(visitor)
+    page.evaluate(COUNT)
     number = page.locator(".hub-number tspan").first
+    done: dict[str, int] = {}
+
+    @contextlib.contextmanager
+    def job(name: str) -> Iterator[None]:
+        page.evaluate("presses = 0")
+        yield
+        done[name] = page.evaluate("presses")
 
     def undone() -> None:
         page.click("#undo")
         expect(number).to_have_text("7.38")
         page.wait_for_selector(".ways li")
 
-    page.get_by_role("button", name="Raise T2 to 89.4 kN").click()  # the least T2
-    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
+    with job("new drive to verdict"):
+        page.keyboard.type("150")
+        page.keyboard.press("Tab")
+        page.keyboard.type("60")
+        page.keyboard.press("Tab")
+        expect(page.locator("#verdict p")).to_contain_text("ATTENTION")
+    visitor.example("Head drive, ROM conveyor")
+    page.wait_for_selector(".ways li")
+    with job("least T2"):
+        page.get_by_role("button", name="Raise T2 to 89.4 kN").click()
+        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
     undone()
-    page.get_by_role("button", name="Full ceramic").click()  # which lagging
-    expect(number).to_have_text("4.21")
+    with job("which lagging"):
+        page.get_by_role("button", name="Full ceramic").click()
+        expect(number).to_have_text("4.21")
     undone()
-    page.select_option(".rail > .pick-row .condition select", "wet")  # wet
-    expect(number).not_to_have_text("7.38")
+    with job("wet"):
+        page.select_option(".rail > .pick-row .condition select", "wet")
+        expect(number).not_to_have_text("7.38")
     undone()
-    page.get_by_role("button", name="start creeps").click()  # the worst case
-    expect(number).to_have_text("11.3")
-    page.locator(".list button").nth(1).click()  # why, and by which source
-    expect(page.locator("#why")).to_contain_text("CEMA")
-    page.locator(".curve").get_by_text("Shear", exact=True).click()  # where on the arc
-    expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
-    page.get_by_label("US", exact=True).check(force=True)
-    expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+    with job("the worst load case"):
+        page.get_by_role("button", name="start creeps").click()
+        expect(number).to_have_text("11.3")
+    with job("why, by which source"):
+        page.locator(".list button").nth(1).click()
+        expect(page.locator("#why")).to_contain_text("CEMA")
+    with job("where on the arc"):
+        page.locator(".curve").get_by_text("Shear", exact=True).click()
+        expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
+    with job("US units"):
+        page.get_by_label("US", exact=True).check(force=True)
+        expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+    with job("what to measure on site"):
+        page.get_by_role("button", name="On site: what to measure, when to alarm").click()
+        page.locator("#question .site table").first.wait_for()
+    with job("costs over the years"):
+        page.click("#tab-choose")
+        expect(page.locator("#compare tbody tr").first).to_be_visible()
+    most = {"new drive to verdict": 2}
+    assert {name: most.get(name, 1) for name in done} == done
+    assert len(done) == 10
 
 
 def test_two_numbers_on_the_strands_give_the_verdict(visitor: Visitor) -> None:
