@@ -46,6 +46,7 @@ export function acrossInputs() {
         placeholder: "estimated",
       }),
     ]),
+    group("Readings over the face", [measured(i)]),
   );
 }
 /** The profile, drawn by hand. @param {number} i */
@@ -85,7 +86,6 @@ function profile(i) {
     ),
     h(Editor, { pulley: i, kind, key: `${kind.key}${i}${app.opened}` }),
     shapes(i, kind),
-    kind.key === "entry_profile" ? null : measured(i),
   ];
 }
 const usual = () => (app.units === "us" ? "0.08 in" : "2 mm");
