@@ -6,6 +6,7 @@ whole at every width, and an action that comes to what it told.
 
 import contextlib
 import re
+import tomllib
 from collections.abc import Iterator
 
 import pytest
@@ -13,6 +14,7 @@ from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from web.browser import PHONE, Calculator, Visitor
 from web.calculators import wait_for
+from wraparc.cli.demo import examples_folder
 
 SCREEN: ViewportSize = {"width": 1440, "height": 900}
 WIDTHS: list[ViewportSize] = [SCREEN, {"width": 1024, "height": 768}, PHONE]
@@ -64,7 +66,9 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
     for field, value in fields.items():
         page.fill(f"#f-{field}", value)
     visitor.solved()
-    expect(page.locator("#verdict p")).to_contain_text(f"{level}: ")
+    said = page.locator("#verdict p")
+    expect(said).to_contain_text(f"{level}: ")
+    assert len(said.inner_text().removeprefix(f"{level}: ").split()) <= 15
     if float(entry) > float(exit_):
         page.wait_for_selector(".ways li")
     for size in WIDTHS:
@@ -85,6 +89,50 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
         expect(page.locator(f"#f-pulley-0-{key}_tension")).to_have_value(amount)
         expect(page.locator("#verdict")).to_contain_text("OK: ")
     expect(page.locator("#verdict p")).not_to_contain_text("FAILS")
+
+
+#: First sentences of what the server says of a drive, in each of its views.
+SENTENCES = """async (doc) => {
+  const { opening, words } = await import("/static/main.js");
+  const ask = async (path, body) => {
+    const r = await fetch(`/api/v1/${path}`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+    });
+    return r.ok ? r.json() : null;
+  };
+  const said = [];
+  const how = { points: 30, sequence: 1, tables: false, prepared: true };
+  for (const { name: pulley } of doc.pulley)
+    for (const load_case of [null, ...(doc.load_case ?? []).map((c) => c.name)]) {
+      const arc = await ask("solve/fast", { document: doc, pulley, load_case, ...how });
+      if (arc) said.push([arc.verdict.headline, arc]);
+    }
+  if (doc.pulley.length > 1) {
+    const train = await ask("train", { document: doc, load_case: null, match: false });
+    train.judged.forEach((v, i) => {
+      said.push([v.headline, { pulley: "", ...train.load_cases[i] }]);
+    });
+  }
+  const [{ name: pulley, across }] = doc.pulley;
+  if (across)
+    for (const load_case of ["design", ...(doc.load_case ?? []).map((c) => c.name)]) {
+      const found = await ask("across", { document: doc, pulley, load_case });
+      said.push([found.verdict.headline, { pulley, load_case }]);
+    }
+  return said.map(([headline, place]) => opening(headline, place)[0]);
+}"""
+
+
+def test_the_first_sentence_has_fifteen_words_at_most(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    count = 0
+    for file in sorted(examples_folder().glob("*.toml")):
+        said = page.evaluate(SENTENCES, tomllib.loads(file.read_text("utf-8")))
+        count += len(said)
+        assert [text for text in said if not 2 <= len(text.split()) <= 15] == [], file.name
+    assert count > 30
 
 
 def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visitor) -> None:
