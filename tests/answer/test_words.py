@@ -91,7 +91,7 @@ def test_breakaway_of_a_braking_pulley_speaks_of_its_own_side() -> None:
 def test_what_lies_outside_the_tests_is_told() -> None:
     told = told_in(verdict(sticking()), "si")
     text = " ".join((told.headline, *told.sentences))
-    assert "above the 300 kPa that lagging sticky was tested to" in text
+    assert "above the 300 kPa tested on lagging sticky" in text
     assert "below the 140 kPa" in text
     assert "beyond the 2 mm" in text
 

@@ -339,9 +339,19 @@ def test_a_chosen_standard_without_the_data_it_needs_is_no_ok() -> None:
 @pytest.mark.parametrize(
     ("kind", "entry", "leaving", "told"),
     [
-        ("gravity", 130e3, 70e3, "holds the slack-side tension, and it is 60 kN in load case"),
+        (
+            "gravity",
+            130e3,
+            70e3,
+            "holds the slack-side tension at one value: it is 60 kN in load case",
+        ),
         ("gravity", 130e3, 62e3, ""),
-        ("fixed", 120e3, 80e3, "holds the sum of both tensions, and it is 160 kN in load case"),
+        (
+            "fixed",
+            120e3,
+            80e3,
+            "holds the sum of both tensions at one value: it is 160 kN in load case",
+        ),
         ("fixed", 80e3, 80e3, ""),
         ("", 130e3, 90e3, ""),
     ],

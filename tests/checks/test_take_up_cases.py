@@ -316,7 +316,11 @@ def test_a_train_that_drives_and_brakes_needs_what_is_told(tmp_path: Path, after
         # entry kept: ahead of the first
         (((85e3, 50e3), (85e3, 120e3)), "", ""),
         # neither
-        (((150e3, 60e3), (60e3, 100e3)), "", "tension behind pulley head, and it is 60 kN"),
+        (
+            ((150e3, 60e3), (60e3, 100e3)),
+            "",
+            "tension behind pulley head at one value: it is 60 kN",
+        ),
         (((85e3, 50e3), (25e3, 50e3)), "head", ""),
     ],
 )

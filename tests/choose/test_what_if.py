@@ -182,7 +182,7 @@ def test_a_belt_too_stiff_for_the_drum_warns(tmp_path: Path) -> None:
     ran = wraparc("what-if", drive_file(tmp_path), "--belt", "Flexsteel ST2000")
     assert (
         "Flexsteel ST2000: FAILS: Pulley head, 800 mm, is smaller than the least drive pulley of "
-        "belt Flexsteel ST2000, 1000 mm." in ran.words
+        "its belt, 1000 mm." in ran.words
     )
 
 

@@ -9,7 +9,14 @@ from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Browser, Page, ViewportSize, expect, sync_playwright
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    Page,
+    ViewportSize,
+    expect,
+    sync_playwright,
+)
 
 from web.calculators import PATIENCE, TOKEN, Process, wait_for
 
@@ -116,8 +123,17 @@ def turn(page: Page, name: str) -> None:
         at.click()
 
 
+#: Windows that visits left: what a page is made of is fetched and compiled in them already.
+_LEFT: dict[Browser, BrowserContext] = {}
+#: What a page may keep there; the next visitor finds nothing of it.
+_KEPT = "cookies,local_storage,indexeddb,cache_storage"
+
+
 class Visitor:
-    """A page of the browser that remembers what went wrong on it."""
+    """A page of the browser that remembers what went wrong on it.
+
+    With `again` in a window that another visit has left, for who sets nothing in it.
+    """
 
     def __init__(
         self,
@@ -126,17 +142,25 @@ class Visitor:
         size: ViewportSize | None = None,
         *,
         told_long: bool = True,
+        again: bool = False,
         **context: Any,
     ) -> None:
         # a page that moves by itself is painted without end, and a test has only to look at it
         context = {"reduced_motion": "reduce", **context}
-        self.context = browser.new_context(
+        self.again = browser if again else None
+        left = _LEFT.pop(browser, None) if again else None
+        self.context = left or browser.new_context(
             viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
         )
         self.context.set_default_timeout(_LONG)
-        if told_long:
+        if told_long and not left:
             self.context.add_init_script(_TOLD_LONG)
         self.page: Page = self.context.new_page()
+        if left:
+            session = left.new_cdp_session(self.page)
+            what = {"origin": address.rstrip("/"), "storageTypes": _KEPT}
+            session.send("Storage.clearDataForOrigin", what)
+            session.detach()
         self.address = address
         self.wrong: list[str] = []
         self.elsewhere: list[str] = []
@@ -158,7 +182,12 @@ class Visitor:
         if not self.page.is_closed():
             self.page.unroute_all(behavior="ignoreErrors")
         self.context.unroute_all(behavior="ignoreErrors")
-        self.context.close()
+        if self.again:
+            for page in self.context.pages:
+                page.close()
+            _LEFT[self.again], self.again = self.context, None
+        else:
+            self.context.close()
 
     def open(self, name: str = "drive", *, unfold: bool | None = None) -> Page:
         """Go to a page as a user does, and wait until it shows what it has to.

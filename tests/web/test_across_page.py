@@ -18,7 +18,7 @@ _CHOSEN = 2  # presses to choose from a list, or a file in its window: outside t
 
 @pytest.fixture
 def visitor(visitor: Visitor) -> Visitor:
-    visitor.context.add_init_script(_COUNT)
+    visitor.page.add_init_script(_COUNT)
     return visitor
 
 
@@ -173,9 +173,11 @@ def test_a_drawn_profile_is_what_the_command_line_solves(visitor: Visitor, tmp_p
     for words in ("across = {", "worn_depth", lifted, "0.02 in", "1.5 mm/m", "2.5 m"):
         assert words in text
     # undo goes back through all of it
+    given = page.locator("#across .tabs .mark:visible")
+    expect(given).to_have_count(2)
     for _ in range(40):
         page.keyboard.press("Control+z")
-    expect(page.locator("#across .tabs .mark")).to_have_count(0)
+    expect(given).to_have_count(0)
 
 
 def test_errors_stand_at_the_field(visitor: Visitor) -> None:

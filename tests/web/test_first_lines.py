@@ -4,13 +4,17 @@ Drives are invented so that each fails in a way of its own. Expected of each: a 
 whole at every width, and an action that comes to what it told.
 """
 
+import contextlib
 import re
+import tomllib
+from collections.abc import Iterator
 
 import pytest
 from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from web.browser import PHONE, Calculator, Visitor
 from web.calculators import wait_for
+from wraparc.cli.demo import examples_folder
 
 SCREEN: ViewportSize = {"width": 1440, "height": 900}
 WIDTHS: list[ViewportSize] = [SCREEN, {"width": 1024, "height": 768}, PHONE]
@@ -62,7 +66,9 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
     for field, value in fields.items():
         page.fill(f"#f-{field}", value)
     visitor.solved()
-    expect(page.locator("#verdict p")).to_contain_text(f"{level}: ")
+    said = page.locator("#verdict p")
+    expect(said).to_contain_text(f"{level}: ")
+    assert len(said.inner_text().removeprefix(f"{level}: ").split()) <= 15
     if float(entry) > float(exit_):
         page.wait_for_selector(".ways li")
     for size in WIDTHS:
@@ -83,6 +89,50 @@ def test_the_first_two_lines_are_whole_and_the_action_does_what_it_says(
         expect(page.locator(f"#f-pulley-0-{key}_tension")).to_have_value(amount)
         expect(page.locator("#verdict")).to_contain_text("OK: ")
     expect(page.locator("#verdict p")).not_to_contain_text("FAILS")
+
+
+#: First sentences of what the server says of a drive, in each of its views.
+SENTENCES = """async (doc) => {
+  const { opening, words } = await import("/static/main.js");
+  const ask = async (path, body) => {
+    const r = await fetch(`/api/v1/${path}`, {
+      method: "POST",
+      headers: { "Content-Type": "application/json" },
+      body: JSON.stringify(body),
+    });
+    return r.ok ? r.json() : null;
+  };
+  const said = [];
+  const how = { points: 30, sequence: 1, tables: false, prepared: true };
+  for (const { name: pulley } of doc.pulley)
+    for (const load_case of [null, ...(doc.load_case ?? []).map((c) => c.name)]) {
+      const arc = await ask("solve/fast", { document: doc, pulley, load_case, ...how });
+      if (arc) said.push([arc.verdict.headline, arc]);
+    }
+  if (doc.pulley.length > 1) {
+    const train = await ask("train", { document: doc, load_case: null, match: false });
+    train.judged.forEach((v, i) => {
+      said.push([v.headline, { pulley: "", ...train.load_cases[i] }]);
+    });
+  }
+  const [{ name: pulley, across }] = doc.pulley;
+  if (across)
+    for (const load_case of ["design", ...(doc.load_case ?? []).map((c) => c.name)]) {
+      const found = await ask("across", { document: doc, pulley, load_case });
+      said.push([found.verdict.headline, { pulley, load_case }]);
+    }
+  return said.map(([headline, place]) => opening(headline, place)[0]);
+}"""
+
+
+def test_the_first_sentence_has_fifteen_words_at_most(visitor: Visitor) -> None:
+    page = visitor.open("drive", unfold=False)
+    count = 0
+    for file in sorted(examples_folder().glob("*.toml")):
+        said = page.evaluate(SENTENCES, tomllib.loads(file.read_text("utf-8")))
+        count += len(said)
+        assert [text for text in said if not 2 <= len(text.split()) <= 15] == [], file.name
+    assert count > 30
 
 
 def test_a_drive_that_slips_is_offered_the_tension_of_the_standard(visitor: Visitor) -> None:
@@ -114,34 +164,73 @@ def test_five_questions_are_answered_by_hub_sentence_and_drawing(visitor: Visito
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("start 178 %")
 
 
-def test_what_is_asked_most_takes_one_press(visitor: Visitor) -> None:
-    page = visitor.open("drive", unfold=False)
-    visitor.alone()
-    page.wait_for_selector(".ways li")
+#: Counts what a hand does: presses of the mouse, choices from a list and numbers typed.
+COUNT = """() => {
+  window.presses = 0;
+  addEventListener("pointerdown", () => { presses += 1; }, true);
+  addEventListener("change", (e) => { presses += e.target.matches("select, .box input"); }, true);
+}"""
+
+
+def test_ten_jobs_take_the_fewest_presses(visitor: Visitor) -> None:
+    # two numbers for a drive, one press for all else; of a list the choice is counted
+    page = new(visitor)
+    page.evaluate(COUNT)
     number = page.locator(".hub-number tspan").first
+    done: dict[str, int] = {}
+
+    @contextlib.contextmanager
+    def job(name: str) -> Iterator[None]:
+        page.evaluate("presses = 0")
+        yield
+        done[name] = page.evaluate("presses")
 
     def undone() -> None:
         page.click("#undo")
         expect(number).to_have_text("7.38")
         page.wait_for_selector(".ways li")
 
-    page.get_by_role("button", name="Raise T2 to 89.4 kN").click()  # the least T2
-    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
+    with job("new drive to verdict"):
+        page.keyboard.type("150")
+        page.keyboard.press("Tab")
+        page.keyboard.type("60")
+        page.keyboard.press("Tab")
+        expect(page.locator("#verdict p")).to_contain_text("ATTENTION")
+    visitor.example("Head drive, ROM conveyor")
+    page.wait_for_selector(".ways li")
+    with job("least T2"):
+        page.get_by_role("button", name="Raise T2 to 89.4 kN").click()
+        expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("89.4")
     undone()
-    page.get_by_role("button", name="Full ceramic").click()  # which lagging
-    expect(number).to_have_text("4.21")
+    with job("which lagging"):
+        page.get_by_role("button", name="Full ceramic").click()
+        expect(number).to_have_text("4.21")
     undone()
-    page.select_option(".rail > .pick-row .condition select", "wet")  # wet
-    expect(number).not_to_have_text("7.38")
+    with job("wet"):
+        page.select_option(".rail > .pick-row .condition select", "wet")
+        expect(number).not_to_have_text("7.38")
     undone()
-    page.get_by_role("button", name="start creeps").click()  # the worst case
-    expect(number).to_have_text("11.3")
-    page.locator(".list button").nth(1).click()  # why, and by which source
-    expect(page.locator("#why")).to_contain_text("CEMA")
-    page.locator(".curve").get_by_text("Shear", exact=True).click()  # where on the arc
-    expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
-    page.get_by_label("US", exact=True).check(force=True)
-    expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+    with job("the worst load case"):
+        page.get_by_role("button", name="start creeps").click()
+        expect(number).to_have_text("11.3")
+    with job("why, by which source"):
+        page.locator(".list button").nth(1).click()
+        expect(page.locator("#why")).to_contain_text("CEMA")
+    with job("where on the arc"):
+        page.locator(".curve").get_by_text("Shear", exact=True).click()
+        expect(page.locator("svg.stage .legend")).to_contain_text("shear, to")
+    with job("US units"):
+        page.get_by_label("US", exact=True).check(force=True)
+        expect(page.locator("#verdict p")).to_contain_text("0.25 in")
+    with job("what to measure on site"):
+        page.get_by_role("button", name="On site: what to measure, when to alarm").click()
+        page.locator("#question .site table").first.wait_for()
+    with job("costs over the years"):
+        page.click("#tab-choose")
+        expect(page.locator("#compare tbody tr").first).to_be_visible()
+    most = {"new drive to verdict": 2}
+    assert {name: most.get(name, 1) for name in done} == done
+    assert len(done) == 10
 
 
 def test_two_numbers_on_the_strands_give_the_verdict(visitor: Visitor) -> None:

@@ -93,7 +93,7 @@ def test_the_first_screen_needs_no_scroll(opened: Visitor) -> None:
 
 
 def test_the_first_screen_is_no_wall_of_text(opened: Visitor) -> None:
-    # as `page.md` has it: sentence of at most 15 words, 120 words without the names of the checks
+    # a sentence of at most 15 words, 120 words without the names of the checks
     page = opened.page
     sentence = page.locator("#verdict p").inner_text()
     assert 3 <= len(sentence.removeprefix("ATTENTION: ").split()) <= 15

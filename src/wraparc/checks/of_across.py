@@ -100,8 +100,8 @@ def _edge(
         "force_per_width",
         source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
         short="edge over rating",
-        says=f"The belt carries {{value}} where it is tightest, {share:.3g} % of the rating and "
-        "more than the {limit} that an edge may; its tightest strip carries {strip}.",
+        says="At its tightest the belt carries {value}, more than the {limit} allowed; that is "
+        f"{share:.3g} % of the rating, and its tightest strip carries {{strip}}.",
         remedy="Even out the pulley, lengthen the transition, or lower the tension.",
         otherwise="Even out the pulley, or lengthen the transition.",
         more={"strip": (strip, "force_per_width")},
@@ -149,7 +149,7 @@ def _static(
         source=_TRANSITION_SOURCE,
         short="transition short",
         says=f"The transition, {{value}}, is shorter than the {{limit}} that is customary for "
-        f"{belt.kind} at {100.0 * share:.3g} % of its rating.",
+        f"{belt.kind}; it carries {100.0 * share:.3g} % of its rating.",
         remedy="Lengthen it, flatten the last troughs, or raise the pulley to half the trough.",
         place=place,
         binding=False,
@@ -169,7 +169,7 @@ def _worst_place(
 ) -> Iterator[Check]:
     """Check pressure, shear and creep of the strip that comes off worst."""
     lagging, tested = pulley.lagging, pulley.lagging.law.tested
-    strip = "The strip that comes off worst"
+    strip = "The worst strip"
     even = "Even out the pulley, or choose a larger pulley or less tension."
     plain = "Even out the pulley, or choose a larger pulley."
     slips = (
@@ -180,23 +180,23 @@ def _worst_place(
         ("uneven_pressure", "Largest wrap pressure across the width, tested",
          result.largest_pressure, None if tested is None else tested.pressure_max, "pressure",
          tests_of(pulley) if tested else "",
-         f"{strip} presses with {{value}}, above the {{limit}} that lagging "
-         f"{escaped(lagging.name)} was tested to.", "pressure above tests"),
+         f"{strip} presses with {{value}}, above the {{limit}} tested on lagging "
+         f"{escaped(lagging.name)}.", "pressure above tests"),
         ("uneven_face_pressure", "Pressure on the pulley face across the width",
          result.largest_pressure, drive.belt.largest_wrap_pressure, "pressure",
          origin(drive.belt.source_of("largest_wrap_pressure")),
-         f"{strip} presses on the pulley face with {{value}}, more than the {{limit}} that the "
-         "belt may.", "face pressure"),
+         f"{strip} presses on the pulley face with {{value}}, more than {{limit}}.",
+         "face pressure"),
         ("uneven_bond_stress", "Shear stress of the bond across the width",
          float(np.max(result.peak_shear_stress)), lagging.bond_strength, "pressure",
          origin(lagging.source_of("bond_strength")),
-         f"{strip} shears lagging and bond with {{value}}, more than the {{limit}} that they bear.",
+         f"{strip} shears lagging and bond with {{value}}, more than {{limit}}.",
          "bond overstressed"),
         ("uneven_fatigue_stress", "Shear stress of the bond across the width, at every pass",
          float(np.max(result.peak_shear_stress)), lagging.fatigue_limit, "pressure",
          origin(lagging.source_of("fatigue_limit")),
-         f"{strip} shears lagging and bond with {{value}} at every pass, more than the fatigue "
-         "limit {limit}.", "lagging tires"),
+         f"{strip} is sheared by {{value}} at every pass, fatigue limit {{limit}}.",
+         "lagging tires"),
         ("uneven_creep", "Creep at exit across the width", abs(result.largest_creep),
          result.wide.arc.creep_limit, "length", "as for the even belt",
          f"{strip} creeps {{value}}, more than the limit of {{limit}}.", "over creep limit"),

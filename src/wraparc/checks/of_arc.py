@@ -245,7 +245,7 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
     if math.isnan(ends[0]):
         return None
     most = largest(ends, abs)
-    told = "reaches {value}" if math.isfinite(most) else "ends where the belt slips through"
+    told = "reaches {value}" if math.isfinite(most) else "reaches gross slip"
     return judged(
         RULES["creep_interval"],
         INTERVAL,
@@ -255,8 +255,8 @@ def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
         place=place,
         source=tests_of(drive.pulley(result.arc.pulley)),
         short="limit within uncertainty",
-        says=f"By the uncertainty of the friction law the creep {told} (95 % interval), beyond the "
-        "limit of {limit}.",
+        says=f"By the uncertainty of the friction law the creep {told}, beyond {{limit}}; that is "
+        "the end of its 95 % interval.",
         remedy="Raise the slack-side tension, or test more samples of the lagging.",
         otherwise="Test more samples of the lagging.",
         binding=False,
@@ -294,14 +294,14 @@ def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
     often = ""
     more: dict[str, tuple[float, Dimension]] = {}
     if result.arc.belt_speed is not None:
-        often = ", {passes} times an hour,"
+        often = "; the belt passes {passes} times an hour"
         pitch = result.arc.radius + result.arc.offset
         more["passes"] = turns_an_hour(result.arc.belt_speed, pitch), "number"
     fatigue = _stress(
         pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
         "Shear stress of lagging and bond, at every pass", "lagging tires",
-        f"At every pass of the belt{often} the shear stress rises to {{value}}, more than the "
-        "fatigue limit {limit}.",
+        "At every pass the shear stress reaches {value}, above the fatigue limit {limit}"
+        f"{often}.",
         more,
     )  # fmt: skip
     yield _known(fatigue, result)
@@ -314,7 +314,7 @@ def bond(pulley: Pulley, stress: float, place: Place) -> Check:
         title = "Largest shear stress of lagging and bond"
     return _stress(
         pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed",
-        "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.",
+        "The shear stress of lagging and bond, {value}, is above their {limit}.",
     )  # fmt: skip
 
 
@@ -390,9 +390,9 @@ def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> It
             "speed",
             source=tests_of(pulley),
             short="slips faster than tests",
-            says="The belt slips at up to {value}, where the tests of lagging "
-            f"{escaped(pulley.lagging.name)} ran at {{limit}}: how its friction changes with "
-            "speed is not known.",
+            says="The belt slips at up to {value}, lagging "
+            f"{escaped(pulley.lagging.name)} was tested at {{limit}}: how its friction changes "
+            "with speed is not known.",
             remedy="Test the lagging at this speed, or keep a larger safety factor.",
             binding=False,
             place=place,

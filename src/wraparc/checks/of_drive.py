@@ -126,8 +126,8 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
-        says="The belt tension {value} is {share} % of the rating of the belt and more than "
-        f"{said} allows, {{limit}}.",
+        says=f"The belt tension {{value}} is more than {said} allows, {{limit}}; it is {{share}} % "
+        "of the rating.",
         remedy=remedy,
         otherwise=otherwise,
         more={"share": (share, "number")},
@@ -172,7 +172,7 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         "number",
         source=source,
         short="belt safety factor",
-        says="The strength of the belt is {value} times its tension, and is to be {limit} times.",
+        says="The strength of the belt is {value} times its tension, below {limit} times.",
         because="No belt is rated at more than a third of its strength.",
         remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
         "stronger belt.",
@@ -203,8 +203,7 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         short="pulley too small",
         says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least drive pulley of "
-        f"belt {escaped(belt.name)}, {{limit}}.",
-        remedy="Take a larger pulley, or a belt that bends over this one.",
+        "its belt, {limit}.",
     )
 
 
@@ -226,7 +225,7 @@ def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         "pressure",
         source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
         short="face pressure",
-        says="The belt presses on the pulley face with {value}, more than the {limit} that it may.",
+        says="The belt presses on the pulley face with {value}, more than {limit}.",
         remedy="Take a larger or wider pulley, or less tension.",
         otherwise="Take a larger or wider pulley.",
         place=place,
@@ -260,9 +259,8 @@ def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Ch
             "pressure",
             source=tests_of(pulley),
             short=f"pressure {more} tests",
-            says=f"The wrap pressure {{value}} is {more} the {{limit}} that lagging "
-            f"{escaped(pulley.lagging.name)} was tested to: there the friction is an "
-            "extrapolation.",
+            says=f"The wrap pressure {{value}} is {more} the {{limit}} tested on lagging "
+            f"{escaped(pulley.lagging.name)}: there the friction is an extrapolation.",
             remedy=f"{of_tension}{otherwise[4:]}",
             otherwise=otherwise,
             place=place,
@@ -294,8 +292,8 @@ def take_up(drive: Drive) -> Iterator[Check]:
         level=Level.ATTENTION,
         source=f"take-up {kind}, as given",
         short="contradicts take-up",
-        says=f"A {kind} take-up holds {what}, and it is {{least}} in load case {escaped(low)} "
-        f"and {{most}} in load case {escaped(high)}.",
+        says=f"A {kind} take-up holds {what} at one value: it is {{least}} in load case "
+        f"{escaped(low)} and {{most}} in load case {escaped(high)}.",
         remedy=f"Correct the tensions, or the kind under [take_up]{escaped(where)}.",
         more={"least": (held[low], "force"), "most": (held[high], "force")},
         binding=False,
@@ -367,7 +365,7 @@ def sags(drive: Drive, tension: float, place: Place) -> Check:
         source=limits.SOURCE,
         short="sags",
         says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
-        "spacing, which takes {limit}.",
+        "spacing; that takes {limit}.",
         remedy="Raise the slack-side tension, or set the idlers closer.",
         otherwise="Set the idlers closer.",
     )

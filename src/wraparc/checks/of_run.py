@@ -267,9 +267,8 @@ def _settled(run: RunResult) -> Iterator[Check]:
         title="Followed to its end",
         level=Level.ATTENTION,
         place=Place(event=run.event.name),
-        says=f"At the end of the run the belt moves at {quantity(end, 'speed')}, where "
-        f"{quantity(asked, 'speed')} is asked of it in the end: what comes until then is "
-        "not seen.",
+        says=f"At the end of the run the belt runs at {quantity(end, 'speed')}, not "
+        f"{quantity(asked, 'speed')}: what comes until then is not seen.",
         remedy="Give the event a longer duration.",
         short="not followed to its end",
     )
@@ -299,7 +298,7 @@ def _creeps(
         place=place,
         short="over creep limit",
         says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
-        f"{{limit}}, and is over it for {quantity(drum.over_limit, 'time', 2)}.",
+        f"{{limit}}; it is over it for {quantity(drum.over_limit, 'time', 2)}.",
         remedy=remedy,
         otherwise=otherwise,
     )
@@ -353,8 +352,8 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
         "time",
         source="IEC 60034-1: 1.5 times the rated current for 2 min",
         short="motor overheated",
-        says="The motors are heated by their overload for {value}, as loss over rated loss, and "
-        "bear {limit} (1.5 times the rated torque for 2 min).",
+        says="The motors are heated by their overload for {value}, and bear {limit}; that "
+        "is loss over rated loss, of 1.5 times the rated torque for 2 min.",
         remedy="Start and stop less hard, wait longer between starts, or take larger motors.",
         place=place,
     )
@@ -409,8 +408,8 @@ def _tension(run: RunResult, case: LoadCase) -> Check:
         source=f"rating of the belt times {factor:g}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
-        says=f"The belt tension {peak.place} reaches {{value}} at "
-        f"{quantity(peak.time, 'time')}, more than the belt allows, {{limit}}.",
+        says=f"The tension, {{value}} at {quantity(peak.time, 'time')}, is more than the belt "
+        f"allows, {{limit}}; it is {peak.place}.",
         remedy=_stronger(run),
     )
 

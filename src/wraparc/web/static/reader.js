@@ -1893,7 +1893,7 @@ if (($truth(momentary) && (belt.momentary_factor == null))) {
 (otherwise = "");
 }
 (share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
-return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is {share} % of the rating of the belt and more than " + $str(said) + " allows, {limit}."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
+return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
 }
 function rules__tension_rule(kind) {
 
@@ -1938,7 +1938,7 @@ if ($truth(rules__rated(belt))) {
 (rule = $replaced(rule, new Map([["missed", "FAILS"]])));
 (source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
 }
-return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, and is to be {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
+return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, below {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
 }
 function rules__asked_safety(belt, kind) {
 let asked, rating, strength;
@@ -1978,7 +1978,7 @@ return of_drive__not_checked("face_pressure", title, why, place);
 (tensions = $at(case_.tensions, pulley.name));
 (tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
 (value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return of_drive__judged($at($c44, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than the {limit} that it may.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
+return of_drive__judged($at($c44, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than {limit}.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
 }
 function rules__wrap_pressure(tension, width, diameter, centrifugal) {
 
@@ -1992,11 +1992,11 @@ yield of_arc___known(of_arc__bond(pulley, $bound(result, "peak_shear_stress"), p
 (often = "");
 (more = $map([]));
 if ((result.arc.belt_speed != null)) {
-(often = ", {passes} times an hour,");
+(often = "; the belt passes {passes} times an hour");
 (pitch = $add(result.arc.radius, result.arc.offset));
 $put(more, "passes", [pitch__turns_an_hour($bound(result.arc, "belt_speed"), pitch), "number"]);
 }
-(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass of the belt" + $str(often) + " the shear stress rises to {value}, more than the fatigue limit {limit}."), more));
+(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass the shear stress reaches {value}, above the fatigue limit {limit}" + $str(often) + "."), more));
 yield of_arc___known(fatigue, result);
 }
 function of_arc__bond(pulley, stress, place) {
@@ -2006,7 +2006,7 @@ let title;
 if ($truth(place.event)) {
 (title = "Largest shear stress of lagging and bond");
 }
-return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is more than the {limit} that they bear.");
+return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is above their {limit}.");
 }
 function of_arc___stress(pulley, stress, place, name, key, title, short, says, more = null) {
 let lagging, limit, why;
@@ -2042,7 +2042,7 @@ return null;
 (tensions = $at(case_.tensions, pulley.name));
 for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
 (more = ($truth($at($c44, name).at_most) ? "above" : "below"));
-yield of_drive__judged($at($c44, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
+yield of_drive__judged($at($c44, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} tested on lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + ": there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
 }
 }
 function of_drive__tests_of(pulley) {
@@ -2126,7 +2126,7 @@ yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
 if ($truth($math.isnan(speed))) {
 yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
 } else {
-yield of_drive__judged($at($c44, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, where the tests of lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " ran at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
+yield of_drive__judged($at($c44, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
 }
 }
 }
@@ -2173,7 +2173,7 @@ let limits, title;
 if ((limits == null)) {
 return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
 }
-return of_drive__judged($at($c44, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing, which takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
+return of_drive__judged($at($c44, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2202,7 +2202,7 @@ return null;
 (what = ($truth(fixed) ? "the sum of both tensions" : what));
 (other = (($truth(fixed) || $truth(drive.criteria.take_up.after)) ? "" : of_drive___steady(drive)));
 (where = ($truth(other) ? ("" + ", or say where it stands: take_up.after = " + $str($shown(other))) : ""));
-yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + ", and it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), ("" + "Correct the tensions, or the kind under [take_up]" + $str(check__escaped(where)) + "."), undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
+yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + " at one value: it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), ("" + "Correct the tensions, or the kind under [take_up]" + $str(check__escaped(where)) + "."), undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -2244,7 +2244,7 @@ if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers_
 if (($truth(why) || (least == null))) {
 return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
 }
-return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of belt " + $str(check__escaped($bound(belt, "name"))) + ", {limit}."), "Take a larger pulley, or a belt that bends over this one.", undefined, "pulley too small");
+return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of its belt, {limit}."), undefined, undefined, "pulley too small");
 }
 function* usual__usual_sizes(drive, ...others) {
 let odd, parts, title;

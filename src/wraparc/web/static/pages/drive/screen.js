@@ -299,7 +299,7 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
       { role: "status", title: all },
       h(
         "p",
-        { class: String(text).length > 80 ? "long" : "" },
+        { class: String(text).length > 72 ? "long" : "" },
         level && h("span", { class: "away" }, `${level}: `),
         text,
       ),
