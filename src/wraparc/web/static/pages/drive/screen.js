@@ -705,7 +705,7 @@ function handles(arc) {
     const { least = now, most = now } = scaleOf(key) ?? {};
     const [, size] = unit(of);
     const step = size * 10 ** (Math.floor(Math.log10(most / size)) - 2);
-    return { label, now, least, most, text: show(now, of, 4), unit: size, step };
+    return { label, now, least, most, text: written(now, of, 4), unit: size, step };
   };
   const wrap =
     split(doc.pulley[i].wrap_angle) && handle("Wrap angle", "wrap_angle", "angle", wrapOf(arc));
