@@ -5,6 +5,7 @@ shown and of no other, and everything else one press away.
 """
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -198,3 +199,37 @@ def test_the_sentence_is_of_the_load_case_that_is_looked_at(visitor: Visitor) ->
     expect(say).to_contain_text("Bring their speeds closer together")
     turn(page, "drive")
     expect(page.locator("#cases [aria-pressed=true]")).to_contain_text("empty")
+
+
+def test_an_event_that_has_not_run_shows_the_drive_as_it_runs_steadily(visitor: Visitor) -> None:
+    # expected: the pulls and creeps of `wraparc solve` in the load case of the largest tension
+    page = shows(visitor, "tandem-fabric", "events")
+    told = json.loads(wraparc("solve", "examples/tandem-fabric.toml", "--json", "-")[1])
+    arcs = [a for a in told["arcs"] if a["load_case"] == "design"]
+    captions = page.locator("#events .drums figcaption")
+    expect(captions).to_have_count(2)
+    for caption, arc in zip(captions.all(), arcs, strict=True):
+        pull = f"{arc['effective_tension'] / 1e3:.1f} kN"
+        creep = f"{arc['exit_creep'] * 1e3:.2f} mm"
+        expect(caption).to_have_text(f"{arc['pulley']} pulls {pull}, creep {creep}")
+    expect(page.locator("#events")).to_contain_text("Running steadily, load case design")
+    expect(page.locator("#events .play, #play")).to_have_count(0)
+    # no verdict and no check goes with it
+    expect(page.locator("#events .say:is(.good, .warn, .bad), #events .list li")).to_have_count(0)
+
+
+def test_the_action_of_drives_that_fail_is_what_helps(visitor: Visitor) -> None:
+    # expected: what is said first is of the drum that it names, and is mended by one press
+    page = visitor.open("drive", unfold=False)
+    doc = document("tandem-fabric")
+    doc["train"]["exit_tension"] = "12 kN"
+    doc["design_standard"] = {"name": "CEMA", "binding": True}
+    take(page, doc)
+    visitor.solved()
+    visitor.open("train", unfold=False)
+    said = page.locator("#train-verdict")
+    expect(said).to_have_class(re.compile("bad|warn"))
+    expect(said.locator("p")).to_contain_text(re.compile(r"Pulley second: [A-Z].*\d"))
+    expect(said.get_by_role("button", name="Find the trim limits")).to_have_count(0)
+    said.get_by_role("button", name=re.compile("^Raise T2 to")).click()
+    expect(said).to_have_class(re.compile("good"))

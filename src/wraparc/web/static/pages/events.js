@@ -9,7 +9,9 @@ import { checked, framed, notComputed, saying, silent } from "../parts/framed.js
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
+import { answer, known } from "./drive/solving.js";
 import { Player } from "./events/player.js";
+import { steady } from "./events/steady.js";
 
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 /** @typedef {"run" | "stability" | "map"} What */
@@ -88,10 +90,11 @@ const busy = (j) => j.state === "queued" || j.state === "running";
 
 export const Page = () => {
   const run = state.done;
+  const still = run || steady();
   return framed(
     {
       of: "events",
-      how: run ? now(run) : undefined,
+      how: run ? now(run) : still && !known() ? standing(false, answer.problems) : undefined,
       form: h(
         "form",
         {
@@ -103,7 +106,7 @@ export const Page = () => {
         motionInputs(),
       ),
       say: says(run),
-      hero: run && h(Player, { run: run.played, key: run.id }),
+      hero: still && h(Player, { run: still.played, key: still.id }),
       drawing: intro(),
       tall: Boolean(run),
       side: checked("events", run?.bars),
@@ -141,8 +144,7 @@ const intro = () =>
   h(
     "p",
     { class: "help intro", key: "intro" },
-    "Belt and lagging are played here, on the pulleys, once an event has run. ",
-    "It takes some seconds.",
+    "The drive stands here once it is solved, and is played once an event has run.",
   );
 /** What is run. */
 function asking() {

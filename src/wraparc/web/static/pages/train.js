@@ -2,6 +2,7 @@
 import { app, gripped, look, redraw } from "../base/design.js";
 import { aborted, act, ask, complain, later, onReturn, refusal } from "../base/server.js";
 import { percent, show, shown, words } from "../base/units.js";
+import { behind } from "../frame/header.js";
 import { PAGES } from "../frame/registry.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
 import { checked, facts, framed, leadOf, saying, silent } from "../parts/framed.js";
@@ -101,7 +102,13 @@ export const Page = () => {
       how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
       form: trainInputs(a),
       say: c
-        ? saying(how, a.judged[a.load_cases.indexOf(c)], more(a, c, m), toMatch(c), state.problems)
+        ? saying(
+            how,
+            a.judged[a.load_cases.indexOf(c)],
+            more(a, c, m),
+            action(a, c),
+            state.problems,
+          )
         : several()
           ? saying(how, /** @type {any} */ (null), "", null, state.problems)
           : silent("One pulley: add a second drive."),
@@ -166,6 +173,13 @@ const turns = (m) =>
 /** @param {any} m @param {any} first */
 const slower = (m, first) =>
   m?.drum_ratio > 0 ? `Run ${m.pulley} ${turns(m)} than ${first.pulley}.` : undefined;
+/** What helps, with its number; where all is kept, how exactly the drives must be matched.
+ * @param {any} a @param {any} c */
+function action(a, c) {
+  if (rank(a.judged[a.load_cases.indexOf(c)]) <= 0) return toMatch(c);
+  const least = Array.isArray(app.doc.train?.share) && now() === "fresh" && known();
+  return least && behind()?.raise(least.least_tension?.raise_to);
+}
 /** The limits of the trims, on a press. @param {any} c */
 const toMatch = (c) =>
   PAGES.saved &&

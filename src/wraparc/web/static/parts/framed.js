@@ -53,11 +53,17 @@ export function saying(how, v, more, action, problems = []) {
   const [one, rest] = leadOf(v);
   return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
 }
-/** The first sentence of a verdict without its place, and the rest. @param {Verdict} v */
+/** The first sentence of a verdict, with its pulley where several are shown, and the rest.
+ * @param {Verdict} v @returns {[string, string]} */
 export function leadOf({ headline }) {
-  const place = { pulley: app.doc.pulley[app.pulley].name ?? "", load_case: app.case };
-  return opening(words(headline).replace(/^(Event|Load case) [^:]+: /, ""), place);
+  const looked = app.doc.pulley[app.pulley].name ?? "";
+  const whole = words(headline).replace(/^(Event|Load case) [^:]+: /, "");
+  const [, pulley, text = whole] = PLACE.exec(whole) ?? [];
+  const [one, rest] = opening(text, { pulley: pulley ?? looked, load_case: app.case });
+  const shown = !pulley || (pulley === looked && app.page !== "train");
+  return [shown ? one : `Pulley ${pulley}: ${one}`, rest];
 }
+const PLACE = /^Pulley (.+?)(?:, load case .+?)?: (.*)/s;
 /** What is wrong with what is asked. @param {string} head @param {Problem[]} problems
  * @param {Children} [action] */
 export const notComputed = (head, problems, action) =>

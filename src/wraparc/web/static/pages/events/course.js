@@ -7,7 +7,8 @@
  *   share: (number | null)[], exit_creep: number[], peak_shear: number[],
  *   creep: number[][], shear: number[][]}} Drum
  * @typedef {{event: string, outcome: string, duration: number, time: number[], travel: number[],
- *   belt_speed: number[], frame_time: number[], drums: Drum[]}} Played
+ *   belt_speed: number[], frame_time: number[], drums: Drum[], steady?: string}} Played
+ *   steady: the load case, where nothing has run yet
  * @typedef {[number, number]} Between a place in a list and the part of the way to the next
  */
 

@@ -24,6 +24,10 @@ const RATES = [
 ];
 /** Who asked for less motion sees steps of this length [s], and no belt that runs. */
 const STEP = 0.5;
+const STEADY = "Running steadily";
+const NOT_RUN =
+  "Tensions, shares, creep and speeds over the time stand here, and are played above, once it " +
+  "has run. It takes some seconds.";
 const calm = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /**
@@ -62,7 +66,7 @@ export class Player extends Component {
     this.turned = run.drums.map((d) => angles(run, d));
     this.key();
     this.seek(0);
-    if (!calm()) this.play();
+    if (!calm() && !run.steady) this.play();
   }
   componentDidUpdate() {
     this.key();
@@ -177,7 +181,7 @@ export class Player extends Component {
         "div",
         {
           ...{ class: "stage-box player", key: "s", tabIndex: 0 },
-          ...{ role: "group", "aria-label": `Event ${run.event}` },
+          ...{ role: "group", "aria-label": run.steady ? STEADY : `Event ${run.event}` },
         },
         h(
           "div",
@@ -195,10 +199,13 @@ export class Player extends Component {
         h(
           "p",
           { class: "help" },
+          run.steady && `${STEADY}, load case ${run.steady}. `,
           "Blue where it acts the other way: there the drum brakes the belt.",
         ),
       ),
-      h("div", { class: "curve player", key: "c" }, this.controls(), this.history()),
+      run.steady
+        ? h("div", { class: "curve", key: "n" }, h("p", { class: "help intro" }, NOT_RUN))
+        : h("div", { class: "curve player", key: "c" }, this.controls(), this.history()),
     ];
   }
   /** One quantity over the time, which a hand moves along it. */
