@@ -3,14 +3,16 @@
 Pages as they are used without a fault: test_pages_looks.py.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from web.browser import STUDY, Calculator, Visitor
+from web.browser import STUDY, Calculator, Visitor, turn
+from web.calculators import document
 from web.test_pages_looks import used, violations
+from web.test_standing import take
 
 
 @pytest.fixture
@@ -113,3 +115,25 @@ def test_no_violation_of_wcag(guest: Visitor, state: str) -> None:
     page = STATES[state](guest)
     guest.painted()
     assert violations(page) == []
+
+
+def test_no_violation_of_wcag_in_the_views_of_three_drives(guest: Visitor) -> None:
+    page = guest.open("drive", unfold=False)
+    take(page, document("triple-steel-cord"))
+    guest.solved()
+    views = ("train", "across", "events")
+    for name in views:
+        guest.open(name, unfold=False)
+
+    def looked_at(state: str, views: Sequence[str]) -> None:
+        for name in views:
+            turn(page, name)
+            expect(page.locator(f"#{name} [data-stands=computing]")).to_have_count(0)
+            guest.painted()
+            assert violations(page) == [], f"{name}, {state}"
+        turn(page, "drive")
+
+    looked_at("solved, not run", views)
+    page.fill("#f-belt-width", "wide")
+    page.wait_for_selector("#f-belt-width[aria-invalid=true]")
+    looked_at("refused", ("train", "events"))
