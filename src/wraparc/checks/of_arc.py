@@ -161,8 +161,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
         "force",
         source=found.source,
         short="below standard",
-        says=f"The slack side, {{value}}, is below the {{limit}} that {found.rule} asks "
-        f"for{start}.{chosen}",
+        says=f"Slack side {{value}} is below the {{limit}} of {found.rule}{start}.{chosen}",
         remedy="Raise the slack-side tension, or name the rule that you design by in "
         "[design_standard].",
         otherwise="Name the rule that you design by in [design_standard].",

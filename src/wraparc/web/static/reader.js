@@ -1707,7 +1707,7 @@ return new Check("design_standard", title, ($truth(criteria.standard.binding) ? 
 if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
 (start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
 }
-return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "The slack side, {value}, is below the {limit} that " + $str(found.rule) + " asks for" + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
+return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(found.rule) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
 }
 function design_standard__asked(standard, take_up, lagging, wrap_angle) {
 let factor, found, friction;
