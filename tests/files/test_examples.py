@@ -36,7 +36,7 @@ def test_the_steel_cord_drive_leaves_the_tested_pressures() -> None:
         c for c in before(load("steel-cord-drive")).missed if c.name == "tested_pressure_max"
     )
     assert missed.place == Place("head", "start")
-    assert "696 kPa is above the 690 kPa that lagging full-ceramic" in missed.sentence()
+    assert "696 kPa is above the 690 kPa tested on lagging full-ceramic" in missed.sentence()
 
 
 def test_the_downhill_drive_brakes() -> None:
