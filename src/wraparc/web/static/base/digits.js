@@ -7,13 +7,17 @@ export const unitRow = (dimension, system) => app.form.units[dimension][system];
  * @param {number} [digits] @param {string} [form] @param {number} [other] @param {string} [name] */
 export const cellOf = (value, dimension, digits = 3, form = "", other = Number.NaN, name = "") =>
   `\x02${[dimension, digits, form, value, other, name].join("|")}\x03`;
-/** A tie goes to the even digit. @param {number} x @param {number} digits */
+/** A tie goes to the even digit; one is written in no more digits than it needs.
+ * @param {number} x @param {number} digits */
 export function scientific(x, digits) {
-  const [text, power] = x.toExponential(digits).split("e");
-  const all = x.toExponential(100);
-  const at = all.indexOf(".") + 1 + digits;
-  const tie = /^50*e/.test(all.slice(at)) && +all[at - 1] % 2 === 0;
-  return `${tie ? all.slice(0, at) : text}e${power.replace(/^(.)(.)$/, "$10$2")}`;
+  let [text, power] = x.toExponential(digits).split("e");
+  const [least] = Math.abs(x).toExponential().split("e");
+  if (least.length === digits + 3 && least.endsWith("5")) {
+    const all = x.toExponential(100);
+    const at = all.indexOf(".") + 1 + digits;
+    if (/^50*e/.test(all.slice(at)) && +all[at - 1] % 2 === 0) text = all.slice(0, at);
+  }
+  return `${text}e${power.replace(/^(.)(.)$/, "$10$2")}`;
 }
 /** @param {string} text */
 export const exponentOf = (text) => +text.split("e")[1];

@@ -55,10 +55,15 @@ export function follow(x, y) {
 }
 /** The colours of a quantity, light for little, as the style gives them. */
 const ramp = { of: "", stops: /** @type {number[][]} */ ([]) };
+/** @type {Record<string, MediaQueryList>} asked for once: it tells by itself what holds now */
+const media = {};
+const holds = (/** @type {string} */ what) => {
+  media[what] ??= matchMedia(what);
+  return media[what].matches;
+};
 /** @param {number} t */
 export function colour(t) {
-  const of = ["dark", "light"].find((c) => matchMedia(`(prefers-color-scheme: ${c})`).matches);
-  const seen = `${of}${matchMedia("print").matches}`;
+  const seen = `${holds("(prefers-color-scheme: dark)")}${holds("print")}`;
   if (ramp.of !== seen) {
     const style = getComputedStyle(document.documentElement);
     const hex = (/** @type {number} */ k) => style.getPropertyValue(`--q${k}`).trim();
