@@ -80,7 +80,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         "design_standard",
         lambda: quiet(entry=130e3, leaving=60e3, criteria=Criteria(standard=DesignStandard(
             name="DIN 22101", condition="wet", start_factor=2.0, binding=True))),
-        Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "(rubber, wet) at 2 times the pull",
+        Level.FAILS, 60e3, 2.0 * 70e3 / math.expm1(0.35 * math.pi), "wet) at 2 times the pull",
     ),
     (
         "creep", lambda: quiet(creep_limit=5e-4), Level.ATTENTION, math.nan, 5e-4, "Creeps",
