@@ -87,7 +87,7 @@ def measure(presses: int, rest: float) -> tuple[dict[str, list[float]], int, dic
     with (
         tempfile.TemporaryDirectory() as folder,
         serving("--no-open", "--workers", "2", "--database", f"{folder}/d.sqlite") as server,
-        browser() as chromium,
+        browser(brief=False) as chromium,
     ):
         loads = []
         for _ in range(5):
@@ -158,7 +158,7 @@ def kinds(presses: int, rest: float) -> dict[str, float]:
     with (
         tempfile.TemporaryDirectory() as folder,
         serving("--no-open", "--workers", "1", "--database", f"{folder}/d.sqlite") as server,
-        browser() as chromium,
+        browser(brief=False) as chromium,
     ):
         visitor = Visitor(chromium, server.address)
         page = visitor.open("drive")

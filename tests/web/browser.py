@@ -33,9 +33,9 @@ FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--hide-scrollbars", "--force-color-profile=srgb",
-    # what a page compiles ahead on other threads is seldom used: most visits are a few presses
-    "--js-flags=--single-threaded",
 ]  # fmt: skip
+#: What a page compiles ahead on other threads is seldom used: most visits are a few presses.
+_BRIEF = "--js-flags=--single-threaded"
 PAGES = ("drive", "compare", "across", "tests", "train", "events", "study", "saved")
 PHONE: ViewportSize = {"width": 390, "height": 844}
 DESKTOP: ViewportSize = {"width": 1360, "height": 900}
@@ -254,10 +254,11 @@ class Visitor:
 
 
 @contextlib.contextmanager
-def browser() -> Iterator[Browser]:
-    """Run a browser for a while."""
+def browser(*, brief: bool = True) -> Iterator[Browser]:
+    """Run a browser for a while, for brief visits or as people have it."""
     with sync_playwright() as tool:
-        found = tool.chromium.launch(executable_path=chromium(), args=FLAGS)
+        flags = [*FLAGS, _BRIEF] if brief else FLAGS
+        found = tool.chromium.launch(executable_path=chromium(), args=flags)
         try:
             yield found
         finally:

@@ -106,13 +106,6 @@ def wrap_factors(
     return np.asarray(np.vectorize(as_printed, otypes=[float])(factors))  # of no row too
 
 
-def design_friction_of(standard: DesignStandard, take_up: TakeUp, lagging: Lagging) -> float | None:
-    """Return the friction that a standard takes for a lagging [-]; None where it takes none."""
-    if standard.name == "none" or by_table(standard, take_up, lagging):
-        return None
-    return _friction(standard, lagging)[0]
-
-
 def prints(standard: DesignStandard, surface: str) -> bool:
     """Whether a standard prints its drive factors, with two decimals: CEMA, bare and of rubber."""
     return _cema(standard) and surface in ("bare", "rubber")
