@@ -91,6 +91,7 @@ def used(visitor: Visitor, name: str) -> Page:
         image = page.locator("#study .job img").first
         image.wait_for(timeout=STUDY)
         wait_for(lambda: image.evaluate("(e) => e.naturalWidth") > 100)
+    expect(page.locator("[aria-busy=true]")).to_have_count(0)  # what is at work is dimmed
     visitor.painted()
     return page
 
