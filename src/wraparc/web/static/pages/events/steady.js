@@ -9,7 +9,10 @@ import { answer, known } from "../drive/solving.js";
 
 const POINTS = 60;
 /** @param {number[]} x @param {number[]} y */
-const even = (x, y) => Array.from({ length: POINTS + 1 }, (_, k) => follow(x, y)(k / POINTS));
+function even(x, y) {
+  const at = follow(x, y);
+  return Array.from({ length: POINTS + 1 }, (_, k) => at(k / POINTS));
+}
 /** @param {FullArc} arc @returns {Drum} */
 function drum({ pulley, numbers: n, profile: p, creep_limit }) {
   const { position } = p;
