@@ -17,8 +17,8 @@ const box = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 function draw() {
   const title = [app.doc?.title, PAGES[app.page].title, "wraparc"].filter(Boolean).join(" – ");
   if (document.title !== title) document.title = title;
-  const seen = document.documentElement.dataset;
-  if (seen.units !== app.units) seen.units = app.units;
+  const { tab } = PAGES[app.page];
+  Object.assign(document.documentElement.dataset, { units: app.units, tab });
   present()?.update?.();
   render(h(Header, {}), box("header"));
   render(h(Main, {}), box("main"));

@@ -4,6 +4,7 @@ import { words } from "../../base/units.js";
 import { judgedIf, standing, table, verdict } from "../../parts/answers.js";
 import { Component, createRef, h } from "../../vendor/preact.js";
 import { raise } from "./advice.js";
+import { after } from "./after.js";
 import { BySource } from "./by_source.js";
 import { figures, placeText, reading } from "./figures.js";
 import { alongside, marched, Pictures } from "./pictures.js";
@@ -16,7 +17,7 @@ import { answer, known, wholeArc } from "./solving.js";
  * @typedef {{arc: QuickAnswer, at: number, put: (part: number) => void}} DetailsProps
  * @extends {Component<DetailsProps>}
  */
-export class Details extends Component {
+class Answer extends Component {
   plots = createRef();
   budget = createRef();
   bySource = /** @type {BySource | null} */ (null);
@@ -104,6 +105,8 @@ export class Details extends Component {
     );
   }
 }
+/** @param {DetailsProps} props */
+export const Details = (props) => after(() => h(Answer, props));
 /** The verdict on the drive in all its load cases. */
 function governing() {
   const full = known() || answer.full;

@@ -108,9 +108,10 @@ function laggingPick(i) {
   /** @type {Path} */
   const at = ["pulley", i, "lagging"];
   const kind = catalogued(i)?.kind;
+  const condition = switched(i);
   return h(
     "div",
-    { class: "pick-row", key: "lagging" },
+    { class: condition ? "pick-row both" : "pick-row", key: "lagging" },
     field({
       spec: spec("pulley", "lagging"),
       path: at,
@@ -120,7 +121,7 @@ function laggingPick(i) {
       put: (name) => putLagging(i, name),
     }),
     kind && kind !== "own" && h("span", { class: `kind ${kind}` }, kind),
-    switched(i),
+    condition,
   );
 }
 /** @param {number} i */

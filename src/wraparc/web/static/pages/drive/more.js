@@ -8,6 +8,7 @@ import { field, idOf, more, parted, section, spec } from "../../parts/field.js";
 import { TENSIONS } from "../../parts/problems.js";
 import { h } from "../../vendor/preact.js";
 import { addCase, firstOf } from "./add_case.js";
+import { after } from "./after.js";
 import { byCase, isCase } from "./cases.js";
 import { called, go, held } from "./condition.js";
 import { conveyor } from "./conveyor.js";
@@ -240,7 +241,9 @@ function sideBySide(i) {
 }
 
 /** @param {number} i @param {Now} now */
-export function moreInputs(i, now) {
+export const moreInputs = (i, now) => after(() => all(i, now));
+/** @param {number} i @param {Now} now */
+function all(i, now) {
   const name = app.doc.pulley[i].name || String(i + 1);
   const [drive] = parted(section("drive"), ["title", "description", "creep_limit"]);
   return [

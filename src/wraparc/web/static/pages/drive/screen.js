@@ -158,7 +158,13 @@ export class Screen extends Component {
     const waits = (awaited || !arc) && !refused && !app.gone;
     const how = stood();
     const begin = beginning();
-    const cls = ["screen", refused && "refused", slow && "waiting", waits && "awaited"];
+    const cls = [
+      "screen",
+      refused && "refused",
+      slow && "waiting",
+      waits && "awaited",
+      begin && "begins",
+    ];
     return h(
       "div",
       {
