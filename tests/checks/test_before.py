@@ -20,9 +20,9 @@ def test_everything_that_needs_no_solving_is_said() -> None:
     }  # fmt: skip
     text = " ".join((told.headline(), *told.sentences()))
     for said in (
-        "The width of the belt, 12 m, is outside the usual 200 mm to 4000 mm. Check the "
-        "unit: 12 in or 12 ft?",
-        "Pulley head, 800 mm, is smaller than the least drive pulley of its belt, 1000 mm.",
+        "Unusual width of the belt, 12 m; 200 mm to 4000 mm is usual. Check the unit: "
+        "12 in or 12 ft?",
+        "Pulley head, 800 mm, is smaller than the least for its belt, 1000 mm.",
         "The belt tension 4000 kN is more than its rating allows, ",
         "The wrap pressure 833 kPa is above the 690 kPa",
         "The wrap pressure 3.125 kPa is below the 34 kPa",

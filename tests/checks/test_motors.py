@@ -72,8 +72,8 @@ def test_torque_of_motors_is_judged(
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("200 kW", "200 W", "The rated power of the motor of pulley head, 0.2 kW"),
-        ("20.67", "2.067", "speed of the drum over that of the belt of pulley head, 10.0,"),
+        ("200 kW", "200 W", "Unusual rated power of the motor of pulley head, 0.2 kW"),
+        ("20.67", "2.067", "speed of the drum over that of the belt of pulley head, 10.0;"),
     ],
 )
 def test_slip_of_unit_of_a_motor_is_asked_about(old: str, new: str, said: str) -> None:

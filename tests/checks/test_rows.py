@@ -73,7 +73,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
         "design_standard",
         lambda: quiet(entry=130e3, leaving=40e3,
                       criteria=Criteria(standard=DesignStandard(name="CEMA"))),
-        Level.ATTENTION, 40e3, 90e3 / math.expm1(0.35 * math.pi), "CEMA, friction 0.35 (rubber)",
+        Level.ATTENTION, 40e3, 90e3 / math.expm1(0.35 * math.pi), "CEMA; friction 0.35 (rubber)",
     ),
     # DIN 22101, rubber wet 0.35, binding, 1.4 times the pull
     (
@@ -94,7 +94,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
     ),
     (
         "pulley_diameter", lambda: quiet(belt={"least_pulley_diameter": 1.0}),
-        Level.FAILS, 0.8, 1.0, "smaller than the least drive pulley",
+        Level.FAILS, 0.8, 1.0, "smaller than the least for its belt",
     ),
     (
         "face_pressure", lambda: quiet(belt={"largest_wrap_pressure": 200e3}),
@@ -142,7 +142,7 @@ ROWS: list[tuple[str, Callable[[], Drive], Level, float, float, str]] = [
     (  # kN typed as N: 60 N on 1.2 m, and 0.5 kN/m is the least
         "usual_sizes",
         lambda: quiet(entry=800.0, leaving=60.0, lagging=lagging(1.5, tested=None)),
-        Level.ATTENTION, 60.0, 600.0, "The exit tension of pulley head",
+        Level.ATTENTION, 60.0, 600.0, "Unusual exit tension of pulley head",
     ),
 ]  # fmt: skip
 

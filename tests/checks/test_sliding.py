@@ -281,7 +281,7 @@ def test_a_drive_beyond_its_tests_is_never_ok() -> None:
     (check,) = (c for c in verdict.checks if c.name == "gross_slip")
     assert check.value < 1.0
     assert "by tested slip" in check.title
-    assert "the slip reaches the end of the tests" in check.sentence().lower()
+    assert "the slip leaves the tests" in check.sentence().lower()
     assert "allow" not in verdict.headline()
 
 

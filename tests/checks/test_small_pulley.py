@@ -27,7 +27,7 @@ lagging = "full-ceramic"
 entry_tension = "110 kN"
 exit_tension = "60 kN"
 """
-SAID = "Pulley head, 800 mm, is smaller than the least drive pulley of its belt"
+SAID = "Pulley head, 800 mm, is smaller than the least for its belt"
 
 
 def test_it_fails_in_every_door(tmp_path: Path) -> None:

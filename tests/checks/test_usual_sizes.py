@@ -26,21 +26,21 @@ def said(**of: Any) -> list[str]:
         ({"creep_limit": 0.25}, "Check the unit: 25 mm or 0.25 cm?"),  # 250 mm
         ({"creep_limit": 0.16129}, "Check the unit: 6.35 mm?"),  # 6.35 in
         ({"pulley": {"diameter": 630.0}}, "Check the unit: 630 mm?"),
-        ({"lagging": lagging(thickness=0.12)}, "The thickness of lagging plain, 120 mm"),  # 12 cm
+        ({"lagging": lagging(thickness=0.12)}, "Unusual thickness of lagging plain, 120 mm"),
         ({"lagging": lagging(shear_modulus=2.3e3)}, "2.3 MPa"),  # 2.3 kPa
-        ({"lagging": lagging(bond_strength=2.0)}, "The bond strength of lagging plain"),
+        ({"lagging": lagging(bond_strength=2.0)}, "Unusual bond strength of lagging plain"),
         ({"lagging": lagging(fatigue_limit=2e9)}, "Check the unit: 2 MPa or 2 psi?"),  # 2 GPa
-        ({"belt": {"modulus": 175e3}}, "The modulus over the rating of the belt, 1, is outside"),
+        ({"belt": {"modulus": 175e3}}, "Unusual modulus over the rating of the belt, 1;"),
         ({"belt": {"modulus": 1000e3}}, "Is the strength given as the rating, or as the modulus?"),
         ({"belt": {"rating": 175.0}}, "Check the unit: 175 kN/m"),
-        ({"belt": {"strength": 100e3}}, "The strength over the rating of the belt, 0.571,"),
+        ({"belt": {"strength": 100e3}}, "Unusual strength over the rating of the belt, 0.571;"),
         ({"pulley": {"diameter": 0.2}}, "at its rating on pulley head, 1750 kPa"),
         ({"belt": {"mass": 500.0}}, "Is it that of the whole belt? Give the mass of a metre."),
-        ({"belt": {"mass": 0.3}}, "The mass of the belt, 0.3 kg/m"),
-        ({"entry": 60.064e3}, "The power of pulley head, 0.192 kW"),  # 0.19 kW at 3 m/s
+        ({"belt": {"mass": 0.3}}, "Unusual mass of the belt, 0.3 kg/m"),
+        ({"entry": 60.064e3}, "Unusual power of pulley head, 0.192 kW"),  # 0.19 kW at 3 m/s
         (
             {"criteria": Criteria(sag=Sag(spacing=1.2, line_mass=0.06, share=0.02))},
-            "The line mass for the sag of the belt, 0.06 kg/m, is outside the usual 1 kg/m",
+            "Unusual line mass for the sag of the belt, 0.06 kg/m; 1 kg/m",
         ),
     ],
 )

@@ -181,8 +181,8 @@ def test_a_belt_too_stiff_for_the_drum_warns(tmp_path: Path) -> None:
     """Its maker's least drive pulley is 1000 mm, the drum has 800 mm."""
     ran = wraparc("what-if", drive_file(tmp_path), "--belt", "Flexsteel ST2000")
     assert (
-        "Flexsteel ST2000: FAILS: Pulley head, 800 mm, is smaller than the least drive pulley of "
-        "its belt, 1000 mm." in ran.words
+        "Flexsteel ST2000: FAILS: Pulley head, 800 mm, is smaller than the least for its "
+        "belt, 1000 mm." in ran.words
     )
 
 

@@ -290,8 +290,8 @@ def test_a_motor_asked_for_more_than_it_has() -> None:
     small = replace(MAINS, rated_power=30e3)
     failed = tried(train(pulleys(2), case(Motors((small, small)))))
     assert failed.status is TrainStatus.BEYOND_MOTOR
-    assert failed.reason.startswith("The motor of p1 would need")
-    assert failed.reason.endswith("its curve ends at 2.5.")
+    assert failed.reason.startswith("The motor of p1 needs")
+    assert "its curve ends at 2.5; its drum turns at" in failed.reason
 
 
 def test_shares_beyond_friction_name_the_drive() -> None:

@@ -45,8 +45,8 @@ GRIP = "Safety against gross slip, {}"
 #: What comes first where a belt slides: in a title, and as a sentence begins.
 FIRST = {
     CREEP: ("by creep", "The belt slides (creep of {slides})"),
-    TESTED: ("by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"),
-    MOST: ("by the largest friction", "The friction of the whole wrap is used up"),
+    TESTED: ("by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"),
+    MOST: ("by the largest friction", "All friction of the wrap is used up"),
 }
 
 
@@ -95,8 +95,8 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
     if found.cause == TESTED:  # what is not known to slide needs attention, and does not fail
         rule = replace(rule, fails_beyond=math.nan)
     first = first.replace("⟦lagging⟧", escaped(drive.pulley(lagging).lagging.name))
-    says = f"{first} at {{value}} times the pull, {held_words(take_up)}; the safety factor "
-    says += f"{case.kind} is {{limit}}."
+    says = f"{first} at {{value}} times the pull, below {{limit}}; safety factor {case.kind}, "
+    says += f"{held_words(take_up)}."
     check = judged(
         rule,
         title,
@@ -150,7 +150,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
     slack = min(result.arc.entry_tension, result.arc.exit_tension)
     limit = design_slack(drive, case, result, found.wrap_factor)
     chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."
-    start = ""
+    start, (rule, _, how) = "", found.rule.partition(", ")
     if criteria.standard.start_factor != 1.0 and case.kind == "running":
         start = f" at {criteria.standard.start_factor:g} times the pull"
     return judged(
@@ -161,7 +161,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
         "force",
         source=found.source,
         short="below standard",
-        says=f"Slack side {{value}} is below the {{limit}} of {found.rule}{start}.{chosen}",
+        says=f"Slack side {{value}} is below the {{limit}} of {rule}; {how}{start}.{chosen}",
         remedy="Raise the slack-side tension, or name the rule that you design by in "
         "[design_standard].",
         otherwise="Name the rule that you design by in [design_standard].",

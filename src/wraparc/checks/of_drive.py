@@ -202,8 +202,8 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
         place=Place(pulley.name),
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         short="pulley too small",
-        says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least drive pulley of "
-        "its belt, {limit}.",
+        says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least for its "
+        "belt, {limit}.",
     )
 
 

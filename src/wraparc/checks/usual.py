@@ -358,7 +358,7 @@ def unusual(
         at_most=value > most,
         source="sizes that conveyor drives have",
         short="unusual size",
-        says=f"The {escaped(name)}, {{value}}, is outside the usual {{least}} to {{most}}.",
+        says=f"Unusual {escaped(name)}, {{value}}; {{least}} to {{most}} is usual.",
         remedy=escaped(remedy),
         more={"least": (least, dimension), "most": (most, dimension)},
         binding=False,

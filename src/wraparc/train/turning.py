@@ -225,8 +225,8 @@ def beyond_motor(name: str, rotation: float, motor: Motor, point: MotorPoint) ->
     if point.motor_load > high + rounding:
         turns = display(rotation, "rotation_speed", "si", GIVEN_DIGITS)
         return (
-            f"The motor of {name} would need {point.motor_load:.3g} times its rated torque "
-            f"at {turns} of its drum; its curve ends at {high:.3g}."
+            f"The motor of {name} needs {point.motor_load:.3g} times its rated torque, its curve "
+            f"ends at {high:.3g}; its drum turns at {turns}."
         )
     return ""
 

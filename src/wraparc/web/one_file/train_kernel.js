@@ -1963,12 +1963,12 @@ export function turning__beyond_motor(name, rotation, motor, point) {
       "" +
       "The motor of " +
       $text(name) +
-      " would need " +
+      " needs " +
       $told(point.motor_load, false, 3, "g") +
-      " times its rated torque at " +
-      $text(turns) +
-      " of its drum; its curve ends at " +
+      " times its rated torque, its curve ends at " +
       $told(high, false, 3, "g") +
+      "; its drum turns at " +
+      $text(turns) +
       "."
     );
   }

@@ -1666,8 +1666,8 @@ if (($eq(found.cause, 1))) {
 (rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
 }
 (first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
-(says = ("" + $str(first) + " at {value} times the pull, " + $str(of_arc__held_words(take_up)) + "; the safety factor "));
-(says = $add(says, ("" + $str(case_.kind) + " is {limit}.")));
+(says = ("" + $str(first) + " at {value} times the pull, below {limit}; safety factor " + $str(case_.kind) + ", "));
+(says = $add(says, ("" + $str(of_arc__held_words(take_up)) + ".")));
 (check = of_drive__judged(rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number", place, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), says, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), "So it slides.", undefined, undefined, $map([["slides", [0.0635, "length"]]])));
 if (!$truth(gone)) {
 return check;
@@ -1685,7 +1685,7 @@ return "T1 + T2 held (fixed take-up)";
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
 function of_arc__standard(drive, case_, result) {
-let chosen, criteria, found, lagging, limit, place, slack, start, title;
+let _, chosen, criteria, found, how, lagging, limit, place, rule, slack, start, title;
 
 ([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
 (found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
@@ -1703,11 +1703,11 @@ return new Check("design_standard", title, ($truth(criteria.standard.binding) ? 
 (slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
 (limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
 (chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
-(start = "");
+([start, [rule, _, how]] = ["", $m.partition(found.rule, ", ")]);
 if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
 (start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
 }
-return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(found.rule) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
+return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(rule) + "; " + $str(how) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
 }
 function design_standard__asked(standard, take_up, lagging, wrap_angle) {
 let factor, found, friction;
@@ -2244,7 +2244,7 @@ if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers_
 if (($truth(why) || (least == null))) {
 return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
 }
-return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least drive pulley of its belt, {limit}."), undefined, undefined, "pulley too small");
+return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."), undefined, undefined, "pulley too small");
 }
 function* usual__usual_sizes(drive, ...others) {
 let odd, parts, title;
@@ -2378,7 +2378,7 @@ if (($in(name, ["strength over the rating of the belt", "modulus over the rating
 if ((($eq(name, "mass of the belt")) && (value > most))) {
 (remedy = "Is it that of the whole belt? Give the mass of a metre.");
 }
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "The " + $str(check__escaped(name)) + ", {value}, is outside the usual {least} to {most}."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
@@ -8991,8 +8991,8 @@ const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true,
 const $c46 = ["Speed"];
 const $c47 = ["Motor"];
 const $c594 = ["by creep", "The belt slides (creep of {slides})"];
-const $c595 = ["by tested slip", "The slip reaches the end of the tests of lagging ⟦lagging⟧"];
-const $c596 = ["by the largest friction", "The friction of the whole wrap is used up"];
+const $c595 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
+const $c596 = ["by the largest friction", "All friction of the wrap is used up"];
 const $c48 = new Map([[0, $c594], [1, $c595], [2, $c596]]);
 const $c599 = [180.0, 1.2];
 const $c600 = [200.0, 1.0];
