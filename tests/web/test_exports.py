@@ -1,6 +1,7 @@
 """Files that the page takes away: those of the command line, and both ways."""
 
 import json
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -121,7 +122,13 @@ def test_pictures_stand_for_themselves_in_the_colours_of_paper(
     assert "rgb(165, 15, 21)" in text
     assert "Head drive, ROM conveyor; design; wraparc " in text
     assert "limit 6.35 mm" in text
-    assert not any(word in text for word in ("var(", "class=", "style=", "href", "<script"))
+    # the lagging, from little to the most (--q0 to --q3), in words that every program reads
+    drawn = page.locator("svg.stage path[stroke^=color-mix]").count()
+    assert drawn > 20
+    assert len(set(re.findall(r"stroke=\"(rgb\(\d+,\d+,\d+\))\"", text))) > drawn / 2
+    assert not any(
+        word in text for word in ("color(", "var(", "class=", "style=", "href", "<script")
+    )
     # the page itself is as dark as before
     assert page.evaluate("getComputedStyle(document.body).backgroundColor") == ground
     assert page.evaluate("document.documentElement.getAttribute('style')") in (None, "")

@@ -159,8 +159,7 @@ def test_checks_of_a_run_are_those_of_the_command(visitor: Visitor) -> None:
 def test_one_creep_in_headline_checks_and_table(visitor: Visitor) -> None:
     # the strip that comes off worst: one number wherever it is said
     page = shows(visitor, "worn-head-drive-fabric", "across")
-    said = page.locator("#across .say p").inner_text()
-    assert "8.88 mm" in said
+    expect(page.locator("#across .say p")).to_contain_text("8.88 mm")
     expect(page.locator("#across .list li").first).to_contain_text("8.88 mm")
     expect(page.locator("#across .t-checks")).to_contain_text("8.88 mm")
 

@@ -95,6 +95,13 @@ const drawn = (figure, left, top) =>
       if (!copy.hasAttribute("viewBox")) copy.setAttribute("viewBox", `0 0 ${width} ${height}`);
       return copy;
     });
+/** A colour as every program reads it, not as a browser tells one that it has mixed.
+ * @param {string} value */
+const plainColour = (value) =>
+  value.replace(
+    /^color\(srgb ([^)]*)\)$/,
+    (_, parts) => `rgb(${parts.split(" ").map((/** @type {string} */ v) => Math.round(255 * +v))})`,
+  );
 /** An element with all that styles make of it as attributes of its own; null where it is not seen.
  * @param {Element} e @returns {Element | null} */
 function plain(e) {
@@ -104,7 +111,7 @@ function plain(e) {
   for (const name of ["class", "tabindex", "style"]) copy.removeAttribute(name);
   if (e.tagName !== "svg" && !["defs", "pattern", "marker"].includes(e.tagName))
     for (const name of LOOKS) {
-      const value = look.getPropertyValue(name);
+      const value = plainColour(look.getPropertyValue(name));
       const font = /^(font|text|dominant)/.test(name) && !["text", "tspan"].includes(e.tagName);
       if (value && !font && !USUAL[name]?.includes(value)) copy.setAttribute(name, value);
     }

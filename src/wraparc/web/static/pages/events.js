@@ -5,7 +5,7 @@ import { words } from "../base/units.js";
 import { judgedIf, list, refused, standing, stands, table, verdict } from "../parts/answers.js";
 import { Box } from "../parts/box.js";
 import { choose } from "../parts/choose.js";
-import { checked, framed, notComputed, saying, silent } from "../parts/framed.js";
+import { checked, framed, marked, notComputed, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { assumed, events, motionInputs } from "./events/inputs.js";
@@ -13,6 +13,7 @@ import { answer, known } from "./drive/solving.js";
 import { Player } from "./events/player.js";
 import { steady } from "./events/steady.js";
 
+/** @import { Refused } from "../parts/framed.js" */
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 /** @typedef {"run" | "stability" | "map"} What */
 /** @typedef {{id: string, state: string, done: number, total: number, message: string,
@@ -21,6 +22,7 @@ import { steady } from "./events/steady.js";
 const plan = { event: "", points: "60", step: "", over: "droop" };
 const state = {
   problems: /** @type {Problem[]} */ ([]),
+  refused: /** @type {Refused} */ (""),
   jobs: /** @type {Record<What, Job | null>} */ ({ run: null, stability: null, map: null }),
   opened: -1,
   timer: 0,
@@ -53,7 +55,7 @@ async function begin(what) {
     mark([]);
   } catch (x) {
     state.problems = refusal(x);
-    mark(state.problems);
+    state.refused = marked(state.problems);
   }
   if (old) await forget(old);
   await follow();
@@ -133,7 +135,7 @@ function says(run) {
   const job = state.jobs.run;
   if (job && busy(job)) return silent(`Following ${job.title} …`, progress(job), cancelling(job));
   if (job?.state === "failed") return notComputed("Not followed.", job.problems, again());
-  if (state.problems.length) return notComputed("Not followed.", state.problems, again());
+  if (state.problems.length) return notComputed("Not followed.", state.refused, again());
   if (job?.state === "cancelled") return silent("Cancelled.", "", again());
   if (!run) return silent(`Does it hold at ${plan.event}? Not run yet.`, "", again());
   if (now(run) === "fresh") return saying("fresh", run.run.verdict);

@@ -5,16 +5,17 @@ import { percent, show, shown, words } from "../base/units.js";
 import { behind } from "../frame/header.js";
 import { PAGES } from "../frame/registry.js";
 import { judgedIf, list, standing, stands, table, verdict } from "../parts/answers.js";
-import { checked, facts, framed, leadOf, saying, silent } from "../parts/framed.js";
+import { checked, facts, framed, leadOf, marked, saying, silent } from "../parts/framed.js";
 import { mark } from "../parts/problems.js";
 import { h } from "../vendor/preact.js";
 import { picks as casePicks, rank } from "./drive/screen.js";
 import { answer, known } from "./drive/solving.js";
 import { chain } from "./train/chain.js";
-import { trainInputs } from "./train/inputs.js";
+import { addPulley, trainInputs } from "./train/inputs.js";
 import { matchingPlots } from "./train/plots.js";
 import { changes, reasons, shareBar, trimStrip } from "./train/strips.js";
 
+/** @import { Refused } from "../parts/framed.js" */
 /** @import { Design, Problem, Table } from "../types.d.ts" */
 
 const state = {
@@ -24,6 +25,7 @@ const state = {
   of: /** @type {Design | null} */ (null),
   opened: -1,
   problems: /** @type {Problem[]} */ ([]),
+  refused: /** @type {Refused} */ (""),
   /** How exactly drives must be matched, by load case and drive. */
   matched: /** @type {Record<string, any>} */ ({}),
   matching: "",
@@ -59,7 +61,7 @@ const solve = later(200, async (/** @type {Design} */ doc) => {
   } catch (x) {
     if (aborted(x) || app.gone || doc !== app.doc) return;
     state.problems = refusal(x);
-    mark(state.problems);
+    state.refused = marked(state.problems);
   }
   redraw();
 });
@@ -102,17 +104,11 @@ export const Page = () => {
       how: c && how === "fresh" ? standing(Boolean(known()), answer.problems) : how,
       form: trainInputs(a),
       say: c
-        ? saying(
-            how,
-            a.judged[a.load_cases.indexOf(c)],
-            more(a, c, m),
-            action(a, c),
-            state.problems,
-          )
+        ? saying(how, a.judged[a.load_cases.indexOf(c)], more(a, c, m), action(a, c), state.refused)
         : several()
-          ? saying(how, /** @type {any} */ (null), "", null, state.problems)
-          : silent("One pulley: add a second drive."),
-      drawing: c && loadCase(c),
+          ? saying(how, /** @type {any} */ (null), "", null, state.refused)
+          : silent("One pulley carries the whole load.", "", adding()),
+      drawing: c ? loadCase(c) : !several() && h("p", { class: "help intro" }, SHARED),
       curve: c && [
         c.reason && h("p", { class: "error", key: "reason" }, c.reason),
         c.drives.every((/** @type {any} */ d) => d.share != null) && shareBar(c),
@@ -131,6 +127,11 @@ export const Page = () => {
     c && (PAGES.saved ? matchings(c) : h("p", { class: "help", key: "trim" }, TRIM)),
   );
 };
+const SHARED =
+  "Drives on one belt share its load: how they turn, and how exactly they must be matched, " +
+  "stands here.";
+const adding = () =>
+  h("button", { type: "button", class: "main advice", onClick: addPulley }, "Add a second drive");
 /** @param {any} c @param {string} drive */
 const matchedIn = (c, drive) => state.matched[keyOf(c.load_case, drive)];
 /** @param {any} c @param {string} drive */

@@ -3,10 +3,20 @@
 import { app, redraw } from "../base/design.js";
 import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
-import { checkOf, fold, foot, opening, reasonOf, said, worstFirst } from "../pages/drive/screen.js";
+import {
+  checkOf,
+  fold,
+  foot,
+  missing,
+  opening,
+  reasonOf,
+  said,
+  worstFirst,
+} from "../pages/drive/screen.js";
 import { answer } from "../pages/drive/solving.js";
 import { cloneElement, h } from "../vendor/preact.js";
 import { BELOW, list } from "./answers.js";
+import { mark } from "./problems.js";
 
 /** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
 /** @import { Standing } from "./answers.js" */
@@ -46,9 +56,9 @@ export const framed = ({ of, form, say, drawing, curve, hero, side, how, tall },
 export const silent = (text, more, action) => said("", text, more ?? "", action, "", null, null);
 /** The first sentence of a verdict; of a design before it only what becomes of it.
  * @param {Standing} how @param {Verdict} v @param {Children} [more] @param {Children} [action]
- * @param {Problem[]} [problems] */
-export function saying(how, v, more, action, problems = []) {
-  if (how === "refused") return notComputed("Not computed.", problems);
+ * @param {Refused} [refused] */
+export function saying(how, v, more, action, refused = []) {
+  if (how === "refused") return notComputed("Not computed.", refused);
   if (how !== "fresh") return silent(app.gone ? GONE : "Solving …", BELOW, action);
   const [one, rest] = leadOf(v);
   return said(v.level, one, more ?? rest, action, words(v.headline), null, null);
@@ -64,18 +74,27 @@ export function leadOf({ headline }) {
   return [shown ? one : `Pulley ${pulley}: ${one}`, rest];
 }
 const PLACE = /^Pulley (.+?)(?:, load case .+?)?: (.*)/s;
-/** What is wrong with what is asked. @param {string} head @param {Problem[]} problems
+/** What is refused: fields have their reasons under them, and are only named here.
+ * @typedef {Problem[] | string} Refused
+ * @param {Problem[]} problems @returns {Refused} */
+export function marked(problems) {
+  const rest = mark(problems);
+  return rest.length ? rest : missing();
+}
+/** What is wrong with what is asked. @param {string} head @param {Refused} refused
  * @param {Children} [action] */
-export const notComputed = (head, problems, action) =>
-  said(
-    "",
-    "",
-    "",
-    null,
-    "",
-    [h("p", {}, head, " ", action), list(problems.map(sentence), "reasons")],
-    null,
-  );
+export const notComputed = (head, refused, action) =>
+  typeof refused === "string"
+    ? silent(refused, "", action)
+    : said(
+        "",
+        "",
+        "",
+        null,
+        "",
+        [h("p", {}, head, " ", action), list(refused.map(sentence), "reasons")],
+        null,
+      );
 
 const chosen = { check: "" };
 /** Checks, each once at the place that uses most of its limit.

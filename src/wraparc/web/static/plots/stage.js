@@ -53,29 +53,12 @@ export function follow(x, y) {
     return y[j] + ((y[j + 1] - y[j]) * (v - x[j])) / (x[j + 1] - x[j] || 1);
   };
 }
-/** The colours of a quantity, light for little, as the style gives them. */
-const ramp = { of: "", stops: /** @type {number[][]} */ ([]) };
-/** @type {Record<string, MediaQueryList>} asked for once: it tells by itself what holds now */
-const media = {};
-const holds = (/** @type {string} */ what) => {
-  media[what] ??= matchMedia(what);
-  return media[what].matches;
-};
-/** @param {number} t */
+/** The colour of a quantity, light for little: of the light page, the dark one and of paper.
+ * @param {number} t a share of the most */
 export function colour(t) {
-  const seen = `${holds("(prefers-color-scheme: dark)")}${holds("print")}`;
-  if (ramp.of !== seen) {
-    const style = getComputedStyle(document.documentElement);
-    const hex = (/** @type {number} */ k) => style.getPropertyValue(`--q${k}`).trim();
-    ramp.stops = [0, 1, 2, 3].map((k) =>
-      [1, 3, 5].map((i) => parseInt(hex(k).slice(i, i + 2), 16)),
-    );
-    ramp.of = seen;
-  }
   const x = cut(t, 0, 1) * 3;
   const i = Math.min(2, Math.floor(x));
-  const [a, b] = [ramp.stops[i], ramp.stops[i + 1]];
-  return `rgb(${a.map((c, k) => Math.round(c + (x - i) * (b[k] - c))).join()})`;
+  return `color-mix(in srgb, var(--q${i + 1}) ${Math.round(100 * (x - i))}%, var(--q${i}))`;
 }
 
 export class Stage {
@@ -257,7 +240,7 @@ export class Stage {
       const t = d.solved ? Math.abs(value((i + 0.5) / CELLS)) / (d.most || 1) : 0;
       const r = R - LAG / 2;
       attr(cell, { d: line([at(r, a), at(r, (a + b) / 2), at(r, b)]) });
-      if (d.solved) attr(cell, { stroke: colour(Math.round(90 * t) / 90) });
+      if (d.solved) attr(cell, { stroke: colour(t) });
       else cell.removeAttribute("stroke");
     });
     const outer = places.map((p) => at(R + this.thick(tension(p)), p * d.phi));
@@ -356,7 +339,8 @@ export class Stage {
       return attr(tick, { d: `M${at(R - 17, of[0]).map(fixed)}L${at(R - 34, of[0]).map(fixed)}` });
     const [x, y] = this.along(key, of[0]).map(fixed);
     attr(tick, { d: `M${x} ${y - 15}V${y + 15}` });
-    attr(text, { x, y: key === "t1" ? y + 34 : y - 24, class: "mark-text" });
+    const inside = cut(x, this.left + 68, CX - 76); // the words: not cut, not on the handle
+    attr(text, { x: inside, y: key === "t1" ? y + 34 : y - 24, class: "mark-text" });
     say(text, of[1]);
   }
   /** Show the place that is pointed at. @param {number | null} part */

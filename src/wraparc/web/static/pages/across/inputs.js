@@ -9,6 +9,7 @@ import { Editor } from "./editor.js";
 import { acrossOf, KINDS, putAcross, SHAPES, shaped, withCrown, withRows } from "./profile.js";
 
 /** @import { Children, Spec } from "../../types.d.ts" */
+/** @import { Kind } from "./profile.js" */
 
 export const drawn = { key: "worn_depth", height: "2 mm", unit: "", fresh: "" };
 const PAGE = "x";
@@ -74,8 +75,7 @@ function profile(i) {
             key: k.key,
             "aria-pressed": k.key === kind.key,
             onClick: () => {
-              drawn.key = k.key;
-              drawn.height = k.dimension === "length" ? usual() : "5 kN/m";
+              turnTo(k);
               redraw();
             },
           },
@@ -88,8 +88,18 @@ function profile(i) {
     shapes(i, kind),
   ];
 }
+/** @param {Kind} kind */
+function turnTo({ key, dimension }) {
+  drawn.key = key;
+  drawn.height = dimension === "length" ? usual() : "5 kN/m";
+}
+/** Show a profile that is given, if any is. @param {number} i */
+export function drawGiven(i) {
+  const kind = KINDS.find((k) => acrossOf(i)[k.key] !== undefined);
+  if (kind) turnTo(kind);
+}
 const usual = () => (app.units === "us" ? "0.08 in" : "2 mm");
-/** Shapes to begin with. @param {number} i @param {import("./profile.js").Kind} kind */
+/** Shapes to begin with. @param {number} i @param {Kind} kind */
 function shapes(i, kind) {
   const height = si(drawn.height, kind.dimension);
   const draw = (/** @type {string} */ name) => () => {

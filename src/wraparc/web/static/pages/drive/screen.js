@@ -247,7 +247,9 @@ export class Screen extends Component {
         all.map((b) => checkOf(b, chosen === b, () => this.setState({ check: b.title }))),
       ),
       chosen && reasonOf(chosen, full),
-      app.doc.pulley.length < 2 && h("div", { class: "changes" }, changes()),
+      app.doc.pulley.length < 2 &&
+        !(arc && arc.numbers.effective_tension < 0) &&
+        h("div", { class: "changes" }, changes()),
       arc && sources(arc),
     );
   }
@@ -292,6 +294,8 @@ export function opening(text, { pulley, load_case }) {
     ? [`${said.slice(0, half)}.`, said[half + 2].toUpperCase() + said.slice(half + 3)]
     : [one, said.slice(one.length + 1)];
 }
+/** Numbers, each on the line of its unit. @param {any} text */
+const tied = (text) => text?.replace?.(/(?<=[\s(]\d[\d.]*) /g, "\xa0") ?? text;
 /** @param {Level | ""} level @param {Children} text @param {Children} more
  * @param {Children} [action] @param {string} [all] @param {Children} [alert]
  * @param {string | null} [id] */
@@ -307,7 +311,7 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
         "p",
         { class: String(text).length > 72 ? "long" : "" },
         level && h("span", { class: "away" }, `${level}: `),
-        text,
+        tied(text),
       ),
       h("small", {}, more),
     ),
@@ -329,12 +333,15 @@ function verdict(arc, refused) {
   const worse = lacking()
     ? `Load case design lacks a tension and is left out. Shown is ${arc.load_case}.`
     : (elsewhere(full?.arcs, arc) ??
-      (does ? besides() : words(v.action) || (END.exec(rest)?.[1] ?? rest)));
+      (does ? besides(one.slice(0, -1)) : words(v.action) || (END.exec(rest)?.[1] ?? rest)));
   return said(level, one, worse, does, words(v.headline));
 }
-/** What is missed besides what governs: the action beside it is solved for all. */
-function besides() {
-  const [, ...also] = worstFirst(wholeArc()?.bars ?? []).filter((b) => rank(b) > 0);
+/** What is missed besides what the sentence is of: the action beside it is solved for all.
+ * @param {string} one */
+function besides(one) {
+  const also = worstFirst(wholeArc()?.bars ?? []).filter(
+    (b) => rank(b) > 0 && !words(b.says).startsWith(one),
+  );
   return also[0] && `Also not kept: ${few(also.map((b) => b.title))}.`;
 }
 /** @param {QuickAnswer} arc */
@@ -363,10 +370,14 @@ function notComputed(before) {
       h("p", {}, `${head} ${below}`),
       list(reasons.map(sentence), "reasons"),
     ]);
+  return said("", missing(), below);
+}
+/** The fields that are wrong, each with its reason under it, or still to be filled in. */
+export function missing() {
   const all = [...wrong.at];
   const bad = all.filter(([, text]) => text !== NEEDED);
   const names = new Set((bad.length ? bad : all).map(([key]) => nameOf(key)));
-  return said("", `${bad.length ? "Not computed" : "Still needed"}: ${few([...names])}.`, below);
+  return `${bad.length ? "Not computed" : "Still needed"}: ${few([...names])}.`;
 }
 /** The first of what is listed, and how many more there are. @param {string[]} all */
 function few(all) {
@@ -428,7 +439,7 @@ function action(arc) {
       onClick: () => take(way.doc, text),
       disabled: gripped(),
     },
-    text,
+    tied(text),
   );
 }
 /** Take a change in, with a way back. @param {Design} doc @param {string} text */
@@ -443,13 +454,12 @@ function take(doc, text) {
 
 // Load cases.
 
-/** The pulley that comes off worst in a load case, the one that is chosen before its like.
- * @param {FullArc[] | undefined} arcs @param {string} name */
-function worstIn(arcs, name) {
-  const own = app.doc.pulley[app.pulley].name;
+/** The pulley that comes off worst in a load case, the one that is looked at before its like.
+ * @param {FullArc[] | undefined} arcs @param {string} name @param {string | undefined} own */
+function worstIn(arcs, name, own) {
   const worse = (/** @type {FullArc} */ a) => 2 * rank(a) + +(a.pulley === own);
   const here = arcs?.filter((a) => a.load_case === name) ?? [];
-  return here.sort((a, b) => worse(b) - worse(a))[0];
+  return here.sort((a, b) => worse(b) - worse(a) || use(b) - use(a))[0];
 }
 /** Choice of pulley and load case: each case with what it comes to.
  * @param {string} [of] another view, whose names of parts are its own */
@@ -460,8 +470,9 @@ export function picks(of = "") {
   const at = Math.max(0, cases.indexOf(app.case || cases[0]));
   const to = (/** @type {number} */ i) => look({ case: cases[i] });
   const chip = (/** @type {string} */ name, /** @type {number} */ i) => {
-    const arc = worstIn(arcs, name);
-    const whose = arc && arc.pulley !== names[app.pulley] ? `: ${arc.pulley}` : "";
+    const own = of === "-train" ? undefined : names[app.pulley]; // there all are seen at once
+    const arc = worstIn(arcs, name, own);
+    const whose = own && arc && arc.pulley !== own ? `: ${arc.pulley}` : "";
     const creeps = arc && (arc.status === "solved" ? short(use(arc)) : "slips");
     const spoken = arc ? `Creep is ${creeps} of its limit: ${arc.short}` : "";
     return h(

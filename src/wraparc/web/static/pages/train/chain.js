@@ -77,7 +77,7 @@ export function chain(c, arcs, most) {
     "svg",
     {
       ...size(box),
-      class: "chart chain",
+      class: `chart chain ${drums.length > 2 ? "many" : ""}`,
       role: "img",
       "aria-label": `The belt over its drums. ${told}`,
     },
@@ -236,7 +236,7 @@ function named({ m, centre: [x, y] }, both, kept) {
   const said = slips(m) ? "slips" : percent(m.share, 3);
   const wrap = m.wrap_angle == null ? "" : `${Math.round((180 * m.wrap_angle) / PI)}°`;
   const does = m.share < 0 && !slips(m) ? "brakes" : "wrap";
-  const creep = slips(m) ? "" : `creep ${shown("exit_creep", Math.abs(m.exit_creep), 3)}`;
+  const creep = slips(m) ? "" : shown("exit_creep", Math.abs(m.exit_creep), 3);
   const [head, share, low] = [y - 0.14 * R - 22, y + 0.06 * R - 12, y + 0.39 * R - 13];
   const gap = 0.11 * R + 7;
   return h(
@@ -246,9 +246,13 @@ function named({ m, centre: [x, y] }, both, kept) {
     both && text([x, head - 14], "tn", `${m.side} side`),
     text([x, head], "tx", name),
     h("text", { x, y: share, class: "t1", style: { fontSize: `${12 + 0.16 * R}px` } }, said),
-    text([x, low], `creep ${levelClass(kept?.level || null)}`, creep),
-    kept && text([x, low + gap], "tn", `limit ${show(kept.limit, "length")}`),
-    text([x, low + 2 * gap - 2], "tn", `${wrap} ${does}`),
+    h(
+      "text",
+      { x, y: low, class: `creep ${levelClass(kept?.level || null)}` },
+      creep && [h("tspan", {}, "creep "), creep],
+    ),
+    kept && text([x, low + gap], "tn low", `limit ${show(kept.limit, "length")}`),
+    text([x, low + 2 * gap - 2], "tn low", `${wrap} ${does}`),
   );
 }
 /** @param {Point} p @param {string} cls @param {string} words */

@@ -22,7 +22,7 @@ function shares(n) {
   return Array.from({ length: n }, (_, i) => `${i ? each : +(100 - each * (n - 1)).toFixed(2)} %`);
 }
 
-function addPulley() {
+export function addPulley() {
   const { doc } = app;
   const last = doc.pulley[doc.pulley.length - 1];
   const names = doc.pulley.map((p) => p.name);
