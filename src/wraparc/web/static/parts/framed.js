@@ -1,6 +1,6 @@
 // The frame of the first screen for the other views of a drive: inputs, what is said and drawn,
 // checks; the rest of the answer below, folded away.
-import { app, redraw } from "../base/design.js";
+import { app, redraw, wrong } from "../base/design.js";
 import { GONE, sentence } from "../base/server.js";
 import { words } from "../base/units.js";
 import {
@@ -74,12 +74,18 @@ export function leadOf({ headline }) {
   return [shown ? one : `Pulley ${pulley}: ${one}`, rest];
 }
 const PLACE = /^Pulley (.+?)(?:, load case .+?)?: (.*)/s;
-/** What is refused: fields have their reasons under them, and are only named here.
+/** @param {string} key of a field: whether it is in view */
+const inView = (key) =>
+  [...document.querySelectorAll(`[id$="-${key.replace(/,/g, "-").replace(/[^\w-]/g, "_")}"]`)].some(
+    (e) => e.checkVisibility(),
+  );
+/** What is refused: fields in view have their reasons under them, and are only named here.
  * @typedef {Problem[] | string} Refused
  * @param {Problem[]} problems @returns {Refused} */
 export function marked(problems) {
   const rest = mark(problems);
-  return rest.length ? rest : missing();
+  if (rest.length) return rest;
+  return [...wrong.at.keys()].every(inView) ? missing() : problems;
 }
 /** What is wrong with what is asked. @param {string} head @param {Refused} refused
  * @param {Children} [action] */

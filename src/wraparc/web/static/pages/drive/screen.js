@@ -294,8 +294,6 @@ export function opening(text, { pulley, load_case }) {
     ? [`${said.slice(0, half)}.`, said[half + 2].toUpperCase() + said.slice(half + 3)]
     : [one, said.slice(one.length + 1)];
 }
-/** Numbers, each on the line of its unit. @param {any} text */
-const tied = (text) => text?.replace?.(/(?<=[\s(]\d[\d.]*) /g, "\xa0") ?? text;
 /** @param {Level | ""} level @param {Children} text @param {Children} more
  * @param {Children} [action] @param {string} [all] @param {Children} [alert]
  * @param {string | null} [id] */
@@ -311,7 +309,7 @@ export const said = (level, text, more, action, all = "", alert = null, id = "ve
         "p",
         { class: String(text).length > 72 ? "long" : "" },
         level && h("span", { class: "away" }, `${level}: `),
-        tied(text),
+        text,
       ),
       h("small", {}, more),
     ),
@@ -439,7 +437,7 @@ function action(arc) {
       onClick: () => take(way.doc, text),
       disabled: gripped(),
     },
-    tied(text),
+    text,
   );
 }
 /** Take a change in, with a way back. @param {Design} doc @param {string} text */
