@@ -173,8 +173,9 @@ def test_dark_page_stays_light_on_paper(visitor: Visitor) -> None:
 #: What a finger misses, lower than 44 px with the margin that takes its touch too; not what stands
 #: in a line of text (WCAG 2.5.8), nor curves, which are read where they are touched.
 SMALL = """() => {
-  const aim = "a[href], button, summary, select, textarea, label:has(:is([type=radio], [type=checkbox])),"
-    + "input:not([type=hidden], [type=radio], [type=checkbox], #cursor), [role=slider]:not(g)";
+  const aim = "a[href], button, summary, select, textarea, [role=slider]:not(g),"
+    + "label:has(:is([type=radio], [type=checkbox])),"
+    + "input:not([type=hidden], [type=radio], [type=checkbox], #cursor)";
   const height = (e) => {
     const margin = getComputedStyle(e, "::after");
     const box = e.closest(".rail .box") ?? e;
@@ -183,8 +184,9 @@ SMALL = """() => {
   };
   const text = (e) => e.matches("a, .link") && e.closest("p, li, td, small, .help, footer");
   return [...document.querySelectorAll(aim)]
-    .filter((e) => e.checkVisibility({visibilityProperty: true}) && !text(e) && !e.closest(".skip, .away"))
-    .map((e) => [e.tagName, e.className.baseVal ?? e.className, e.id || e.textContent.slice(0, 30), height(e)])
+    .filter((e) => e.checkVisibility({visibilityProperty: true}))
+    .filter((e) => !text(e) && !e.closest(".skip, .away"))
+    .map((e) => [e.tagName, e.className, e.id || e.textContent.slice(0, 30), height(e)])
     .filter((e) => e[3] < 43.5);
 }"""
 
