@@ -355,4 +355,4 @@ def test_a_contradiction_names_the_pulley_behind_which_it_could_stand() -> None:
     )  # fmt: skip
     (check,) = take_up(of)
     said = shown(check.said, "si")
-    assert 'or say where it stands: take_up.after = "a".' in f"{said} {check.remedy}"
+    assert "or say that it stands after pulley a." in f"{said} {check.remedy}"

@@ -586,7 +586,7 @@ ROWS = (
     Row("motors that turn the drums slower than the belt is given",
         (("1500 rpm", "1000 rpm"), ("1480 rpm", "985 rpm")),
         ("speed of the drum over that of the belt of pulley one, 0.665; 0.95",
-         "2.00 m/s by the drum, which was taken, and 3 m/s by speed in [belt]"), ("OK",),
+         "2.00 m/s by the drum, which was taken, and 3 m/s by the speed of the belt"), ("OK",),
         ("solve", "note"), base=MOTORS, level="ATTENTION"),
     Row("motors of 60 Hz on gears for 50 Hz",
         (("1500 rpm", "1800 rpm"), ("1480 rpm", "1780 rpm")),

@@ -11,6 +11,7 @@ from wraparc.calibrate.field_numbers import TRIP_RULES, FieldNumbers
 from wraparc.checks import Level
 from wraparc.checks import Verdict as Judgement
 from wraparc.checks.of_arc import COVER_UNKNOWN
+from wraparc.checks.of_drive import COVERS
 from wraparc.train.turning import surface_sentence
 from wraparc.units import display, either
 
@@ -80,7 +81,7 @@ def _verdict(found: FieldNumbers, judged: Judgement) -> Verdict:
     open_ = bool(doubt) and judged.level is Level.OK
     reason, action = "", ""
     if open_ and not found.shown:
-        action = "Give pulley_cover, carry_cover and carcass in [belt]."
+        action = COVERS
         reason = f" The thickness of the belt, which moves these levels, is not given. {action}"
     elif open_:
         reason = f" {[*at_once, *covered, again][0]}"

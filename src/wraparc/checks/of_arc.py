@@ -144,7 +144,7 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
             place=place,
             short="standard not applicable",
             says=escaped(f"{found.rule} was chosen and cannot be applied: {found.why_not}."),
-            remedy="Give what it asks for, or name another rule in [design_standard].",
+            remedy="Give what it asks for, or choose another design standard.",
             binding=criteria.standard.binding,
         )
     slack = min(result.arc.entry_tension, result.arc.exit_tension)
@@ -162,9 +162,8 @@ def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
         source=found.source,
         short="below standard",
         says=f"Slack side {{value}} is below the {{limit}} of {rule}; {how}{start}.{chosen}",
-        remedy="Raise the slack-side tension, or name the rule that you design by in "
-        "[design_standard].",
-        otherwise="Name the rule that you design by in [design_standard].",
+        remedy="Raise the slack-side tension, or choose the design standard.",
+        otherwise="Choose the design standard.",
         binding=criteria.standard.binding,
         place=place,
     )

@@ -28,12 +28,13 @@ from wraparc.checks.rules import (
 )
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
-from wraparc.errors import shown
 from wraparc.provenance import Provenance
 from wraparc.units import Dimension
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
+#: What the effect of a belt's thickness needs.
+COVERS = "Give the pulley cover, carry cover and carcass of the belt."
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
 
@@ -79,7 +80,7 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
         place=place,
         short="trim without belt thickness",
         says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
-        remedy="Give pulley_cover, carry_cover and carcass in [belt].",
+        remedy=COVERS,
         more={
             "shift": (100.0 * shift, "number"),
             "apart" if opposite else "layer": (COVERS_APART if opposite else 10e-3, "length"),
@@ -112,8 +113,8 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
     remedy, otherwise = f"{remedy}stronger belt.", "Take a wider or stronger belt."
     if momentary and belt.momentary_factor is None:
         remedy = (
-            "Give momentary_factor in [belt] if the maker allows more while starting and braking; "
-            "else take a stronger belt."
+            "Give the momentary factor of the belt if the maker allows more while starting and "
+            "braking; else take a stronger belt."
         )
         otherwise = ""
     share = 100.0 * value / (belt.rating * belt.width)
@@ -285,7 +286,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
     what = f"the tension {place}" if place else "the slack-side tension"
     what = "the sum of both tensions" if fixed else what
     other = "" if fixed or drive.criteria.take_up.after else _steady(drive)
-    where = f", or say where it stands: take_up.after = {shown(other)}" if other else ""
+    where = f", or say that it stands after pulley {other}" if other else ""
     yield Check(
         name="take_up",
         title="Tensions that the take-up holds",
@@ -294,7 +295,7 @@ def take_up(drive: Drive) -> Iterator[Check]:
         short="contradicts take-up",
         says=f"A {kind} take-up holds {what} at one value: it is {{least}} in load case "
         f"{escaped(low)} and {{most}} in load case {escaped(high)}.",
-        remedy=f"Correct the tensions, or the kind under [take_up]{escaped(where)}.",
+        remedy=f"Correct the tensions, or the kind of the take-up{escaped(where)}.",
         more={"least": (held[low], "force"), "most": (held[high], "force")},
         binding=False,
     )
@@ -335,8 +336,8 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
         short="tensions do not meet",
         says=f"The belt leaves pulley {escaped(before)} with {{leaves}} and enters pulley "
         f"{escaped(after)} with {{enters}}: taken as what the run between them adds.",
-        remedy="If none does, correct the tensions or the order of the pulleys; if one does, say "
-        f"so in [train]: run.{escaped(after)}.",
+        remedy="If none does, correct the tensions or the order of the pulleys; if one does, give "
+        f"what the run before pulley {escaped(after)} adds.",
         more={"leaves": (leaves, "force"), "enters": (enters, "force")},
         binding=False,
     )

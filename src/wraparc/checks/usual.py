@@ -280,7 +280,7 @@ def _turning(drive: Drive, owner: Owner) -> Iterator[Check]:
             if name == _FITS:
                 more: dict[str, tuple[float, Dimension]] = dict(check.more)
                 more |= {"drum": (turns * radius, "speed"), "belt": (belt, "speed")}
-                taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt]."
+                taken = "{drum} by the drum, which was taken, and {belt} by the speed of the belt."
                 says = f"{check.says[:-1]}: {taken}"
                 check = replace(check, says=says, remedy=remedy, more=more)
             yield check

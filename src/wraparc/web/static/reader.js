@@ -1489,7 +1489,7 @@ let why;
 if ($truth(opposite)) {
 (why = ("" + "it meets the other side of the belt than " + $str(first) + ", and covers that differ by {apart} shift it by {shift} %."));
 }
-return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give pulley_cover, carry_cover and carcass in [belt].", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
+return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give the pulley cover, carry cover and carcass of the belt.", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
 }
 function judge__train_balance(error, place) {
 
@@ -1567,7 +1567,7 @@ function* of_drive__meeting(before, leaves, after, enters, place) {
 if (($b.abs($sub(leaves, enters)) <= $mul(0.02, $b.max(leaves, enters)))) {
 return null;
 }
-yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, say so in [train]: run." + $str(check__escaped(after)) + "."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
+yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, give what the run before pulley " + $str(check__escaped(after)) + " adds."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
 }
 function* usual__of_train(train) {
 let division, kinds, motor, pulley, turns;
@@ -1698,7 +1698,7 @@ if ($truth($math.isnan($bound(found, "wrap_factor")))) {
 if (!$truth(criteria.standard.name)) {
 return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
 }
-return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or name another rule in [design_standard].", undefined, undefined, criteria.standard.binding);
+return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, criteria.standard.binding);
 }
 (slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
 (limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
@@ -1707,7 +1707,7 @@ return new Check("design_standard", title, ($truth(criteria.standard.binding) ? 
 if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
 (start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
 }
-return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(rule) + "; " + $str(how) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or name the rule that you design by in [design_standard].", "Name the rule that you design by in [design_standard].", "below standard", undefined, undefined, criteria.standard.binding);
+return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(rule) + "; " + $str(how) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or choose the design standard.", "Choose the design standard.", "below standard", undefined, undefined, criteria.standard.binding);
 }
 function design_standard__asked(standard, take_up, lagging, wrap_angle) {
 let factor, found, friction;
@@ -1889,7 +1889,7 @@ return of_drive__not_checked($bound(rule, "name"), title, "the rating of the bel
 (remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
 ([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
 if (($truth(momentary) && (belt.momentary_factor == null))) {
-(remedy = "Give momentary_factor in [belt] if the maker allows more while starting and braking; else take a stronger belt.");
+(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
 (otherwise = "");
 }
 (share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
@@ -2201,8 +2201,8 @@ return null;
 (what = ($truth(place) ? ("" + "the tension " + $str(place)) : "the slack-side tension"));
 (what = ($truth(fixed) ? "the sum of both tensions" : what));
 (other = (($truth(fixed) || $truth(drive.criteria.take_up.after)) ? "" : of_drive___steady(drive)));
-(where = ($truth(other) ? ("" + ", or say where it stands: take_up.after = " + $str($shown(other))) : ""));
-yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + " at one value: it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), ("" + "Correct the tensions, or the kind under [take_up]" + $str(check__escaped(where)) + "."), undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
+(where = ($truth(other) ? ("" + ", or say that it stands after pulley " + $str(other)) : ""));
+yield new Check("take_up", "Tensions that the take-up holds", "ATTENTION", undefined, undefined, undefined, undefined, undefined, ("" + "take-up " + $str(kind) + ", as given"), "contradicts take-up", ("" + "A " + $str(kind) + " take-up holds " + $str(what) + " at one value: it is {least} in load case " + $str(check__escaped(low)) + " and {most} in load case " + $str(check__escaped(high)) + "."), ("" + "Correct the tensions, or the kind of the take-up" + $str(check__escaped(where)) + "."), undefined, $map([["least", [$at(held, low), "force"]], ["most", [$at(held, high), "force"]]]), false);
 }
 function alike__falling(items, key) {
 let every, numbers, rounded, step;
@@ -2437,7 +2437,7 @@ if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 if (($eq(name, "speed of the drum over that of the belt"))) {
 (more = $b.dict($bound(check, "more")));
 (more = $merged(more, $map([["drum", [$mul(turns, radius), "speed"]], ["belt", [belt, "speed"]]])));
-(taken = "{drum} by the drum, which was taken, and {belt} by speed in [belt].");
+(taken = "{drum} by the drum, which was taken, and {belt} by the speed of the belt.");
 (says = ("" + $str($slice(check.says, null, $neg(1))) + ": " + $str(taken)));
 (check = $replaced(check, new Map([["says", says], ["remedy", remedy], ["more", more]])));
 }
