@@ -534,7 +534,7 @@ ROWS = (
     Row("it brakes", tensions("70 kN", "110 kN"), ("OK dry only", "Pulley head brakes (T1 < T2)"),
         (), ("solve", "page"), level="OK"),
     Row("overloaded while starting", (("[design_standard]", START.format("270 kN")),),
-        ("load case start", "129 % of the rating", "momentary_factor"), ("OK", "Raise"),
+        ("load case start", "129 % of the rating", "momentary factor"), ("OK", "Raise"),
         level="FAILS"),
     Row("creeps while starting alone", (("[design_standard]", START.format("200 kN")),),
         ("load case start", "Creeps 10.2 mm"), ("OK",), ("solve", "page"), level="ATTENTION"),
