@@ -83,6 +83,25 @@ STEPS = """() => {
     });
   });
 }"""
+#: What a finger misses, lower or narrower than 44 px with the margin that takes its touch too; not
+#: what stands in a line of text (WCAG 2.5.8), nor curves, which are read where they are touched.
+SMALL = """() => {
+  const aim = "a[href], button, summary, select, textarea, .hit, [role=slider]:not(g),"
+    + "label:has(:is([type=radio], [type=checkbox])),"
+    + "input:not([type=hidden], [type=radio], [type=checkbox], #cursor)";
+  const size = (e) => {
+    const {width, height} = (e.closest(".rail .box") ?? e).getBoundingClientRect();
+    const margin = getComputedStyle(e, "::after");
+    return margin.position === "absolute" && margin.content !== "none"
+      ? Math.min(parseFloat(margin.height), parseFloat(margin.width)) : Math.min(width, height);
+  };
+  const text = (e) => e.matches("a, .link") && e.closest("p, li, td, small, .help, footer");
+  return [...document.querySelectorAll(aim)]
+    .filter((e) => e.checkVisibility({visibilityProperty: true}))
+    .filter((e) => !text(e) && !e.closest(".skip, .away"))
+    .map((e) => [e.tagName, e.id || e.textContent.slice(0, 30), size(e)])
+    .filter((e) => e[2] < 43.5);
+}"""
 
 
 def chromium() -> str:

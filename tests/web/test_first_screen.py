@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Page, Request, ViewportSize, expect
 
-from web.browser import PHONE, Calculator, Visitor
+from web.browser import PHONE, SMALL, Calculator, Visitor
 from web.calculators import wait_for
 
 SCREEN: ViewportSize = {"width": 1440, "height": 900}
@@ -186,16 +186,9 @@ def test_all_that_is_touched_is_large_enough(calculator: Calculator) -> None:
     page = visitor.open("drive", unfold=False)
     visitor.alone()
     page.wait_for_selector(".ways li")
-    small = page.evaluate(
-        """() => [...document.querySelectorAll(
-            ".screen :is(button:not(.link, .q), summary, .switch span, .hit),"
-            + ".rail :is(.box, .condition select)")]
-          .filter((e) => e.checkVisibility() && !e.closest("#details, details:not([open]) > *"))
-          .map((e) => [e.textContent || e.id, e.getBoundingClientRect().height])
-          .filter(([, height]) => height < 43.5)"""
-    )
+    small = page.evaluate(SMALL)
     visitor.close()
-    assert [name for name, _ in small if name] == []
+    assert small == []
 
 
 #: What somebody types who means no number: 34 kinds.

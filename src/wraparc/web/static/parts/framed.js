@@ -16,6 +16,7 @@ import {
 import { answer } from "../pages/drive/solving.js";
 import { cloneElement, h } from "../vendor/preact.js";
 import { BELOW, list } from "./answers.js";
+import { idOf } from "./field.js";
 import { mark } from "./problems.js";
 
 /** @import { Bar, Children, Problem, Verdict } from "../types.d.ts" */
@@ -76,8 +77,8 @@ export function leadOf({ headline }) {
 const PLACE = /^Pulley (.+?)(?:, load case .+?)?: (.*)/s;
 /** @param {string} key of a field: whether it is in view */
 const inView = (key) =>
-  [...document.querySelectorAll(`[id$="-${key.replace(/,/g, "-").replace(/[^\w-]/g, "_")}"]`)].some(
-    (e) => e.checkVisibility(),
+  [...document.querySelectorAll(`[id$="${idOf(key.split(","), "")}"]`)].some((e) =>
+    e.checkVisibility(),
   );
 /** What is refused: fields in view have their reasons under them, and are only named here.
  * @typedef {Problem[] | string} Refused
