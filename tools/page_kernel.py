@@ -287,13 +287,26 @@ def formatted(text: str, file: Path = FILE) -> str:
     return done.stdout
 
 
+def types_module() -> str:
+    """Return the types of what the page asks and is answered."""
+    return formatted(types_of_api(), TYPES_FILE)
+
+
+#: Every file that is made, and what makes its text.
+MADE: dict[Path, Callable[[], str]] = {
+    FILE: module,
+    TRAIN_FILE: train_module,
+    READER_FILE: reader_module,
+    CELLS_FILE: cells_module,
+    TYPES_FILE: types_module,
+}
+
+
 def main() -> int:
-    """Write the file, or compare it."""
+    """Write the files, or compare them."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
-    texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
-    texts[CELLS_FILE] = cells_module()
-    texts[TYPES_FILE] = formatted(types_of_api(), TYPES_FILE)
+    texts = {file: make() for file, make in MADE.items()}
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)
