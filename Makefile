@@ -29,7 +29,7 @@ sync = $(UV) sync --quiet --offline $(1) 2>/dev/null || $(UV) sync --quiet $(1)
 CHECKED := src tests $(wildcard benchmarks) docs/conf.py docs/building tools
 
 .DEFAULT_GOAL := help
-.PHONY: help demo serve test check near dev format lint types docs site installed system tests kernel bench lock clean
+.PHONY: help demo serve test check near dev format lint types docs site installed system tests kernel page bench lock clean
 
 help: ## show this list
 	@sed -n 's/^\([a-z]*\):.*## /\1|/p' Makefile | while IFS='|' read -r t d; do printf '  make %-8s %s\n' "$$t" "$$d"; done
@@ -131,6 +131,9 @@ near: dev system
 
 kernel: dev ## make the solver of the page and the page of one file anew, after a change of either
 	@$(BIN)/python tools/page_kernel.py
+
+page: dev ## serve the calculator and make it anew whenever its source changes; FILE=drive.toml
+	@$(BIN)/python tools/page_watch.py $(FILE)
 
 bench: dev ## measure speed (ratios within one run)
 	@echo "== benchmarks"

@@ -15,6 +15,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from api_types import types_of_api
 from javascript import whole
 from javascript.translate import Module, translated
 from wraparc import catalogue, errors
@@ -61,6 +62,7 @@ from wraparc.web import in_page, in_page_checks, in_page_train
 
 ROOT = Path(__file__).parents[1]
 FILE = ROOT / "src" / "wraparc" / "web" / "static" / "kernel.js"
+TYPES_FILE = FILE.with_name("api.d.ts")
 BUNDLE = ROOT / "tools" / "page_bundle.mjs"
 BIOME = ROOT / "node_modules" / ".bin" / "biome"
 #: What the page calls; whatever these call comes along.
@@ -274,9 +276,9 @@ def reader_module() -> str:
     return HEAD + head + text
 
 
-def formatted(text: str) -> str:
+def formatted(text: str, file: Path = FILE) -> str:
     """Return JavaScript as the formatter of the page lays it out."""
-    command = [str(BIOME), "format", f"--stdin-file-path={FILE.relative_to(ROOT).as_posix()}"]
+    command = [str(BIOME), "format", f"--stdin-file-path={file.relative_to(ROOT).as_posix()}"]
     done = subprocess.run(
         command, input=text, capture_output=True, text=True, encoding="utf-8", cwd=ROOT, check=False
     )
@@ -285,12 +287,26 @@ def formatted(text: str) -> str:
     return done.stdout
 
 
+def types_module() -> str:
+    """Return the types of what the page asks and is answered."""
+    return formatted(types_of_api(), TYPES_FILE)
+
+
+#: Every file that is made, and what makes its text.
+MADE: dict[Path, Callable[[], str]] = {
+    FILE: module,
+    TRAIN_FILE: train_module,
+    READER_FILE: reader_module,
+    CELLS_FILE: cells_module,
+    TYPES_FILE: types_module,
+}
+
+
 def main() -> int:
-    """Write the file, or compare it."""
+    """Write the files, or compare them."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--check", action="store_true", help="only say whether it is up to date")
-    texts = {FILE: module(), TRAIN_FILE: train_module(), READER_FILE: reader_module()}
-    texts[CELLS_FILE] = cells_module()
+    texts = {file: make() for file, make in MADE.items()}
     if not parser.parse_args().check:
         for file, text in texts.items():
             save_file(str(file), text)

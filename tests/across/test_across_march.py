@@ -19,7 +19,7 @@ from across.wides import CORD, FABRIC, RUBBER, braking, crown, mode, wide
 from wraparc.across import AcrossSolver, WideArc
 from wraparc.across.collocation import System, newton, started
 from wraparc.across.elements import Elements, graded
-from wraparc.across.wide_arc import Array
+from wraparc.arrays import Array
 
 STRIPS = 4
 

@@ -10,8 +10,8 @@ import pytest
 from across.twin import Twin
 from across.wides import CORD, FABRIC, braking, mode, wide
 from wraparc.across.solver import AcrossSolver
-from wraparc.across.wide_arc import Array
 from wraparc.arc import WrapArc
+from wraparc.arrays import Array
 
 #: a fifth of the slack-side tension presses on no pulley; its lagging is squeezed unevenly
 THICK = replace(FABRIC, pitch_offset=12e-3, cover_compliance=6e-9, centrifugal=12e3)

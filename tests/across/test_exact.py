@@ -31,9 +31,10 @@ from wraparc.across.result import AcrossResult, AcrossStatus, to_the_edges
 from wraparc.across.solver import AcrossSolver
 from wraparc.across.spans import extra_path, length_after, length_before
 from wraparc.across.stresses import Law, pieces, stresses
-from wraparc.across.wide_arc import Array, WideArc, centres
+from wraparc.across.wide_arc import WideArc, centres
 from wraparc.arc import Distributed, WrapArc
 from wraparc.arc.profile import Range, read
+from wraparc.arrays import Array
 from wraparc.drive.across import GrippingPulley, Transition
 from wraparc.friction import (
     CoefficientPieces,

@@ -20,8 +20,8 @@ from wraparc.across import (
     screen,
     solve_across,
 )
-from wraparc.across.wide_arc import Array
 from wraparc.arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.drive import Across, GrippingPulley, Transition, WidthProfile
 from wraparc.errors import ConvergenceError
 from wraparc.friction import Constant

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from wraparc.across.spans import shear_lengths
-from wraparc.across.wide_arc import Array, WideArc, centres, wave_numbers
+from wraparc.across.wide_arc import WideArc, centres, wave_numbers
 from wraparc.arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.friction import Constant, IntegralLog, PressureKnots, TestedRange
 
 RANGE = TestedRange(pressure_min=34e3, pressure_max=690e3, slip_max=15e-3)

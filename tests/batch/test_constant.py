@@ -12,8 +12,9 @@ import numpy as np
 
 from batch.batches import designs, lagging
 from wraparc.arc.quantities import BREAKAWAY, SOLVED
+from wraparc.arrays import Array
 from wraparc.batch import constant, precise, row
-from wraparc.batch.arcs import Arcs, Array, arcs_of_table
+from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.friction import Constant, PressurePower
 
 LAGGINGS = [

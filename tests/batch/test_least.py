@@ -13,7 +13,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from wraparc.batch.least import Flags, search_least
+from wraparc.arrays import Flags
+from wraparc.batch.least import search_least
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from shear_test.virtual import rubber
+from wraparc.arrays import Array
 from wraparc.errors import InputError
 from wraparc.machine_tables import tables
 from wraparc.machine_tables import text as room
 from wraparc.machine_tables.numerals import NumeralStyle, numbers, style_of
 from wraparc.machine_tables.sniff import decode
 from wraparc.shear_test import DIALECTS, Choices, VirtualRig, read_machine_bytes, run_virtual_test
-from wraparc.shear_test.record import Array
 
 TEST = run_virtual_test(VirtualRig(law=rubber(), points=400), 207e3, 1)
 TEXTS = {name: d for name, d in DIALECTS.items() if name != "excel"}

@@ -12,12 +12,12 @@ import pytest
 from shear_test.virtual import fitted, laboratory
 from wraparc.answer.shear_test_budget import budget_table
 from wraparc.answer.sheet import shown
+from wraparc.arrays import Array
 from wraparc.errors import InputError
 from wraparc.shear_test import MachineRecord, TestPlan
 from wraparc.shear_test.budget import Common, Uncertainty
 from wraparc.shear_test.plan_file import plan_from_text
 from wraparc.shear_test.pressure_fit import PressureFit
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.student import t95
 
 NONE = Uncertainty(

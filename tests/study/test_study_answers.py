@@ -13,6 +13,7 @@ from study.test_study_run import CONDITIONS, small
 from wraparc.answer.sheet import shown
 from wraparc.answer.study_words import histogram_sentence, part
 from wraparc.arc import Distributed, WrapArc
+from wraparc.arrays import Array
 from wraparc.checks import Level
 from wraparc.errors import InputError
 from wraparc.files import drive_from_document
@@ -20,7 +21,7 @@ from wraparc.schema.source import parse, read_text
 from wraparc.study.histogram import limit_column
 from wraparc.study.monte_carlo import PERCENTS, _Collected, over_conditions, summarise
 from wraparc.study.parameter_study import OUTPUTS
-from wraparc.study.plan import Array, Saltelli
+from wraparc.study.plan import Saltelli
 from wraparc.study.run import run_study
 from wraparc.study.sampling import LatinHypercube, Sobol
 from wraparc.study.sensitivity import (

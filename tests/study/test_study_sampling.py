@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from scipy import stats
 from scipy.stats import qmc
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError
 from wraparc.study.distributions import Distribution, Lognormal, Normal, Triangular, Uniform
-from wraparc.study.plan import Array, DrawnField, Levels, Saltelli, Sweep
+from wraparc.study.plan import DrawnField, Levels, Saltelli, Sweep
 from wraparc.study.sampling import SAMPLINGS, LatinHypercube, Random, Sobol
 
 NAMES = sorted(SAMPLINGS)

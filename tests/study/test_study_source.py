@@ -10,13 +10,13 @@ import pytest
 
 from study.studies import EXAMPLES, FOLDER, SAMPLING, study_of
 from wraparc.arc import Distributed, WrapArc
+from wraparc.arrays import Array
 from wraparc.batch import Setting
 from wraparc.drive import Fit, Lagging, with_peaks
 from wraparc.files import drive_from_document, load_lagging, save_lagging
 from wraparc.friction import IntegralLog, PressureKnots
 from wraparc.schema.source import parse, read_text
 from wraparc.study.parameter_study import Study
-from wraparc.study.plan import Array
 
 RICH = """
 format = 1

@@ -7,19 +7,49 @@ from enum import StrEnum
 from functools import cached_property
 from itertools import pairwise
 from math import exp, log
+from pathlib import Path
 from types import FunctionType
 from typing import Any, NamedTuple, cast
 
 import pytest
 
 import page_kernel
+import page_watch
 from javascript.names import Refused
 from javascript.translate import translate, translated
 from web.kernel_cases import apart, arcs, case_of, in_node, in_python
 
 
-def test_the_file_is_what_its_source_gives() -> None:
-    assert page_kernel.module() == page_kernel.FILE.read_text("utf-8"), "make kernel"
+@pytest.mark.parametrize("file", page_kernel.MADE, ids=lambda file: file.name)
+def test_the_file_is_what_its_source_gives(file: Path) -> None:
+    assert page_kernel.MADE[file]() == file.read_text("utf-8"), "make kernel"
+
+
+def test_what_is_saved_is_made_anew_and_what_is_made_is_not(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(page_watch, "ROOT", tmp_path)
+    names = ["pages/drive.js", "solver.py", "built/main.js", "notes.txt"]
+    for name in names:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("")
+    before = page_watch.times(tmp_path)
+    assert {path.relative_to(tmp_path).as_posix() for path in before} == set(names[:2])
+    assert not page_kernel.MADE.keys() & page_watch.times().keys()
+    assert page_watch.changed(before, dict(before)) == set()
+    page, solver = (tmp_path / name for name in names[:2])
+    assert page_watch.changed(before, {page: before[page] + 1}) == {page, solver}  # one has gone
+
+    ran = list[Any]()
+
+    def run(command: list[str], **_: object) -> Any:
+        ran.append(Path(command[-1]).name)
+        return subprocess.CompletedProcess(command, 1 if len(ran) == 3 else 0)
+
+    monkeypatch.setattr(subprocess, "run", run)
+    started = [page_watch.made({page}), page_watch.made({page, solver}), page_watch.made({solver})]
+    assert ran == ["page_bundle.mjs", "page_kernel.py", "page_kernel.py"]
+    assert started == [False, True, False]  # what does not translate leaves the server as it is
 
 
 @pytest.mark.parametrize(("each", "capacities"), [(2, False), (1, True)])

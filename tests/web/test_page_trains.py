@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-import page_kernel
 from arc.drives import LAWS
 from train.trains import held, random_train
 from web.kernel_cases import in_node
@@ -38,10 +37,6 @@ from wraparc.web.in_page import Given
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SOLVER = "train_cases.mjs"
 Data = dict[str, Any]
-
-
-def test_the_file_is_what_its_source_gives() -> None:
-    assert page_kernel.train_module() == page_kernel.TRAIN_FILE.read_text("utf-8"), "make kernel"
 
 
 def numbers(train: Train, case: Any) -> Data:

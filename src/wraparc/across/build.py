@@ -14,8 +14,9 @@ from wraparc.across.spans import (
     length_before,
     shear_lengths,
 )
-from wraparc.across.wide_arc import Array, WideArc, centres, cosines, wave_numbers
+from wraparc.across.wide_arc import WideArc, centres, cosines, wave_numbers
 from wraparc.arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.drive import Across, Belt, Drive, LoadCase, Pulley, Transition, WidthProfile
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import unit_factor

@@ -27,10 +27,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from wraparc.across.elements import Array, Elements
+from wraparc.across.elements import Elements
 from wraparc.across.stresses import Law, Stress, stresses
 from wraparc.across.wide_arc import WideArc
 from wraparc.arc import ArcResult
+from wraparc.arrays import Array
 
 #: largest step of a tension, over the mean of the tight side, at which the conditions are met
 TOLERANCE = 1e-11

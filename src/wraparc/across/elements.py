@@ -16,9 +16,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from wraparc.arrays import Array
 
 _WEIGHTS = np.array([5.0, 8.0, 5.0]) / 18.0
 _STAGES = 0.5 + np.sqrt(0.15) * np.array([-1.0, 0.0, 1.0])

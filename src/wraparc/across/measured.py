@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from wraparc.across.wide_arc import Array
+from wraparc.arrays import Array
 from wraparc.drive import WidthProfile
 from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables import (

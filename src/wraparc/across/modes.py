@@ -21,8 +21,9 @@ from numpy.typing import NDArray
 from wraparc.across.collocation import Found, Point, System, along, between, newton, started
 from wraparc.across.elements import Elements, graded
 from wraparc.across.stresses import FINENESS, Law, pieces, stresses
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import WideArc
 from wraparc.arc import ArcResult, Distributed
+from wraparc.arrays import Array
 from wraparc.errors import ConvergenceError
 
 #: what makes a belt uneven: radius alone, lagging (radius and thickness), free profile of the

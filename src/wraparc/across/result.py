@@ -9,9 +9,10 @@ from functools import cached_property
 import numpy as np
 
 from wraparc.across.modes import mode_response
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import WideArc
 from wraparc.alike import place_of_largest
 from wraparc.arc import ArcResult
+from wraparc.arrays import Array
 from wraparc.views import Viewable
 
 

@@ -8,8 +8,9 @@ import numpy as np
 
 from wraparc.across.build import in_plane_stiffness, wide_arc
 from wraparc.across.modes import CAUSES, ModeResponse, mode_response
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import WideArc
 from wraparc.alike import falling
+from wraparc.arrays import Array
 from wraparc.drive import Across, Drive, LoadCase, Pulley, Transition
 
 #: modes of the screening

@@ -12,9 +12,10 @@ from wraparc.across.collocation import Found, State, System, along, between, new
 from wraparc.across.elements import Elements, graded
 from wraparc.across.result import AcrossResult, AcrossStatus, Fields, Slack
 from wraparc.across.stresses import stresses
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import WideArc
 from wraparc.alike import place_of_largest
 from wraparc.arc import ArcResult, Distributed, Status
+from wraparc.arrays import Array
 
 #: trials of putting the unevenness on little by little, where it fails all at once
 _MOST_TRIALS = 12

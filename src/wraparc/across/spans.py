@@ -10,11 +10,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.drive import GrippingPulley, Transition
-
-Array = NDArray[np.float64]
 
 
 def shear_lengths(wave_numbers: Array, modulus: float, stiffness: float) -> Array:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     KNOTS,
@@ -22,8 +23,6 @@ from wraparc.friction.compact import (
     TABLE,
     CompactLaw,
 )
-
-Array = NDArray[np.float64]
 
 #: parts of an element along the arc where friction has kinks in creep, see `Law.bends`
 FINENESS = 4
@@ -176,7 +175,7 @@ def _clipped(law: Law, p: Array) -> tuple[Array, Array]:
     return at, np.minimum(law.edges[-1] / p, 1.0)
 
 
-def _stuck(law: Law, compliance: Array, b: Array, p: Array) -> tuple[NDArray[np.bool_], Array]:
+def _stuck(law: Law, compliance: Array, b: Array, p: Array) -> tuple[Flags, Array]:
     """Which strips are held by the elastic give of lagging and law, and that give [m/Pa]."""
     elastic = compliance + np.zeros_like(b)
     if law.kind == LIMIT:

@@ -11,7 +11,7 @@ from wraparc.across.build import wide_arc
 from wraparc.across.result import AcrossResult
 from wraparc.across.solve import uneven_pulleys
 from wraparc.across.solver import AcrossSolver
-from wraparc.across.wide_arc import Array
+from wraparc.arrays import Array
 from wraparc.drive import Drive
 
 

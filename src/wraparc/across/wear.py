@@ -10,7 +10,8 @@ import numpy as np
 from wraparc.across.modes import mode_response
 from wraparc.across.result import AcrossResult
 from wraparc.across.solver import AcrossSolver
-from wraparc.across.wide_arc import Array, WideArc
+from wraparc.across.wide_arc import WideArc
+from wraparc.arrays import Array
 from wraparc.drive.pitch import turns_an_hour
 from wraparc.errors import InputError, Problem
 from wraparc.units import display

@@ -7,17 +7,15 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.across.spans import TransitionSpan
 from wraparc.arc import WrapArc
 from wraparc.arc.quantities import jumps
+from wraparc.arrays import Array
 from wraparc.drive import Lagging
 from wraparc.errors import InputError, Problem
 from wraparc.provenance import Provenance
 from wraparc.units import display
-
-Array = NDArray[np.float64]
 
 
 def cosines(strips: int) -> Array:

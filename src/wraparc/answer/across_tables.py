@@ -16,10 +16,10 @@ from wraparc.across import (
     screen,
     slack_words,
 )
-from wraparc.across.wide_arc import Array
 from wraparc.alike import place_of_largest
 from wraparc.answer.sheet import NONE, Row, Table, headed, named, number, percent, row_of
 from wraparc.arc import DriveResult
+from wraparc.arrays import Array
 from wraparc.checks import Level, Place, Verdict, judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive

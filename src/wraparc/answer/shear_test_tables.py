@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.answer.shear_test_budget import budget_table
 from wraparc.answer.shear_test_files import (
@@ -28,8 +27,6 @@ from wraparc.shear_test.misfit import OTHER_PRESSURE, noise_levels
 from wraparc.shear_test.pressure_form import equations
 from wraparc.shear_test.sentences import form_sentences
 from wraparc.units import in_unit, quantity, unit_of
-
-Array = NDArray[np.float64]
 
 
 def plan_sheet(result: PlanResult, *, laws: bool = False) -> Sheet:

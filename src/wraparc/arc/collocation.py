@@ -19,10 +19,7 @@ One source runs in the interpreter and translated for the page: plain floats, li
 from __future__ import annotations
 
 from math import ceil, exp, inf, log, nan, sqrt
-from typing import NamedTuple, TypeVar
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from wraparc.arc.quantities import LEAST_COMPLIANCE, Geometry
 from wraparc.arc.traction import (
@@ -34,9 +31,8 @@ from wraparc.arc.traction import (
     stress_of_slip,
     traction,
 )
+from wraparc.arrays import Number
 from wraparc.friction.compact import CompactLaw, segment_of
-
-_Number = TypeVar("_Number", float, NDArray[np.float64])
 
 # Gauss's method of three stages: places, weights of the stages and of the end
 _Q = sqrt(15.0)
@@ -319,8 +315,8 @@ def stage_creeps(h: float, ratio: float, c: float, u: float, k: list[float]) -> 
 
 
 def stage_matrix(
-    hb: _Number, hc: _Number, v: tuple[_Number, ...], w: tuple[_Number, ...]
-) -> tuple[tuple[_Number, ...], tuple[_Number, ...], _Number]:
+    hb: Number, hc: Number, v: tuple[Number, ...], w: tuple[Number, ...]
+) -> tuple[tuple[Number, ...], tuple[Number, ...], Number]:
     """Slopes of the stage stresses by the stage tensions, d tau_j = w_j dT_j - v_j h C sum A dT.
 
     Parameters
@@ -591,7 +587,7 @@ def spent(arc: Geometry, at: Course) -> bool:
     return arc.left[0] < 0.0
 
 
-def weights_at(c: _Number) -> tuple[_Number, _Number, _Number]:
+def weights_at(c: Number) -> tuple[Number, Number, Number]:
     """Integrals from 0 to c of the parabolas that are 1 at one stage of an element each."""
     x = 2.0 * c - 1.0
     linear, square = 0.25 * (x * x - 1.0), 0.25 * (x * x * x - x)  # Legendre's, integrated

@@ -6,15 +6,13 @@ import math
 from bisect import bisect
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.answer import operating_point
 from wraparc.arc.quantities import SOLVED
 from wraparc.arc.wrap_arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.drive import knots_of, with_peaks
 from wraparc.friction import PressureKnots
-
-Array = NDArray[np.float64]
 
 nan = math.nan
 #: Step of a slope, in standard deviations of the parameter.

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from wraparc.arc.quantities import jumps
-from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
+from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
 from wraparc.arc.traction import plateau_stress, traction
 from wraparc.arc.wrap_arc import WrapArc
+from wraparc.arrays import Array
 
 nan = math.nan
 #: Of the walk found at once: first global creep [m], first slip over creep, most steps of Newton's

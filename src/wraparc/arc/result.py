@@ -10,16 +10,15 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.answer import operating_point
 from wraparc.arc.interval import creep_interval
 from wraparc.arc.quantities import SOLVED
 from wraparc.arc.summary import spring_rate
 from wraparc.arc.wrap_arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.views import Viewable
 
-Array = NDArray[np.float64]
 nan = math.nan
 
 

@@ -11,9 +11,10 @@ from wraparc.arc.answer import Answer
 from wraparc.arc.capacity import CAPACITIES, Carried, find_capacities
 from wraparc.arc.profile import RECORD
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, Buffer
-from wraparc.arc.result import ArcResult, Array, Capacities, Energy, Profile, Status
+from wraparc.arc.result import ArcResult, Capacities, Energy, Profile, Status
 from wraparc.arc.summary import NEXT_SLIP, Summary, capacity_numbers, solved_arc, summary_of
 from wraparc.arc.wrap_arc import WrapArc
+from wraparc.arrays import Array
 
 nan = math.nan
 #: Numbers that a result has from others of it.

@@ -7,10 +7,7 @@ slider moves.
 from __future__ import annotations
 
 from math import atan, copysign, exp, log, nan, sqrt
-from typing import NamedTuple, TypeVar
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import NamedTuple
 
 from wraparc.arc.answer import Answer, operating_point
 from wraparc.arc.capacity import Carried
@@ -18,11 +15,10 @@ from wraparc.arc.collocation import overrun_at
 from wraparc.arc.profile import RECORD, Range, read, records
 from wraparc.arc.quantities import SOLVED, Buffer, Geometry, Load, jumps, zeros
 from wraparc.arc.traction import held_stress
+from wraparc.arrays import Number
 from wraparc.drive.pitch import thin_belt
 from wraparc.friction import TestedRange
 from wraparc.friction.compact import CompactLaw, branch_of, friction_at, segment_of
-
-_Number = TypeVar("_Number", float, NDArray[np.float64])
 
 #: Overrun by formula over delta sqrt(delta/R) [-].
 OVERRUN = 1.25
@@ -53,7 +49,7 @@ class Description(NamedTuple):
     centrifugal: float  # m v^2 [N]
 
 
-def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
+def overrun_coefficient(compliance: Number, radius: Number) -> Number:
     """Overrun by formula over the entry pressure to the power 1.5 [m/Pa^1.5].
 
     x_c = 1.25 delta sqrt(delta/R) with the compression delta = (h/E_c) p1 of the lagging.
@@ -65,7 +61,7 @@ def overrun_coefficient(compliance: _Number, radius: _Number) -> _Number:
     radius
         R over the unloaded lagging [m], > 0.
     """
-    found: _Number = OVERRUN * compliance**1.5 / radius**0.5
+    found: Number = OVERRUN * compliance**1.5 / radius**0.5
     return found
 
 

@@ -10,11 +10,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.result import ArcResult
-
-Array = NDArray[np.float64]
+from wraparc.arrays import Array
 
 #: Part of the thickness that may be worn off where nothing else is said [-].
 WORN_SHARE = 0.5

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from wraparc.arc import WrapArc
 from wraparc.arc.summary import overrun_coefficient
+from wraparc.arrays import Array, Integers
 from wraparc.batch.columns import (
     Column,
     columns_of,
@@ -28,8 +29,6 @@ from wraparc.friction import FrictionLaw
 from wraparc.glossary import GLOSSARY
 from wraparc.units import display
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 nan = float("nan")
 
 REQUIRED = (

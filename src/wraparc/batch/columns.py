@@ -14,13 +14,10 @@ from decimal import Decimal
 from typing import Any, SupportsFloat, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.errors import Problem, shown
 from wraparc.units import DIMENSION_TEXT, Dimension, display
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 NO_VALUE = "no value"  # masked, None, NA
 _MOST_TOLD = 10  # rows that are told by number

@@ -15,15 +15,13 @@ on itself alone.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, SOLVED
+from wraparc.arrays import Array, Flags
 from wraparc.batch import row
-from wraparc.batch.arcs import Arcs, Array
+from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.friction.compact import LIMIT
-
-Flags = NDArray[np.bool_]
 
 ROUNDS = 60  # of Newton's method in a bracket: 5 to 8 are usual
 NEAR = 1e-12  # of T1

@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from wraparc.batch.traction import Array, Flags, Integers, Laws
+from wraparc.arrays import Array, Flags, Integers
+from wraparc.batch.traction import Laws
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(12)
 ANYWHERE = 1e5  # an edge for laws that have none [Pa]

@@ -6,15 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch.traction import Laws, laws_of
 from wraparc.drive.pitch import counts_shear
 from wraparc.friction import LAGGING_SHEAR, FrictionLaw
 from wraparc.friction.compact import CompactLaw
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 nan = float("nan")
 
 
@@ -51,7 +49,7 @@ class LawBank:
     steepest_fall: Array
     tested: Array
     tested_speed: Array
-    with_shear: NDArray[np.bool_]
+    with_shear: Flags
 
     def __len__(self) -> int:
         return len(self.kind)

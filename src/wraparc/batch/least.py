@@ -11,11 +11,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Integers = NDArray[np.int64]
+from wraparc.arrays import Array, Flags, Integers
 
 #: pull [N] at the creep limit for ln tight-side tensions of some rows, and which of it is found;
 Pull = Callable[[Array, Integers], tuple[Array, Flags]]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from wraparc.arc.capacity import CAPACITIES
-from wraparc.batch.arcs import Arcs, Array, Integers
+from wraparc.arrays import Array, Integers
+from wraparc.batch.arcs import Arcs
 from wraparc.batch.row import FOUND_NUMBERS, capacities_of_row, tensions_of_row
 
 

@@ -7,16 +7,10 @@ from functools import partial, reduce
 
 import numpy as np
 
+from wraparc.arrays import Array, Integers
 from wraparc.batch import row
 from wraparc.batch.traction import Stress, Tables
-from wraparc.batch.two_point import (
-    Array,
-    Block,
-    Courses,
-    Curves,
-    Integers,
-    Solved,
-)
+from wraparc.batch.two_point import Block, Courses, Curves, Solved
 
 ACTIVE_SHARE = 0.01  # of the change of tension that lies before the active arc
 HALVINGS, REGULA = 45, 8

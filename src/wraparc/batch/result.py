@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import Status
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
+from wraparc.arrays import Array, Flags
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.errors import library
@@ -18,8 +18,6 @@ from wraparc.errors import library
 if TYPE_CHECKING:
     import pandas as pd
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 REFUSAL = (
     "The friction law is unfit for this arc: it falls so steeply past its peak, or the overrun is "

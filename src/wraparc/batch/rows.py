@@ -18,6 +18,7 @@ from wraparc.arc.capacity import FAR, HALVINGS, HIGHEST
 from wraparc.arc.collocation import CREEP, TENSION
 from wraparc.arc.gross_slip import PRESSURES
 from wraparc.arc.quantities import BREAKAWAY, LEAST_COMPLIANCE, REFUSED, SOLVED
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.constant import solve_constant
@@ -26,11 +27,8 @@ from wraparc.batch.least import crown, narrowed, search_least
 from wraparc.batch.precise import solve_precisely
 from wraparc.batch.read_courses import read_courses
 from wraparc.batch.two_point import (
-    Array,
     Block,
     Ends,
-    Flags,
-    Integers,
     Solved,
     first_courses,
     mean_creep,

@@ -11,13 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from wraparc.arrays import Array, Integers
 from wraparc.batch import BatchResult, Setting, row, solve_arcs
-from wraparc.batch.arcs import Arcs, Array
-
-Integers = NDArray[np.int64]
+from wraparc.batch.arcs import Arcs
 
 #: numbers that a kernel reads and that change: (power of f, power of s)
 GIVEN_POWERS = {

@@ -10,8 +10,9 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.batch import row
-from wraparc.batch.arcs import Arcs, Array, arcs_of_table
+from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.result import BatchResult
 from wraparc.batch.rows import solve_rows
 from wraparc.drive import Lagging

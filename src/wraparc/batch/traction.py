@@ -10,9 +10,9 @@ from collections.abc import Sequence
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.traction import LEAST_CREEP, LEAST_SHARE
+from wraparc.arrays import Array, Integers
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     KNOTS,
@@ -21,10 +21,6 @@ from wraparc.friction.compact import (
     PIECES,
     CompactLaw,
 )
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 
 #: Of the rise of the integral-log law: its first guess, of what is too much, and steps.
 BELOW, RISE_STEPS = 0.4, 2

@@ -12,7 +12,6 @@ from dataclasses import dataclass, fields, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.collocation import (
     A00,
@@ -36,11 +35,8 @@ from wraparc.arc.collocation import (
     TENSION,
     stage_matrix,
 )
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch.traction import Laws, Stress
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 
 SPREAD = 1.0 / 3.0
 #: Tension at the end of an element by those at its stages, less that at its start: b A^-1.

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.calibrate.fit import Fit
 from wraparc.calibrate.problem import (
     ERRORS,
@@ -42,7 +42,6 @@ __all__ = [
     "calibrated_drive",
 ]
 
-Array = NDArray[np.float64]
 
 #: a parameter whose data leave it a standard deviation beyond this is not told [-], in logarithm;
 #: for the overrun, of its unit

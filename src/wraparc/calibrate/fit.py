@@ -8,9 +8,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, Distributed
+from wraparc.arrays import Array
 from wraparc.calibrate.problem import (
     OVERRUN_UNIT,
     Problemset,
@@ -24,7 +24,6 @@ from wraparc.calibrate.problem import (
 )
 from wraparc.errors import InputError, MissingExtraError, Problem
 
-Array = NDArray[np.float64]
 Solved = dict[State, ArcResult]
 
 # how exactly to fit: the best fit, and a refit of which only the sum of squares counts

@@ -7,14 +7,12 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.calibrate.record import RecordChoices
 from wraparc.calibrate.virtual_pulley import PulleyRecord
 from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem
-
-Array = NDArray[np.float64]
 
 _MOST_BINS = 720
 _ACTIVE = 0.02
@@ -197,7 +195,7 @@ def _off_belt(means: Array, wrap: float) -> tuple[float, float]:
     return level, float(noise)
 
 
-def _longest_run(active: NDArray[np.bool_]) -> tuple[int, int]:
+def _longest_run(active: Flags) -> tuple[int, int]:
     """Start and length of the longest run round the circle, gaps of three bins closed."""
     ring = active.copy()
     for shift in (1, 2, 3):
@@ -212,7 +210,7 @@ def _longest_run(active: NDArray[np.bool_]) -> tuple[int, int]:
     return int((starts[longest] + first) % len(ring)), int(ends[longest] - starts[longest])
 
 
-def _whole_turns(turn: NDArray[np.int64], along: Array, wrap: float) -> NDArray[np.bool_]:
+def _whole_turns(turn: Integers, along: Array, wrap: float) -> Flags:
     """Which turns have samples near both ends of the contact arc."""
     n = int(turn.max()) + 1
     near = 0.05 * wrap
@@ -221,7 +219,7 @@ def _whole_turns(turn: NDArray[np.int64], along: Array, wrap: float) -> NDArray[
     return np.asarray(begins & ends)
 
 
-def _binned(value: Array, place: NDArray[np.int64], points: int) -> Array:
+def _binned(value: Array, place: Integers, points: int) -> Array:
     """Mean of each bin."""
     count = np.maximum(np.bincount(place, minlength=points), 1)
     return np.bincount(place, weights=value, minlength=points) / count

@@ -6,15 +6,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from wraparc.arc import Distributed, Method, WrapArc
+from wraparc.arrays import Array
 from wraparc.drive import Drive, Tensions
 from wraparc.drive.changes import with_pulley
 from wraparc.errors import InputError, Problem
 
-Array = NDArray[np.float64]
 #: A load case, and tensions where they are not those of the load case.
 State = tuple[str, Tensions | None]
 

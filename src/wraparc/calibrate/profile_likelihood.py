@@ -11,10 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-import numpy as np
-from numpy.typing import NDArray
-
-Array = NDArray[np.float64]
+from wraparc.arrays import Array
 
 #: Refits along one side at most.
 _MOST = 8

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.calibrate.virtual_pulley import PulleyRecord
 from wraparc.errors import InputError, Problem, shown
 from wraparc.machine_tables import (
@@ -20,8 +20,6 @@ from wraparc.machine_tables import (
     read_bytes,
 )
 from wraparc.units import Dimension, dimension_of, unit_factor
-
-Array = NDArray[np.float64]
 
 _EXPORT = "Export a row for each sample: rotation angle, belt displacement, shear angle."
 #: what a record may hold: column, dimension, words that name it

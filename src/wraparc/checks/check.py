@@ -7,16 +7,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cached_property
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Number
 from wraparc.checks.numbers import AHEAD, BEHIND, beyond, kept, margin_of, order_of, times_of
 from wraparc.units import RESULT_DIGITS, Cell, Dimension, System, in_units, quantity
 from wraparc.units.cell import Form
-
-_Number = TypeVar("_Number", float, NDArray[np.float64])
 
 #: Checks that advise where they are missed, as a design standard does that does not bind.
 ADVICE = ("cover_creep", "creep_interval", "tested_slip_speed")
@@ -55,7 +53,7 @@ def keeps(value: float, limit: float, *, at_most: bool = True) -> bool:
     return kept(value, limit, at_most)
 
 
-def margin_to(value: _Number, limit: _Number, *, at_most: bool) -> _Number:
+def margin_to(value: Number, limit: Number, *, at_most: bool) -> Number:
     """How far a value is from its limit, over the limit: positive on the safe side [-]."""
     return (1.0 if at_most else -1.0) * (1.0 - value / limit)
 
@@ -486,15 +484,15 @@ def _badness(check: Check) -> tuple[float, float]:
     return -(Level.OK.rank + 0.5 if unknown else check.level.rank), order
 
 
-def behind(margin: _Number) -> _Number:
+def behind(margin: Number) -> Number:
     """Return a margin that sorts behind every other: advice leads where nothing else is missed."""
-    found: _Number = np.maximum(margin, -BEHIND) + 2.0 * BEHIND
+    found: Number = np.maximum(margin, -BEHIND) + 2.0 * BEHIND
     return found
 
 
-def ahead(margin: _Number) -> _Number:
+def ahead(margin: Number) -> Number:
     """Return a margin that sorts before every other: gross slip leads whatever else fails."""
-    found: _Number = np.minimum(margin, BEHIND) - AHEAD
+    found: Number = np.minimum(margin, BEHIND) - AHEAD
     return found
 
 

@@ -6,14 +6,12 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import wrap_factor
+from wraparc.arrays import Array
 from wraparc.catalogue import design_friction
 from wraparc.checks.numbers import as_printed
 from wraparc.drive import DesignStandard, Lagging, TakeUp
-
-Array = NDArray[np.float64]
 
 #: CEMA's drive factor Cw of a single pulley with a manual take-up, by wrap angle [deg]. CEMA gives
 #: its values for an automatic take-up in the same table; they are 1/(exp(mu phi) - 1) with a

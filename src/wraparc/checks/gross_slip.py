@@ -8,10 +8,10 @@ from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult, DriveResult, WrapArc
 from wraparc.arc.gross_slip import Line, outweighs, residual_capacity
+from wraparc.arrays import Array
 from wraparc.checks.numbers import rise_among
 from wraparc.checks.sliding import (
     AtLimit,
@@ -23,8 +23,6 @@ from wraparc.checks.sliding import (
     wet_creep,
 )
 from wraparc.drive import TakeUp
-
-Array = NDArray[np.float64]
 
 
 def loaded(result: ArcResult) -> Loaded:

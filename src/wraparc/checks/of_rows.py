@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.arc.wrap_arc import of_belt
+from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
@@ -43,10 +44,6 @@ from wraparc.checks.usual import least_margin
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Codes = NDArray[np.int8]
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
@@ -144,14 +141,14 @@ class Held:
     motor_load: Array
     momentary_load: Array
 
-    def rows(self, which: slice | NDArray[np.int64]) -> Held:
+    def rows(self, which: slice | Integers) -> Held:
         """Return some of the rows."""
         return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
 
 
 def held_by(
     drives: Sequence[Drive],
-    which: NDArray[np.int64],
+    which: Integers,
     pulley: str,
     load_case: str,
     arcs: Arcs,
@@ -249,7 +246,7 @@ def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, .
 
 
 def _open_trims(
-    drives: Sequence[Drive], which: NDArray[np.int64], index: int, tensions: tuple[Array, Array]
+    drives: Sequence[Drive], which: Integers, index: int, tensions: tuple[Array, Array]
 ) -> Flags:
     """Whether a trim that a pulley takes part in is open, that of the driven ones to the first."""
     entry, leaving = tensions
@@ -266,9 +263,7 @@ def _open_trims(
     return np.asarray(found & driven[:, index])
 
 
-def _factors(
-    drives: Sequence[Drive], which: NDArray[np.int64], pulley: str, wrap_angle: Array
-) -> Array:
+def _factors(drives: Sequence[Drive], which: Integers, pulley: str, wrap_angle: Array) -> Array:
     """Wrap factors of the design standard, shape (n,) [-]; drives that agree in it at once.
 
     Infinite where a chosen standard cannot be applied.

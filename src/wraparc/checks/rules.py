@@ -7,19 +7,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from typing import TypeVar
-
-import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
+from wraparc.arrays import Number
 from wraparc.checks.check import Level
 from wraparc.checks.numbers import USUAL_STRENGTH, idles
 from wraparc.checks.sliding import SLIDES
 from wraparc.drive import CREEP_LIMIT, Belt, Criteria
-
-_Number = TypeVar("_Number", float, NDArray[np.float64])
-
 
 #: Breaking strength over the largest tension that is customary, by carcass, where no rating says
 #: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
@@ -162,8 +156,6 @@ def start_factor(criteria: Criteria, kind: str) -> float:
     return criteria.standard.start_factor if kind == "running" else 1.0
 
 
-def wrap_pressure(
-    tension: _Number, width: _Number, diameter: _Number, centrifugal: _Number
-) -> _Number:
+def wrap_pressure(tension: Number, width: Number, diameter: Number, centrifugal: Number) -> Number:
     """Pressure of the belt on the pulley, 2 T/(B D) [Pa]."""
     return 2.0 * (tension - centrifugal) / (width * diameter)

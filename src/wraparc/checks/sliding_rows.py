@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.capacity import CREEP_LIMIT as BY_CREEP
 from wraparc.arc.capacity import GROSS_SLIP as BY_LAW
 from wraparc.arc.capacity import TESTED_SLIP as BY_SLIP
+from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting, row
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.gross_slip import ratio_at_gross_slip
@@ -31,10 +31,6 @@ from wraparc.checks.sliding import (
     SLIDES,
     TESTED,
 )
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int8]
-Integers = NDArray[np.int64]
 
 #: Last step over the place, over the accuracy of the arcs.
 _NEAR = 10.0  # the last step of a secant leaves its square
@@ -59,7 +55,7 @@ class LoadedRows:
     arcs: Arcs
     friction_factor: Array
     slip_factor: Array
-    peaks: NDArray[np.bool_]
+    peaks: Flags
     setting: Setting = Setting.ENGINEERING
 
     @classmethod
@@ -304,7 +300,7 @@ def _places(
 
 
 def _spare(
-    of: LoadedRows, at: _Lines, k: Array, q: Array, even: NDArray[np.bool_]
+    of: LoadedRows, at: _Lines, k: Array, q: Array, even: Flags
 ) -> tuple[Array, Array, Array]:
     """What friction has to spare at places of lines, over what, and about its slope."""
     tight, slack = at.at(k)

@@ -7,16 +7,13 @@ from dataclasses import dataclass, replace
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.across import AcrossResult, AcrossSolver, wide_arc
+from wraparc.arrays import Array, Integers
 from wraparc.checks.of_across import EDGE_FACTOR
 from wraparc.checks.rules import tension_factor
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import Belt, LoadCase
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 #: Most designs that are solved across the width: the first ones of the ranking.
 MOST = 100

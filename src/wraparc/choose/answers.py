@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.batch import Setting, solve_arcs
 from wraparc.batch.arcs import Arcs
-
-Array = NDArray[np.float64]
 
 #: what is asked of every arc; breakaways have nan but for capacities
 ANSWERS = (

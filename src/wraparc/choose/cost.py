@@ -7,15 +7,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.catalogue import LaggingCost, lagging_costs
 from wraparc.drive import Cost, Lagging
 from wraparc.drive.load_case import hours_problems
 from wraparc.errors import Problem, shown
 from wraparc.provenance import Provenance
 
-Array = NDArray[np.float64]
 JOULES_PER_KWH = 3.6e6
 
 

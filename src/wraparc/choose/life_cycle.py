@@ -7,14 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.wear import WORN_SHARE
+from wraparc.arrays import Array
 from wraparc.choose.cost import energy_cost, lagging_cost, purchases
 from wraparc.choose.search import Grid, Search
 from wraparc.drive.pitch import turns_an_hour
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,15 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch.arcs import Arcs
 from wraparc.choose.search import Grid, Search
 from wraparc.choose.slack_rules import gross_slip_slack, sag_slack, standard_slack
 from wraparc.drive import LoadCase
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 #: a value may pass its limit by this much, as a least tension meets its limit exactly [-]
 TOLERANCE = 1e-6
@@ -64,12 +61,12 @@ class Held:
     where: Integers
 
     @property
-    def broken(self) -> NDArray[np.bool_]:
+    def broken(self) -> Flags:
         """Whether each design breaks it."""
         return self.excess > TOLERANCE
 
 
-def feasible(held: Mapping[str, Held], n: int) -> NDArray[np.bool_]:
+def feasible(held: Mapping[str, Held], n: int) -> Flags:
     """Whether each design keeps every limit, shape (n,)."""
     good = np.ones(n, dtype=bool)
     for one in held.values():

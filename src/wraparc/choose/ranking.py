@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.choose.across import MOST
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import Lagging
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 #: Relative difference of costs or creeps that tells no design from another.
 SAME = 1e-5
 
@@ -46,7 +44,7 @@ def named(search: Search, grid: Grid, ranking: Integers, fronts: Sequence[Intege
     return np.unique(np.concatenate([ranking[:MOST], *fronts, more]))
 
 
-def ordered(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) -> Integers:
+def ordered(good: Flags, cost: Array, creep: Array, slack: Array) -> Integers:
     """Return the good designs, cheapest first; then by creep, slack tension and order.
 
     Costs and creeps that differ by less than `SAME` of the largest are alike: designs that were
@@ -57,7 +55,7 @@ def ordered(good: NDArray[np.bool_], cost: Array, creep: Array, slack: Array) ->
     return designs[order].astype(np.int64)
 
 
-def recommended(by_cost: Integers, grid: Grid, below: NDArray[np.bool_]) -> Integers:
+def recommended(by_cost: Integers, grid: Grid, below: Flags) -> Integers:
     """Return designs in the order in which they are recommended, from their order by cost.
 
     Those that keep the design standard come first. More wrap and more tension save energy lost to

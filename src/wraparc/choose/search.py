@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import of_belt
+from wraparc.arrays import Array, Integers
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.checks.least_tension import taut
 from wraparc.choose.cost import Costing, price_problems
@@ -18,9 +18,6 @@ from wraparc.drive.pitch import centrifugal_of, pitch_offset
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw
 from wraparc.units import display
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 
 #: Most designs of one search.
 MOST_DESIGNS = 2_000_000

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.checks.least_tension import taut
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
@@ -24,8 +24,6 @@ from wraparc.choose.slack_rules import (
     standard_slack,
 )
 
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
 Solver = Callable[..., Mapping[str, Array]]
 
 #: designs up to which all are solved precisely; else those this near a limit, and the first ones
@@ -77,7 +75,7 @@ class Selection:
         return len(self.grid)
 
     @property
-    def feasible(self) -> NDArray[np.bool_]:
+    def feasible(self) -> Flags:
         """Whether each design keeps every limit."""
         return feasible(self.held, len(self))
 
@@ -191,7 +189,7 @@ def _answers(
     ]
 
 
-def _undecided(held: Mapping[str, Held], ranking: Integers, refined: NDArray[np.bool_]) -> Integers:
+def _undecided(held: Mapping[str, Held], ranking: Integers, refined: Flags) -> Integers:
     """Designs so near a limit, or so high in the ranking, that they must be solved precisely."""
     close = np.zeros(len(refined), dtype=bool)
     close[ranking[:RANKED_PRECISELY]] = True

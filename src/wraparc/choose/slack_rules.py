@@ -7,9 +7,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import solve
+from wraparc.arrays import Array, Flags
 from wraparc.batch import Setting
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import given_up, rises_of
@@ -17,8 +17,6 @@ from wraparc.checks.least_tension import figures
 from wraparc.checks.sliding_rows import LoadedRows, tight_at_sliding
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import LoadCase
-
-Array = NDArray[np.float64]
 
 
 def gross_slip_slack(search: Search, grid: Grid, case: LoadCase, condition: int) -> Array:
@@ -71,7 +69,7 @@ def standard_asks(search: Search, grid: Grid, design: int) -> tuple[float, str]:
     return max(found)
 
 
-def below_standard(search: Search, grid: Grid, slack: Array) -> NDArray[np.bool_]:
+def below_standard(search: Search, grid: Grid, slack: Array) -> Flags:
     """Whether designs with a tension at the take-up [N] stand below the design standard."""
     asked_for = np.zeros(len(grid))
     for condition in range(len(search.conditions)):

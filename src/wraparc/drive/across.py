@@ -9,14 +9,14 @@ from itertools import pairwise
 from typing import ClassVar, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.errors import Problem, shown
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 from wraparc.units import display
 
-Array = NDArray[np.float64]
 Depth = Literal["full", "half"]
 DEPTHS: tuple[Depth, ...] = ("full", "half")
 FEWEST_STRIPS, MOST_STRIPS = 4, 128

@@ -9,13 +9,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
 from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots
 from wraparc.schema.limits import Limit, limit_problems, raise_all
-
-Array = NDArray[np.float64]
 
 #: Standard deviations to either side of a 95 % interval of the normal distribution [-].
 NORMAL_95 = 1.96

@@ -6,8 +6,8 @@ from dataclasses import dataclass, field, replace
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.drive.compression import Block, compression_modulus
 from wraparc.drive.factors import ConditionFactor, Factors
 from wraparc.drive.fit import Fit
@@ -174,7 +174,7 @@ class Lagging(Viewable):
         """h/E_c, compression per wrap pressure [m/Pa]."""
         return self.thickness / self.compression_modulus
 
-    def compression_modulus_at(self, thickness: NDArray[np.float64]) -> NDArray[np.float64]:
+    def compression_modulus_at(self, thickness: Array) -> Array:
         """Return E_c where the lagging has another thickness [Pa], shape of `thickness` [m].
 
         Blocks that are lower bulge less, E_c follows their shape factor; without blocks it stays.

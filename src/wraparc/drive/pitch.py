@@ -16,14 +16,12 @@ from __future__ import annotations
 from math import isnan, nan, pi
 from typing import NamedTuple, TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from wraparc.arrays import Array
 from wraparc.drive.belt import COVER_SHEAR_BAND, COVER_SHEAR_MODULUS, Belt, Side
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
 
-Number = TypeVar("Number", float, NDArray[np.float64])
+Number = TypeVar("Number", float, Array)
 
 #: Offset of the tension member in a belt of 10 mm, for the size of what is missing without one [m].
 USUAL_OFFSET = 5e-3

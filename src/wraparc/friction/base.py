@@ -7,12 +7,11 @@ from dataclasses import dataclass
 from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
 from wraparc.friction.compact import CompactLaw
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True)

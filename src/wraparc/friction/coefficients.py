@@ -7,8 +7,9 @@ from math import exp, inf, isfinite, log, nan
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
-from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, MOST_SLIP, Array, check
+from wraparc.friction.base import LEAST_FRICTION, LEAST_SLIP, MOST_SLIP, check
 from wraparc.friction.trend import Trend
 
 #: Powers of e that are floats other than 0.

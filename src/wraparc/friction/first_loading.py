@@ -10,8 +10,8 @@ from abc import ABC, abstractmethod
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.friction.compact import (
     KNOT_STRIDE,
     LIMIT,
@@ -22,8 +22,6 @@ from wraparc.friction.compact import (
     limit_at,
     segment_of,
 )
-
-Array = NDArray[np.float64]
 
 _SMALLEST = 1e-16  # slip over peak slip at which the logarithm is taken
 _ITERATIONS = 60
@@ -85,7 +83,7 @@ class FirstLoading(ABC):
         """Slip [m], stress [Pa], its fall by slip [Pa/m] and slope by pressure past the peak."""
         raise NotImplementedError
 
-    def place(self, pressure: Array) -> tuple[Any, Array, NDArray[np.bool_]]:
+    def place(self, pressure: Array) -> tuple[Any, Array, Flags]:
         """Segment of pressures, the pressure its coefficients are taken at, whether that moves."""
         at = np.minimum(np.maximum(pressure, self.low), self.high)
         moves = (pressure >= self.low) & (pressure < self.high)

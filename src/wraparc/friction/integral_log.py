@@ -12,7 +12,8 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, Equation, FrictionLaw, TestedRange, check, held_pressure
+from wraparc.arrays import Array
+from wraparc.friction.base import Equation, FrictionLaw, TestedRange, check, held_pressure
 from wraparc.friction.coefficients import CoefficientPieces, PressureKnots, ab_from_peak
 from wraparc.friction.compact import KNOTS, PIECES, CompactLaw
 from wraparc.friction.interpolation import evaluate, pchip

@@ -8,9 +8,8 @@ interpolant must reach the solvers as plain numbers without importing SciPy.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from wraparc.arrays import Array
 
 
 def _end_slope(h0: float, h1: float, d0: float, d1: float) -> float:

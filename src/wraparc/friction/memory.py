@@ -18,14 +18,12 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.friction.base import FrictionLaw
 from wraparc.friction.compact import LIMIT, CompactLaw
-from wraparc.friction.first_loading import Array, FirstLoading, Loading, first_loading_of
+from wraparc.friction.first_loading import FirstLoading, Loading, first_loading_of
 from wraparc.friction.table import MeasuredTable
-
-Index = NDArray[np.int64]
 
 #: turning points that are kept, and the least reversal that makes one [m]
 MOST_TURNS = 24
@@ -50,7 +48,7 @@ class Past(NamedTuple):
     """
 
     turns: Array
-    held: Index
+    held: Integers
     side: Array
     slip: Array
     stress: Array
@@ -77,7 +75,7 @@ class Points(NamedTuple):
     stress: Array
     by_creep: Array
     by_pressure: Array
-    held: Index
+    held: Integers
     side: Array
 
 
@@ -193,13 +191,13 @@ class Lagging:
         )
 
     def _virgin(
-        self, i: Index, creep: Array, pressure: Array, side: Array, guess: Array, past: Past
+        self, i: Integers, creep: Array, pressure: Array, side: Array, guess: Array, past: Past
     ) -> Points:
         return self.virgin(creep[i], pressure[i], side[i], guess[i], past.share[i])
 
     def _turning(
         self, creep: Array, pressure: Array, past: Past, near: Array,
-        count: Index, side: Array, turned: NDArray[np.bool_], at: Points,
+        count: Integers, side: Array, turned: Flags, at: Points,
     ) -> None:  # fmt: skip
         """Find the state of points that have turned; turning points come and go until they fit."""
         turns, live = past.turns, np.flatnonzero(count)
@@ -241,7 +239,7 @@ class Lagging:
                 )
             live = live[~done]
 
-    def _carried(self, b: Loading, turns: Array, count: Index) -> tuple[Array, Array]:
+    def _carried(self, b: Loading, turns: Array, count: Integers) -> tuple[Array, Array]:
         """Shear stress at the last turning point [Pa], and its derivative by pressure [-]."""
         most = int(count.max())
         legs = np.diff(turns[:, :most], axis=1, prepend=0.0)
@@ -254,7 +252,7 @@ class Lagging:
         return (sign * f).sum(axis=1), (sign * f_p).sum(axis=1)
 
 
-def shorten(turns: Array, count: Index) -> None:
+def shorten(turns: Array, count: Integers) -> None:
     """Forget the smallest loop of every point without room for another turning point, in place."""
     for i in np.flatnonzero(count >= MOST_TURNS):
         n = int(count[i])
@@ -263,10 +261,10 @@ def shorten(turns: Array, count: Index) -> None:
         count[i] = n - 2
 
 
-def _put(at: Points, i: Index, found: Points) -> None:
+def _put(at: Points, i: Integers, found: Points) -> None:
     for values, new in zip(at[:4], found[:4], strict=True):
         values[i] = new
 
 
-def _of(share: Any, which: NDArray[np.bool_]) -> Any:
+def _of(share: Any, which: Flags) -> Any:
     return share[which] if np.ndim(share) else share

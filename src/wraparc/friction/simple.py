@@ -8,9 +8,9 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.friction.base import (
     LEAST_FRICTION,
-    Array,
     Equation,
     FrictionLaw,
     TestedRange,

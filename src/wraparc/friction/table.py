@@ -10,11 +10,11 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from wraparc.arrays import Array
 from wraparc.friction.base import (
     LEAST_FRICTION,
     LEAST_SLIP,
     MOST_SLIP,
-    Array,
     Equation,
     FrictionLaw,
     TestedRange,

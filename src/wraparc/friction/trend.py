@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.friction.base import Array, check
+from wraparc.arrays import Array
+from wraparc.friction.base import check
 
 Form = Literal["polynomial", "logarithmic", "power", "exponential"]
 #: Of e, whose power is a float.

@@ -10,13 +10,12 @@ from wraparc.machine_tables.columns import (
 )
 from wraparc.machine_tables.limits import refused
 from wraparc.machine_tables.lines import DELIMITER_NAMES
-from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric
+from wraparc.machine_tables.numerals import NumeralStyle, looks_numeric
 from wraparc.machine_tables.read import TableFile, find_tables, read_bytes
 from wraparc.machine_tables.tables import Cells, RawTable
 
 __all__ = [
     "DELIMITER_NAMES",
-    "Array",
     "Cells",
     "ColumnUnit",
     "NamedColumn",

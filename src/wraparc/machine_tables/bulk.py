@@ -12,13 +12,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from wraparc.machine_tables.numerals import (
-    Array,
-    NumeralStyle,
-    contradicts,
-    looks_numeric,
-    number_of,
-)
+from wraparc.arrays import Array, Flags, Integers
+from wraparc.machine_tables.numerals import NumeralStyle, contradicts, looks_numeric, number_of
 
 _END, _BLANK, _TAB = 10, 32, 9
 # What a comma between thousands cannot look like, where the point is the decimal sign.
@@ -86,12 +81,9 @@ def read_bulk(
     return np.where(np.isfinite(values), values, np.nan).reshape(-1, width)
 
 
-_Index = NDArray[np.int64]
-
-
 def _cells(
     codes: NDArray[np.uint8], sign: str, width: int, rows: int
-) -> tuple[_Index | None, _Index | None, NDArray[np.int32] | None]:
+) -> tuple[Integers | None, Integers | None, NDArray[np.int32] | None]:
     """First byte of each cell, the byte behind it, and the words in it; None if rows differ."""
     stop = codes == _END if sign == " " else (codes == _END) | (codes == ord(sign))
     blank = codes == _BLANK if sign == "\t" else (codes == _BLANK) | (codes == _TAB)
@@ -122,12 +114,12 @@ def _cells(
     return starts, ends, np.add.reduceat(first, starts, dtype=np.int32)
 
 
-def _same_rows(codes: NDArray[np.uint8], ends: _Index, width: int, rows: int) -> bool:
+def _same_rows(codes: NDArray[np.uint8], ends: Integers, width: int, rows: int) -> bool:
     """Whether every row has `width` cells: the line ends are as many as rows, one each."""
     return len(ends) == width * rows and bool(np.all(codes[ends[width - 1 :: width]] == _END))
 
 
-def _plain_bytes(sign: str, style: NumeralStyle) -> NDArray[np.bool_]:
+def _plain_bytes(sign: str, style: NumeralStyle) -> Flags:
     """Bytes of plain numbers, and what stands between them."""
     good = np.zeros(256, dtype=bool)
     good[list(b"0123456789+-eE \n" + style.decimal.encode() + sign.encode())] = True
@@ -138,9 +130,9 @@ def _plain_bytes(sign: str, style: NumeralStyle) -> NDArray[np.bool_]:
 
 def _parsed(
     codes: NDArray[np.uint8],
-    starts: _Index,
-    ends: _Index,
-    odd: NDArray[np.bool_],
+    starts: Integers,
+    ends: Integers,
+    odd: Flags,
     sign: str,
     style: NumeralStyle,
 ) -> Array | None:
@@ -176,11 +168,11 @@ def _parsed(
 
 def _read_odd(
     data: bytes,
-    starts: _Index,
-    ends: _Index,
-    odd: NDArray[np.bool_],
+    starts: Integers,
+    ends: Integers,
+    odd: Flags,
     values: Array,
-    numeric: NDArray[np.bool_],
+    numeric: Flags,
     style: NumeralStyle,
 ) -> bool:
     """Fill in cells that are no plain numbers; False if their quotes need the careful way."""

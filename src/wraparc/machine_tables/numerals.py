@@ -11,11 +11,9 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
-
-Array = NDArray[np.float64]
 
 # Blanks (also the no-break and the narrow ones) and apostrophes group digits in threes.
 _GROUP = "'’ \u00a0\u2009\u202f"
@@ -140,9 +138,7 @@ def _undecided(
     )
 
 
-def numbers(
-    cells: Sequence[object] | NDArray[np.float64], style: NumeralStyle
-) -> NDArray[np.float64]:
+def numbers(cells: Sequence[object] | Array, style: NumeralStyle) -> Array:
     """Convert one column; what is no finite number in `style` becomes NaN.
 
     Parameters

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.errors import shown
 from wraparc.machine_tables.columns import (
     NamedColumn,
@@ -22,7 +22,7 @@ from wraparc.machine_tables.columns import (
 )
 from wraparc.machine_tables.limits import MOST_TABLES, beyond, refused
 from wraparc.machine_tables.lines import split_all, splitter
-from wraparc.machine_tables.numerals import Array, NumeralStyle, looks_numeric, numbers, style_of
+from wraparc.machine_tables.numerals import NumeralStyle, looks_numeric, numbers, style_of
 
 Cells = Sequence[object] | Array
 _LARGEST_GAP, _LONGEST_REPEAT, _RISING, _FEW, _LOOKED_BACK = 2, 5, 5, 3, 20
@@ -87,7 +87,7 @@ class RawTable:
     place: str
     header: tuple[tuple[str, ...], ...]
     columns: tuple[Cells, ...]
-    lines: NDArray[np.int64]
+    lines: Integers
     skipped: tuple[tuple[int, str], ...] = ()
     delimiter: str = ""
     cut: bool = False
@@ -273,7 +273,7 @@ def _header_cells(line: str, sign: str, width: int) -> tuple[str, ...]:
     return tuple(line.split())
 
 
-def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> NDArray[np.int64]:
+def _row_widths(lines: Sequence[str], cells: Sequence[Sequence[str]]) -> Integers:
     """Cells of each line that is a row of numbers; 0 for an empty line, -1 for any other."""
     widths = np.fromiter(map(len, cells), dtype=np.int64, count=len(cells))
     matches = _ALL_NUMERIC.fullmatch
@@ -297,7 +297,7 @@ class _Run:
 
 def _runs(
     cells: Sequence[Sequence[str]],
-    widths: NDArray[np.int64],
+    widths: Integers,
     file: str,
     header: Sequence[Sequence[str]],
 ) -> list[_Run]:

@@ -6,14 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.errors import InputError
 from wraparc.machine_tables.bulk import OtherSignError, read_bulk
 from wraparc.machine_tables.limits import LONGEST_LINE, MOST_COLUMNS, MOST_LOOSE_CELLS, beyond
 from wraparc.machine_tables.lines import delimiter_of, splitter, unwrapped
 from wraparc.machine_tables.numerals import (
-    Array,
     NumeralStyle,
     contradicts,
     looks_numeric,
@@ -111,7 +110,7 @@ class _Growing:
 
     table: RawTable
     values: list[Array] = field(default_factory=list)
-    lines: list[NDArray[np.int64]] = field(default_factory=list)
+    lines: list[Integers] = field(default_factory=list)
     skipped: list[tuple[int, str]] = field(default_factory=list)
     style: NumeralStyle | None = None
 
@@ -125,7 +124,7 @@ class _Growing:
         """Cells of a row."""
         return len(self.table.columns)
 
-    def add_rows(self, values: Array, lines: NDArray[np.int64]) -> None:
+    def add_rows(self, values: Array, lines: Integers) -> None:
         """Add numbers."""
         self.values.append(values)
         self.lines.append(lines)

@@ -10,15 +10,13 @@ from math import inf, sqrt
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import WrapArc
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
 from wraparc.friction.compact import LIMIT
 from wraparc.friction.memory import has_memory
 from wraparc.units import display
-
-Array = NDArray[np.float64]
 
 
 class Shape(NamedTuple):

@@ -15,14 +15,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult
+from wraparc.arrays import Array, Complex
 from wraparc.friction.compact import LIMIT
 from wraparc.friction.memory import Lagging, Past
-
-Array = NDArray[np.float64]
-Complex = NDArray[np.complex128]
 
 _STEPS = 60  # of the initial-value problem; the profile has twice as many
 

@@ -14,7 +14,8 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from wraparc.motion.arc_response import ArcResponse, Complex, SteadyProfile
+from wraparc.arrays import Complex
+from wraparc.motion.arc_response import ArcResponse, SteadyProfile
 from wraparc.motion.control import Duty, ExactSpeed, Follower, SpeedLoop
 from wraparc.motion.drum_state import duty_of
 from wraparc.motion.station import Drum, Station

@@ -11,14 +11,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.friction.memory import ROOM
 from wraparc.motion.arc import MovingArc, Pieces
 from wraparc.motion.two_point import PANEL
-
-Array = NDArray[np.float64]
-Index = NDArray[np.int64]
 
 #: Travel of a step below which a drum stands [m].
 STANDS = 1e-10

@@ -8,16 +8,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.motion.march import March
-from wraparc.motion.result import (
-    EXTREMES,
-    Array,
-    DrumHistory,
-    Extremes,
-    Outcome,
-    Peak,
-    RunResult,
-)
+from wraparc.motion.result import EXTREMES, DrumHistory, Extremes, Outcome, Peak, RunResult
 from wraparc.motion.station import Station
 
 #: Rows and pictures that are kept at most; when there are more, every other one is dropped.

@@ -7,13 +7,11 @@ from dataclasses import dataclass, fields, replace
 from enum import Enum
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.alike import largest, least
+from wraparc.arrays import Array
 from wraparc.motion.event import Event
 from wraparc.motion.station import Station
-
-Array = NDArray[np.float64]
 
 
 class Outcome(Enum):

@@ -16,9 +16,8 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from wraparc.arrays import Array, Integers
 
 #: Cells of a panel: the dense systems cost its square a cell, the one that joins them the rest.
 PANEL = 13
@@ -160,7 +159,7 @@ def _joined(cells: Cells, t: Array, i: Array, exit_tension: Array, inside: Array
 
 
 @cache
-def _masks() -> tuple[Array, NDArray[np.int64]]:
+def _masks() -> tuple[Array, Integers]:
     """Which cells of a panel lie on the nip side of a node; where its diagonal stands."""
     node, cell = np.arange(PANEL + 1)[:, None], np.arange(PANEL)
     return (cell >= node).astype(float), cell * (PANEL + 2)

@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from wraparc.arrays import Array, Complex
 from wraparc.errors import InputError, Problem
-from wraparc.motion.arc_response import ArcResponse, Array, Complex
+from wraparc.motion.arc_response import ArcResponse
 from wraparc.motion.control import (
     Control,
     CoupledMotor,

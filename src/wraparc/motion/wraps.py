@@ -16,8 +16,8 @@ from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.friction.memory import ROOM, Lagging, Past, shorten
 from wraparc.motion.arc import Felt, MovingArc
 from wraparc.motion.pieces import (
@@ -46,8 +46,6 @@ from wraparc.motion.pieces import (
     Table,
 )  # fmt: skip
 from wraparc.motion.two_point import Cells, changes
-
-Array = NDArray[np.float64]
 
 #: Part of the curvature that a trapezium of stress over slip misses, and of a logarithm from 0.
 _ALONG, _FROM_NIP = 1.0 / 6.0, 1.0 / 4.0

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
-from wraparc.across.wide_arc import Array
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem, nearest, shown
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.glossary import GLOSSARY

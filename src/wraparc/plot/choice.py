@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.choose.selection import Selection
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, ORANGE, Picture, styled
@@ -12,8 +12,6 @@ from wraparc.units import System, display_unit
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-
-Array = NDArray[np.float64]
 
 
 def plot_selection(selection: Selection, units: System = "si") -> Picture:
@@ -35,7 +33,7 @@ def _draw(
     selection: Selection,
     name: str,
     values: Array,
-    front: NDArray[np.int64],
+    front: Integers,
     units: System,
 ) -> None:
     unit, size = display_unit(GLOSSARY[name].dimension, units)

@@ -5,8 +5,8 @@ from itertools import cycle
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.drive import Lagging
 from wraparc.friction import FrictionLaw, IntegralLog
 from wraparc.glossary import GLOSSARY
@@ -18,7 +18,6 @@ from wraparc.version import __version__
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 #: Dashes of curves that are alike but for one number.
 DASHES = ((), (6, 2), (1.5, 1.5), (6, 2, 1.5, 2), (3, 1.5), (8, 2, 2, 2, 2, 2))

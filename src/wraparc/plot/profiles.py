@@ -5,9 +5,9 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult
+from wraparc.arrays import Array
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED
 from wraparc.units import System, display, display_unit
@@ -15,7 +15,6 @@ from wraparc.units import System, display, display_unit
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 _OTHER_NAME = "paper's march"
 #: How a second method is drawn over the first.

@@ -4,9 +4,9 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc import ArcResult
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import RED
@@ -16,7 +16,6 @@ from wraparc.units import System, display
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 # Radii of the drawing: shell, lagging (drawn thicker than it is), belt; and a step per turn.
 _SHELL, _LAGGING, _BELT, _TURN = 0.80, 1.0, 1.05, 0.16

@@ -4,8 +4,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
 from wraparc.shear_test.analysis import ConditionResult, TestResult
 from wraparc.shear_test.curve_fit import Z95
@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-Array = NDArray[np.float64]
 _REPEATS = (BLUE, ORANGE, "#009e73", "#cc79a7", GREY)
 _MOST_PANELS = 12
 _MOST_DOTS = 125
@@ -290,7 +289,7 @@ def _readings(test: TestResult) -> tuple[Array, Array]:
     return test.curve.travel[::step] - q.lash - fit.bending * friction, friction
 
 
-def _thin(test: TestResult, count: int) -> NDArray[np.int64]:
+def _thin(test: TestResult, count: int) -> Integers:
     """Bins about equally far apart in slip."""
     slip = test.fit.slip
     wanted = np.linspace(float(slip[0]), float(slip[-1]), count)

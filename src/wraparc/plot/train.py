@@ -3,8 +3,8 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREEN, GREY, ORANGE, RED, Picture, styled
 from wraparc.plot.profiles import angles, column, heading
@@ -15,7 +15,6 @@ from wraparc.version import __version__
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Array = NDArray[np.float64]
 
 _COLOURS = (BLUE, ORANGE, GREEN, "#cc79a7", "#56b4e9", "#000000", "#e69f00", "#882255")
 _DASHES: tuple[Any, ...] = ("-", (0, (6, 2)), (0, (1.5, 1.5)), (0, (6, 2, 1.5, 2)))

@@ -12,9 +12,9 @@ from functools import lru_cache
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.analysis import ConditionResult, TestResult
 from wraparc.shear_test.curve_fit import bins_alike
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.robust import minimise
 
 # Slips of the table, and lashes tried, for one curve.

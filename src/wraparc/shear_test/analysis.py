@@ -4,8 +4,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.drive import FrictionFactor, Lagging
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import FrictionLaw
@@ -16,7 +16,7 @@ from wraparc.shear_test.plan import PlannedTest, TestPlan
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.profile import profile_interval
-from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.student import chi_square_ends
 from wraparc.shear_test.tails import Tails
@@ -256,8 +256,8 @@ class Findings:
 
     condition: str
     tests: tuple[TestResult, ...]
-    levels: NDArray[np.int64]
-    flagged: NDArray[np.bool_]
+    levels: Integers
+    flagged: Flags
     repeat_distances: Array
     lone_distances: Array
     points: CurvePoints

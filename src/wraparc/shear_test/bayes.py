@@ -11,14 +11,13 @@ posterior: of the transition pressure above all, and of Psi when there are few r
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import MissingExtraError
 from wraparc.shear_test.analysis import ConditionResult, PlanResult
 from wraparc.shear_test.law import lagging_of
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, transition_bounds
 from wraparc.shear_test.pressure_form import ln_peaks
-from wraparc.shear_test.record import Array
 
 _WALKERS_PER_PARAMETER = 4
 _STEPS, _BURN = 1500, 500
@@ -109,7 +108,7 @@ def _sampled(result: PlanResult, condition: ConditionResult, seed: int) -> Condi
     return replace(condition, found=found, lagging=lagging, remarks=remarks)
 
 
-def posterior_chain(points: CurvePoints, law: PressureFit, seed: int) -> NDArray[np.float64]:
+def posterior_chain(points: CurvePoints, law: PressureFit, seed: int) -> Array:
     """Draws of (theta, ln standard deviations, atanh correlation), one a row."""
     try:
         import emcee

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.curve_model import PARAMETERS, friction_and_jacobian
-from wraparc.shear_test.record import Array
 
 #: Largest error of a rig's compliance that nothing is known of [m/N], and of one that was measured,
 #: over it [-].

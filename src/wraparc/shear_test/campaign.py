@@ -8,14 +8,13 @@ from collections.abc import Sequence
 from datetime import datetime
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.consistency import USUAL, USUAL_WEIGHT
 from wraparc.shear_test.plan import PlannedTest
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
 from wraparc.shear_test.pressure_form import ln_peaks
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.student import two_sided
 
 #: What is said where no order is.
@@ -46,7 +45,7 @@ def order_of(tests: Sequence[PlannedTest]) -> Array | None:
 
 
 def order_sentences(
-    tests: Sequence[TestResult], law: PressureFit, points: CurvePoints, flagged: NDArray[np.bool_]
+    tests: Sequence[TestResult], law: PressureFit, points: CurvePoints, flagged: Flags
 ) -> tuple[list[str], list[str]]:
     """Sentences on the order of the tests against the law, and remarks on it.
 
@@ -84,7 +83,7 @@ def order_sentences(
     return _trend(order[~flagged], law, points.only(~flagged), law.weights[~flagged])
 
 
-def lot_sentences(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> list[str]:
+def lot_sentences(tests: Sequence[TestResult], levels: Integers) -> list[str]:
     """Say of samples of several lots, each tested at pressures of its own, what cannot be told.
 
     Parameters
@@ -104,7 +103,7 @@ def lot_sentences(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> lis
     ]
 
 
-def _from_repeat_to_repeat(listed: NDArray[np.int64], points: CurvePoints) -> list[str]:
+def _from_repeat_to_repeat(listed: Integers, points: CurvePoints) -> list[str]:
     """Whether tests of one pressure go up or down as the plan lists them, which may be their order.
 
     By Student's t of the slope of ln mu_pk over their places, within the pressures.

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem, shown
-from wraparc.machine_tables import Array, ColumnUnit, NamedColumn, find_column, listed, read_unit
+from wraparc.machine_tables import ColumnUnit, NamedColumn, find_column, listed, read_unit
 from wraparc.shear_test.record import Choices
 from wraparc.shear_test.roles import (
     ROLE_DIMENSION,

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Flags, Integers
 from wraparc.shear_test.analysis import ConditionResult, Findings, LeftOut, Separated, TestResult
 from wraparc.shear_test.budget import Common, bent_peak
 from wraparc.shear_test.consistency import lone_distances, outliers
@@ -20,14 +20,12 @@ from wraparc.shear_test.speeds import by_speed, speed_groups
 from wraparc.shear_test.tails import Tails, level_tails
 from wraparc.shear_test.transition import find_transition
 
-Levels = NDArray[np.int64]
-
 
 def fit_condition(
     plan: TestPlan,
     condition: str,
     tests: Sequence[TestResult],
-    levels: Levels,
+    levels: Integers,
     separated: Separated | None = None,
 ) -> ConditionResult:
     """Fit the law of one condition.
@@ -96,7 +94,7 @@ def _common(plan: TestPlan, tests: Sequence[TestResult]) -> Common | None:
     )
 
 
-def _tails(tests: Sequence[TestResult], levels: Levels, flagged: NDArray[np.bool_]) -> Tails:
+def _tails(tests: Sequence[TestResult], levels: Integers, flagged: Flags) -> Tails:
     rows = []
     for level in np.unique(levels):
         inside = np.flatnonzero(levels == level).tolist()

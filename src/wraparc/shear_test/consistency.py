@@ -1,10 +1,9 @@
 """Repeats that disagree: each curve against the others tested at its pressure."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.shear_test.pressure_fit import CurvePoints, scatter_within
-from wraparc.shear_test.record import Array
 
 #: Standard deviations from the trend of the others at which an unrepeated curve is named.
 FAR = 4.5
@@ -16,7 +15,7 @@ _OTHERS = 5
 USUAL, USUAL_WEIGHT = 0.03, 4.0
 
 
-def repeat_distances(points: CurvePoints, flagged: NDArray[np.bool_]) -> Array:
+def repeat_distances(points: CurvePoints, flagged: Flags) -> Array:
     """Distance of each curve from the mean of its repeats [standard deviations].
 
     The scatter between samples is taken from all other curves that are not flagged, so
@@ -68,7 +67,7 @@ def towards_usual(
     return weighted, freedom + USUAL_WEIGHT - 1.0
 
 
-def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
+def outliers(points: CurvePoints) -> tuple[Flags, Array]:
     """Curves that disagree with their repeats, the farthest first, at most a quarter of all.
 
     Of only two repeats that disagree neither can be told to be the wrong one; both are then
@@ -96,7 +95,7 @@ def outliers(points: CurvePoints) -> tuple[NDArray[np.bool_], Array]:
     return flagged, distances
 
 
-def _far_off(points: CurvePoints, flagged: NDArray[np.bool_], own: int) -> float:
+def _far_off(points: CurvePoints, flagged: Flags, own: int) -> float:
     """Distance from its repeats at which a curve is an outlier: more, the fewer repeats there are.
 
     Hotelling's T^2 = 2 n/(n - 1) F(2, n - 1) for a scatter of n degrees of freedom; the

@@ -9,7 +9,7 @@ are integrated out (Patterson and Thompson 1971), and averaged over all memories
 
 import numpy as np
 
-from wraparc.shear_test.record import Array
+from wraparc.arrays import Array
 
 _BLOCKS = (1, 5, 25)
 _LEAST_BLOCKS = 20

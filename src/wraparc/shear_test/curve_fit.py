@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.friction import ab_from_peak
 from wraparc.shear_test.curve_held import FREE, Held
 from wraparc.shear_test.curve_model import (
@@ -16,7 +17,6 @@ from wraparc.shear_test.curve_model import (
     friction_and_jacobian,
     slip_at,
 )
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.robust import (
     Readings,

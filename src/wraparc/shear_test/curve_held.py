@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from wraparc.shear_test.record import Array
+from wraparc.arrays import Array
 
 # Half the width left to a pinned logarithm, and the variance it is said to have.
 _PIN, _VARIANCE = 1e-9, 1e-12

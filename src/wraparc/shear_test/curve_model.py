@@ -8,7 +8,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from wraparc.shear_test.record import Array
+from wraparc.arrays import Array
 
 _NEWTON = 12
 PARAMETERS = (

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.curve_fit import CurveFit
-from wraparc.shear_test.record import Array
 
 _STEPS = 48
 

@@ -11,8 +11,8 @@ from datetime import UTC, datetime
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.errors import MissingExtraError
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.virtual_rig import VirtualTest
 
 _LBF = 4.4482216152605

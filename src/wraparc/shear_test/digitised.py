@@ -13,14 +13,14 @@ from hashlib import sha256
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.errors import InputError, Problem, shown
 from wraparc.friction import peak_from_ab
 from wraparc.machine_tables import RawTable, find_tables, refused
 from wraparc.shear_test.budget import ReadOff, Uncertainty
 from wraparc.shear_test.plan import Digitised, PlannedTest, TestPlan
-from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.units import parse_quantity
 
@@ -185,7 +185,7 @@ def _counts(head: str, values: Array) -> bool:
 
 def _groups(
     table: RawTable, heads: list[str], values: list[Array], filled: list[int]
-) -> dict[str, NDArray[np.bool_]] | None:
+) -> dict[str, Flags] | None:
     """Rows of each curve, where a column names them: words, or a number under such a head."""
     for k, cells in enumerate(table.columns):
         words = [str(cell).strip() for cell in cells]

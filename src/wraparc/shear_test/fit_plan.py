@@ -6,8 +6,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Integers
 from wraparc.errors import InputError, Problem
 from wraparc.machine_tables import read_bytes, refused
 from wraparc.shear_test.analysis import ConditionResult, PlanResult, TestResult
@@ -286,7 +286,7 @@ def _no_law(said: str) -> Problem:
     )
 
 
-def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> NDArray[np.int64]:
+def pressure_levels(plan: TestPlan, results: Sequence[TestResult]) -> Integers:
     """Number the pressures 0, 1, ...: tests named repeats, else set pressures within 3 %.
 
     Where they were measured, and are within 1 %, they are one whatever was set.

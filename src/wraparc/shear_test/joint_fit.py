@@ -10,12 +10,11 @@ themselves are the same before and after.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.shear_test.curve_fit import CurveFit, Prior, bins_alike, fit_curve
 from wraparc.shear_test.pressure_choice import settled
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
 
 # A curve with a smaller error of ln x_pk than this is as good as normal by itself.
@@ -26,7 +25,7 @@ _LARGEST = 0.7
 
 
 def curve_points(
-    curves: Sequence[FrictionCurve], fits: Sequence[CurveFit], levels: NDArray[np.int64]
+    curves: Sequence[FrictionCurve], fits: Sequence[CurveFit], levels: Integers
 ) -> CurvePoints:
     """Curves as points over pressure.
 
@@ -56,7 +55,7 @@ def refine(
     fits: Sequence[CurveFit],
     points: CurvePoints,
     law: PressureFit,
-    flagged: NDArray[np.bool_],
+    flagged: Flags,
 ) -> tuple[PressureFit, CurvePoints]:
     """Refine the law with all curves at once.
 

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Flags
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, scatter_within
 
@@ -18,9 +18,7 @@ from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, scatter_wi
 _OF_SCATTER = 0.2
 
 
-def with_lack_of_fit(
-    law: PressureFit, points: CurvePoints, flagged: NDArray[np.bool_]
-) -> PressureFit:
+def with_lack_of_fit(law: PressureFit, points: CurvePoints, flagged: Flags) -> PressureFit:
     """Return the law with its lack of fit, where the repeats show one.
 
     Compared are the means of the pressures' curves less the law, r r', with what scatter

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.drive import NORMAL_95, Factors, Fit, Lagging
 from wraparc.friction import IntegralLog, PressureKnots, TestedRange
 from wraparc.friction.interpolation import evaluate, pchip
@@ -14,7 +15,6 @@ from wraparc.shear_test.analysis import Findings
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit, at_least, scatter_within
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 from wraparc.units import in_units
 

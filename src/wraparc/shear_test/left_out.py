@@ -10,15 +10,14 @@ a sound laboratory is accused as seldom as `FALSE_ALARM` says.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.shear_test.analysis import LeftOut, TestResult
 from wraparc.shear_test.consistency import towards_usual
 from wraparc.shear_test.curve_model import CurveParameters, friction_and_jacobian
 from wraparc.shear_test.lack_of_fit import with_lack_of_fit
 from wraparc.shear_test.pressure_choice import leave_out
 from wraparc.shear_test.pressure_fit import CurvePoints, PressureFit
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.tails import Tails
 
 #: How often a sound laboratory is told that its law misses a pressure that was left out.
@@ -32,7 +31,7 @@ def left_out_pressures(
     law: PressureFit,
     points: CurvePoints,
     tests: Sequence[TestResult],
-    levels: NDArray[np.int64],
+    levels: Integers,
     tails: Tails,
 ) -> tuple[LeftOut, ...]:
     """Predict each pressure by the law of the others.

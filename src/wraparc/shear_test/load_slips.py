@@ -8,13 +8,12 @@ the decimal point, another unit), is asked about, with the value that would fit.
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.catalogue import design_friction
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.plan import TestPlan
 from wraparc.shear_test.pressure_fit import CurvePoints
-from wraparc.shear_test.record import Array
 from wraparc.units import in_each, quantity
 
 # Off by more than this in ln mu is no scatter of samples; as near as this it fits. Ours.
@@ -32,9 +31,7 @@ _LOAD_FACTORS = (10.0, 1000.0, _PSI, _LBF, _KGF)
 _PULL_FACTORS = (10.0, 1000.0, _LBF, _KGF, 2.0)
 
 
-def load_questions(
-    tests: Sequence[TestResult], points: CurvePoints, flagged: NDArray[np.bool_]
-) -> list[str]:
+def load_questions(tests: Sequence[TestResult], points: CurvePoints, flagged: Flags) -> list[str]:
     """Ask about tests whose pull would fit the others at another pressure, or by a factor.
 
     Parameters

@@ -1,9 +1,8 @@
 """Noise of a record, and readings that are not part of it."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-from wraparc.shear_test.record import Array
+from wraparc.arrays import Array, Flags
 
 _MAD = 1.4826
 _WINDOW = 15
@@ -23,7 +22,7 @@ def noise_level(values: Array) -> float:
     return float(_MAD * np.median(np.abs(np.diff(values, 2))) / np.sqrt(6.0))
 
 
-def despiked(values: Array) -> NDArray[np.bool_]:
+def despiked(values: Array) -> Flags:
     """Readings to keep: not further than 8 noise levels from the median of 15 neighbours.
 
     If more than 2 % were to go, they belong to the test (stick-slip) and all are kept.

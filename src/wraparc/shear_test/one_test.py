@@ -5,17 +5,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.errors import InputError
-from wraparc.machine_tables import Array, Cells, NamedColumn, NumeralStyle, RawTable, plain_name
+from wraparc.machine_tables import Cells, NamedColumn, NumeralStyle, RawTable, plain_name
 from wraparc.shear_test.reduce import LEAST_POINTS
 from wraparc.shear_test.roles import Role, is_known, suitability
 
 # Steps of time or travel that may lie between two pieces, in steps inside them. Ours.
 _STEPS = 10.0
 _NUMBER = re.compile(r"\d+")
-Mask = NDArray[np.bool_]
 _MARKS = (9999.0, 99999.0, 999999.0, 9999999.0, 32767.0, 32768.0, 1e30)
 _ENDS = 3
 # Rows of results that may stand under a table. Ours.
@@ -137,7 +136,7 @@ def _counts(groups: Mapping[str, Sequence[NamedColumn]], role: Role) -> set[int]
     return {len(own) for own in groups.values() if suitability(own[0].name, role) > 0.0}
 
 
-def sentinel_rows(travel: Array, force: Array, keep: Mask) -> Mask:
+def sentinel_rows(travel: Array, force: Array, keep: Flags) -> Flags:
     """Rows at either end where both columns are 0 after a jump, or hold a number like -9999.
 
     Parameters
@@ -163,7 +162,7 @@ def sentinel_rows(travel: Array, force: Array, keep: Mask) -> Mask:
     return marked
 
 
-def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
+def _marks(column: Array, rows: Integers) -> Flags:
     """Values written for "nothing measured", far outside all others of the column."""
     found = np.zeros(len(column), dtype=bool)
     size = np.abs(column[rows])
@@ -174,7 +173,7 @@ def _marks(column: Array, rows: NDArray[np.int64]) -> Mask:
     return found
 
 
-def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
+def results_at_ends(columns: Iterable[Array], keep: Flags) -> Flags:
     """Return the first and last rows that are results or settings, not readings.
 
     In the last a column has no number that has one before, for a word stands in its place; or one
@@ -211,14 +210,14 @@ def results_at_ends(columns: Iterable[Array], keep: Mask) -> Mask:
     return found
 
 
-def last_row(keep: Mask) -> Mask:
+def last_row(keep: Flags) -> Flags:
     """Return the last row in use."""
     last = np.zeros(len(keep), dtype=bool)
     last[np.flatnonzero(keep)[-1:]] = True
     return last
 
 
-def off_trend(travel: Array, force: Array, keep: Mask) -> Mask:
+def off_trend(travel: Array, force: Array, keep: Flags) -> Flags:
     """Return the last row, if its values leave the trend of those before it.
 
     For a file that ends without a line end: a number cut in the middle is still a number.

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.shear_test.pressure_fit import (
     CurvePoints,
     PressureFit,
@@ -21,9 +21,6 @@ from wraparc.shear_test.pressure_fit import (
     transition_bounds,
 )
 from wraparc.shear_test.pressure_form import LawForm, Variables
-from wraparc.shear_test.record import Array
-
-Mask = NDArray[np.bool_]
 
 _ONE = (("constant",), ("linear",), ("exponential",), ("logarithmic",), ("power",))
 _TWO = (
@@ -106,7 +103,7 @@ class PressureOptions:
 
 
 def choose_form(
-    points: CurvePoints, options: PressureOptions, flagged: Mask | None = None
+    points: CurvePoints, options: PressureOptions, flagged: Flags | None = None
 ) -> PressureChoice:
     """Choose and fit the form of the pressure dependence.
 
@@ -162,7 +159,7 @@ def choose_form(
 
 
 def settled(
-    chosen: PressureFit, points: CurvePoints, flagged: Mask, given: float | None
+    chosen: PressureFit, points: CurvePoints, flagged: Flags, given: float | None
 ) -> PressureFit:
     """Fit with the scatter and the weights of the curves that go with the form itself.
 

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.budget import Budget, Common
 from wraparc.shear_test.pressure_form import LawForm, coefficients_from_peaks, ln_peaks, node_count
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.robust import minimise
 from wraparc.shear_test.student import t95
 

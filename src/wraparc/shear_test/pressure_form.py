@@ -12,8 +12,8 @@ from typing import Literal
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.friction.interpolation import evaluate, pchip
-from wraparc.shear_test.record import Array
 
 Variables = Literal["peak", "coefficients"]
 #: Trend -> whether pressure, whether the value enters by its logarithm.

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, shown
 from wraparc.machine_tables import (
     DELIMITER_NAMES,
-    Array,
     NamedColumn,
     NumeralStyle,
     RawTable,

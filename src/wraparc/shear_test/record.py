@@ -4,9 +4,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from wraparc.arrays import Array, Integers
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,7 +129,7 @@ class MachineRecord:
     force: Array
     normal_force: Array | None
     time: Array | None
-    lines: NDArray[np.int64]
+    lines: Integers
     rows: int
     dropped: tuple[Dropped, ...]
     notes: tuple[str, ...]

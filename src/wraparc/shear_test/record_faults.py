@@ -7,10 +7,10 @@ from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.shear_test.noise import noise_level
-from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.record import MachineRecord
 from wraparc.units import Cell
 
 #: How stick-slip is fitted: the middle of its swings, or their upper or lower ends.
@@ -123,7 +123,7 @@ def saturated(values: Array, travel: Array) -> int:
     return count if fine and flat and kink and end > 0.0 else 0
 
 
-def travel_faults(record: MachineRecord, rows: NDArray[np.int64], direction: int) -> list[Fault]:
+def travel_faults(record: MachineRecord, rows: Integers, direction: int) -> list[Fault]:
     """What the travel of a pull shows: at an end of its sensor, standing still, or with a gap.
 
     Parameters
@@ -164,7 +164,7 @@ def travel_faults(record: MachineRecord, rows: NDArray[np.int64], direction: int
     return faults + _gap(travel, record.lines[rows])
 
 
-def _gap(travel: Array, lines: NDArray[np.int64]) -> list[Fault]:
+def _gap(travel: Array, lines: Integers) -> list[Fault]:
     steps = np.diff(travel)
     span = float(np.ptp(travel))
     if len(steps) < 2 * _BLOCK or span <= 0.0:
@@ -272,7 +272,7 @@ def stall(travel: Array, friction: Array, top: float, onset: float) -> list[Faul
     return [Fault("stall", text)]
 
 
-def envelope(friction: Array, readings: int, which: str) -> NDArray[np.int64]:
+def envelope(friction: Array, readings: int, which: str) -> Integers:
     """Rows of the upper or lower ends of the swings: one in each period, shape (m,)."""
     sign = 1.0 if which == "upper" else -1.0
     parts = np.split(np.arange(len(friction)), np.arange(readings, len(friction), readings))

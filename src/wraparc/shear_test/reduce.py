@@ -8,12 +8,12 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.errors import InputError
 from wraparc.machine_tables import refused
 from wraparc.shear_test.noise import despiked, noise_level
-from wraparc.shear_test.record import Array, MachineRecord
+from wraparc.shear_test.record import MachineRecord
 from wraparc.shear_test.record_faults import (
     Fault,
     Swing,
@@ -135,7 +135,7 @@ class FrictionCurve:
     binned_travel: Array
     binned_friction: Array
     counts: Array
-    place: NDArray[np.int64]
+    place: Integers
     pressure: float
     bending: float
     noise: float
@@ -350,9 +350,7 @@ def _zero_unknown(friction: Array, before: Array, missing: bool, top: float) -> 
     return min(float(np.hypot(standing, error)), UNKNOWN_ZERO * top)
 
 
-def _binned(
-    travel: Array, friction: Array, onset: float
-) -> tuple[Array, Array, Array, NDArray[np.int64]]:
+def _binned(travel: Array, friction: Array, onset: float) -> tuple[Array, Array, Array, Integers]:
     """Means over bins of equal travel, ten times narrower around the onset.
 
     Bins make a record that is dense in places (slow start, fast end) count by travel.

@@ -14,10 +14,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.shear_test.correlation import apply, noise_kernel
-from wraparc.shear_test.record import Array
 
 Residual = Callable[[Array], tuple[Array, Array]]
 _SOFT = 2.0
@@ -156,7 +155,7 @@ class Readings:
     """
 
     residual: Array
-    row: NDArray[np.int64]
+    row: Integers
     share: Array
     counts: Array
 

@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Integers
 from wraparc.shear_test.analysis import Findings, LeftOut, TestResult
 from wraparc.shear_test.budget import UNKNOWN_COMPLIANCE, Uncertainty
 from wraparc.shear_test.campaign import lot_sentences, order_sentences
@@ -181,7 +181,7 @@ def _zero(tests: Sequence[TestResult]) -> list[str]:
     ]
 
 
-def _tests_sentence(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
+def _tests_sentence(tests: Sequence[TestResult], levels: Integers) -> str:
     """What was tested, as far as the plan says: pressures, slip, temperature, speed, dates."""
     planned = [test.test for test in tests]
     speeds = [per_minute(v) for v in sorted({t.speed for t in planned if t.speed is not None})]
@@ -225,7 +225,7 @@ def _held(plan: TestPlan) -> list[str]:
     return [f"held in every curve, as the plan says, not fitted: {text}"] if text else []
 
 
-def _slip_reached(tests: Sequence[TestResult], levels: NDArray[np.int64]) -> str:
+def _slip_reached(tests: Sequence[TestResult], levels: Integers) -> str:
     reached = np.array([test.fit.slip_max for test in tests])
     everywhere = min(float(reached[levels == k].max()) for k in np.unique(levels))
     less = f", {quantity(everywhere, 'length')} at every pressure"

@@ -6,18 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.drive import FrictionFactor
 from wraparc.provenance import Kind, Provenance
 from wraparc.shear_test.analysis import Separated, TestResult
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.reduce import FrictionCurve
 from wraparc.shear_test.speeds import per_minute, speed_groups
 from wraparc.shear_test.student import t95
 from wraparc.units import in_units, quantity
 
-Levels = NDArray[np.int64]
 #: Fits a test again, its friction times a factor.
 Refit = Callable[[TestResult, float], TestResult]
 
@@ -46,11 +44,11 @@ class _Circumstance:
     at: tuple[float, ...]
     told: tuple[str, ...]
     value: Array
-    group: Levels
+    group: Integers
 
 
 def separate(
-    tests: Sequence[TestResult], levels: Levels, refit: Refit
+    tests: Sequence[TestResult], levels: Integers, refit: Refit
 ) -> tuple[list[TestResult], Separated]:
     """Bring tests to one speed and one temperature.
 
@@ -156,7 +154,7 @@ def _temperature(tests: Sequence[TestResult]) -> _Circumstance | None:
     return _Circumstance("temperature", tuple(at), told, np.array(at) - common, group)
 
 
-def _within(values: Array, levels: Levels) -> Array:
+def _within(values: Array, levels: Integers) -> Array:
     """Values less the mean of their pressure."""
     means = np.bincount(levels, values) / np.maximum(np.bincount(levels), 1)
     return np.asarray(values - means[levels])

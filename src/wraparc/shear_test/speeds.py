@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Integers
 from wraparc.shear_test.analysis import TestResult
 from wraparc.shear_test.pressure_fit import CurvePoints
 from wraparc.shear_test.record import MachineRecord
@@ -28,7 +28,7 @@ def measured_speed(record: MachineRecord) -> float | None:
     return speed if speed > 0.0 else None
 
 
-def speed_groups(tests: Sequence[TestResult]) -> tuple[NDArray[np.int64], list[float]]:
+def speed_groups(tests: Sequence[TestResult]) -> tuple[Integers, list[float]]:
     """Number of the speed of each test, slowest first, and the speeds [m/s].
 
     Taken from the plan, else from time and travel; tests of unknown speed are one group.
@@ -44,7 +44,7 @@ def speed_groups(tests: Sequence[TestResult]) -> tuple[NDArray[np.int64], list[f
     return groups, speeds
 
 
-def by_speed(points: CurvePoints, groups: NDArray[np.int64]) -> CurvePoints:
+def by_speed(points: CurvePoints, groups: Integers) -> CurvePoints:
     """Points whose repeats are those of one pressure and one speed."""
     both = points.level * (int(groups.max()) + 1) + groups
     _, level = np.unique(both, return_inverse=True)

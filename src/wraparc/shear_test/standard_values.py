@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.analysis import ConditionResult, TestResult
-from wraparc.shear_test.record import Array
 
 #: Slips that design values of friction are compared at [m]; 6.35 mm is a quarter inch.
 STANDARD_SLIPS = (1e-3, 2e-3, 4e-3, 6.35e-3, 10e-3)

@@ -4,11 +4,9 @@ import itertools
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from wraparc.shear_test.record import Array
+from wraparc.arrays import Array, Integers
 
-Index = NDArray[np.int64]
 # A turn back counts as one if it is longer than this part of the whole travel.
 _TURN = 0.02
 _DROP = 0.6
@@ -28,7 +26,7 @@ class Stroke:
         Rows at the end after the force has collapsed.
     """
 
-    rows: Index
+    rows: Integers
     direction: int
     released: int
 

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.curve_fit import CurveFit
 from wraparc.shear_test.curve_model import friction_and_slope
-from wraparc.shear_test.record import Array
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

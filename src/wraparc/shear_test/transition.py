@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.shear_test.analysis import Transition
 from wraparc.shear_test.pressure_choice import PressureChoice
 from wraparc.shear_test.pressure_fit import (
@@ -20,7 +21,6 @@ from wraparc.shear_test.pressure_fit import (
     scatter_within,
     transition_bounds,
 )
-from wraparc.shear_test.record import Array
 from wraparc.shear_test.student import t95
 
 _PROFILE = 41

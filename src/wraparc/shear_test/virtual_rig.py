@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.friction import FrictionLaw
-from wraparc.shear_test.record import Array
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,17 +6,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.across import AcrossResult, AcrossSolver, wide_arc
+from wraparc.arrays import Array, Codes, Integers
 from wraparc.batch.arcs import Arcs
 from wraparc.checks import Level, of_across
 from wraparc.checks.of_rows import NAMES
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int8]
-Integers = NDArray[np.int64]
 
 #: Results across the width that a study can keep; not a number where the pulley is even.
 ACROSS_OUTPUTS = (

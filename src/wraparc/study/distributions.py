@@ -7,11 +7,9 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, MissingExtraError, Problem
-
-Array = NDArray[np.float64]
 
 #: least part of a distribution that must lie within its limits
 LEAST_KEPT = 1e-3

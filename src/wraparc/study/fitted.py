@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.drive import Fit
 from wraparc.errors import InputError, Problem, shown
 from wraparc.study.distributions import normal_quantile
 from wraparc.study.plan import Drawn
 from wraparc.units import Dimension
-
-Array = NDArray[np.float64]
 
 _DIMENSIONS: dict[str, Dimension] = {"peak_slip": "length", "peak_friction": "number"}
 

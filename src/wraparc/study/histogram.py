@@ -6,13 +6,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags
 from wraparc.checks.numbers import kept
 from wraparc.checks.of_rows import kept_rows
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 #: Results whose limit is a number of the row, an upper one on their size, in the column
 #: `limit_column`.

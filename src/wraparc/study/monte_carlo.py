@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.checks import Level
 from wraparc.study.histogram import Histogram, Limit, bars, limit_column, limit_of, misses
 from wraparc.study.parameter_study import (
@@ -29,10 +29,6 @@ from wraparc.study.parameter_study import (
 )
 from wraparc.study.parquet import batches, read_data
 from wraparc.study.share import Share
-
-Array = NDArray[np.float64]
-Integers = NDArray[np.int64]
-Flags = NDArray[np.bool_]
 
 #: Percentiles that are told [%].
 PERCENTS = (5.0, 50.0, 95.0, 99.0)

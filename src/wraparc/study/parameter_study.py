@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from wraparc.arc import Capacities
+from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
@@ -26,8 +27,6 @@ from wraparc.study.plan import DrawnField, Plan, Values
 from wraparc.units import Dimension
 from wraparc.version import __version__
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Progress = Callable[[int, int], object]
 #: Columns of numbers, whole numbers or truth values, by name.
 Columns = dict[str, NDArray[Any]]
@@ -103,10 +102,10 @@ class Rows:
     friction_factor: Array
     slip_factor: Array
     drives: Sequence[Drive]
-    which: NDArray[np.int64]
+    which: Integers
     pulley: str
     load_case: str
-    lost: NDArray[np.int8]
+    lost: Codes
     of_train: Mapping[str, Array]
 
 
@@ -294,7 +293,7 @@ class Study:
         return columns
 
     def _solved(
-        self, rows: Rows, good: NDArray[np.int64], factor: Array, progress: Progress | None
+        self, rows: Rows, good: Integers, factor: Array, progress: Progress | None
     ) -> Mapping[str, NDArray[Any]]:
         """Results that are kept, and the verdicts, of the rows that are drives.
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.checks.of_rows import NOT_CHECKED
 from wraparc.errors import InputError, MissingExtraError, Problem, shown
 from wraparc.glossary import GLOSSARY
@@ -31,8 +32,6 @@ from wraparc.study.parameter_study import (
 )
 from wraparc.units import DIMENSION_TEXT
 from wraparc.version import __version__
-
-Array = NDArray[np.float64]
 
 METADATA = b"wraparc.study"
 _COMPRESSION = "zstd"

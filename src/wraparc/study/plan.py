@@ -8,13 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Integers
 from wraparc.study.distributions import Distribution
 from wraparc.study.sampling import Random, Sampling, Sobol
 from wraparc.units import Dimension
-
-Array = NDArray[np.float64]
 
 #: Values of designs by column, numbers in SI; words by their place in the list of the axis.
 Values = Mapping[str, Array]
@@ -43,7 +41,7 @@ class Levels:
         """Whether the values are numbers."""
         return self.dimension is not None
 
-    def at(self, place: NDArray[np.int64]) -> Array:
+    def at(self, place: Integers) -> Array:
         """Values at places in the list; the places themselves for words."""
         if not self.numeric:
             return place.astype(float)
@@ -173,7 +171,7 @@ class Plan(ABC):
             columns[axis.field] = axis.at(place)
         return columns | (self._drawn_at(point) if self.drawn else {})
 
-    def _drawn_at(self, point: NDArray[np.int64]) -> dict[str, Array]:
+    def _drawn_at(self, point: Integers) -> dict[str, Array]:
         """Columns of what is drawn at points that follow each other, over and over."""
         if len(point) >= self.points:
             return {k: v[point] for k, v in self.draw(self.cube(0, self.points)).items()}

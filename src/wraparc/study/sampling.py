@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import MissingExtraError
 
-Array = NDArray[np.float64]
 Words = NDArray[np.uint64]
 
 _PER_COUNTER = 4  # numbers that Philox makes for one step of its counter

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.alike import falling
+from wraparc.arrays import Array
 from wraparc.batch import Setting
 from wraparc.errors import InputError, Problem
 from wraparc.study.parameter_study import Study
@@ -19,7 +19,6 @@ from wraparc.study.parquet import batches, read_data
 from wraparc.study.plan import Drawn, DrawnField
 from wraparc.study.share import CONFIDENCE
 
-Array = NDArray[np.float64]
 #: by load case and condition, then by result
 LocalSensitivity = dict[tuple[str, str], dict[str, tuple["Swing", ...]]]
 GlobalSensitivity = dict[tuple[str, str], dict[str, "Indices"]]

@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import of_belt
+from wraparc.arrays import Array, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
@@ -34,8 +34,6 @@ from wraparc.train.file import any_drive_from_document
 from wraparc.train.keys import TRAIN_FILE
 from wraparc.train.turning import surface_sentence
 from wraparc.units import DIMENSION_TEXT, Dimension
-
-Array = NDArray[np.float64]
 
 _MOST_KEPT = 4096  # drives built for fields that are no column
 _OF_PULLEY = {
@@ -295,8 +293,8 @@ class DriveSource:
         return found
 
     def _laws(
-        self, laws: Sequence[FrictionLaw], which: NDArray[np.int64], values: Values, size: int
-    ) -> tuple[list[FrictionLaw], NDArray[np.int64]]:
+        self, laws: Sequence[FrictionLaw], which: Integers, values: Values, size: int
+    ) -> tuple[list[FrictionLaw], Integers]:
         """Laws, each once, and the place of that of every design."""
         drawn = [fit for fit in self.fits if next(iter(fit.columns)) in values]
         if not drawn:
@@ -311,7 +309,7 @@ class DriveSource:
         ]
         return own, np.arange(size)
 
-    def _bases(self, values: Values, size: int) -> tuple[list[_Base | None], NDArray[np.int64]]:
+    def _bases(self, values: Values, size: int) -> tuple[list[_Base | None], Integers]:
         """Drives of the different combinations of fields that are no columns."""
         others = [f for f in self._others if f.name in values]
         if not others:
@@ -359,7 +357,7 @@ class DriveSource:
         return _Base(columns, lagging.law, drive)
 
     def _tensions(
-        self, values: Values, drives: Sequence[Drive], which: NDArray[np.int64], load_case: str
+        self, values: Values, drives: Sequence[Drive], which: Integers, load_case: str
     ) -> tuple[Array, Array]:
         """Entry and exit tensions of all pulleys, by the rules of drive files, (pulleys, size)."""
         at, size = {f.place: values[f.name] for f in self.fields if f.name in values}, len(which)

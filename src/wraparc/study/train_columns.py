@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import Setting
 from wraparc.drive import Tensions
 from wraparc.schema.problems import Place, Report
@@ -21,9 +21,6 @@ from wraparc.train.batch_result import BEYOND_MOTOR, REFUSED
 from wraparc.train.columns import OF_DRUM, of_motor
 from wraparc.train.file import train_from_document
 from wraparc.train.read_columns import read_rows
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 _BELT = {"modulus": "belt_modulus", "width": "belt_width", "speed": "belt_speed"}
 _LAGGING = {
@@ -63,7 +60,7 @@ class Divided:
     entries: Array
     exits: Array
     valid: Flags
-    lost: NDArray[np.int8]
+    lost: Codes
 
 
 @dataclass(frozen=True, eq=False)

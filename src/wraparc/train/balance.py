@@ -18,16 +18,12 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.quantities import BREAKAWAY, SOLVED, jumps
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch import Setting, row
 from wraparc.batch.scaled import solve_scaled
 from wraparc.train.rows import Followers, TrainRows
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Integers = NDArray[np.int64]
 
 #: Miss of a speed equation that counts as none, by setting [-].
 MISSES = {Setting.ENGINEERING: 1e-8, Setting.PRECISE: 1e-11}

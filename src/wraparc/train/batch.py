@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from wraparc.arc import Distributed
+from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import BatchResult, Setting, row
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.scaled import solve_scaled
@@ -33,7 +34,6 @@ from wraparc.train.rows import TrainRows
 from wraparc.train.solve import solve_case
 from wraparc.train.train import Train
 
-Array = NDArray[np.float64]
 Progress = Callable[[int, int], object]
 
 #: Trains of a chunk.
@@ -141,8 +141,8 @@ class _Located:
     """Tensions of trains, and what came of looking for them."""
 
     between: Array
-    status: NDArray[np.int8]
-    fallen: NDArray[np.bool_]
+    status: Codes
+    fallen: Flags
     reasons: dict[int, str]
 
     @classmethod

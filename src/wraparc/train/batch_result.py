@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import STATUSES, BatchResult
 from wraparc.drive.pitch import pitch_radius
 from wraparc.errors import library
@@ -20,9 +20,6 @@ from wraparc.train.train import Train
 if TYPE_CHECKING:
     import pandas as pd
 
-Array = NDArray[np.float64]
-Codes = NDArray[np.int8]
-Flags = NDArray[np.bool_]
 
 SOLVED, BREAKAWAY, UNSOLVED, REFUSED, BEYOND_MOTOR = range(5)
 #: What each number of the column ``status`` says.

@@ -9,8 +9,8 @@ from enum import StrEnum
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem, shown
 from wraparc.train.newton import Settled
 from wraparc.train.result import CaseResult, TrainResult
@@ -18,7 +18,6 @@ from wraparc.train.roots import bracketed_root
 from wraparc.train.train import Motors, Train
 from wraparc.train.walk import Axis, Walk
 
-Array = NDArray[np.float64]
 Measure = Callable[[Settled, float], float]
 
 #: Shares at which a curve ends when nobody says where, and how far it goes for them.

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from wraparc.arrays import Array
 from wraparc.errors import InputError, Problem
 from wraparc.train.member import Member
-from wraparc.train.passage_table import LARGEST_RATIO, RATIO_SCALE, Array, PassageTable
+from wraparc.train.passage_table import LARGEST_RATIO, RATIO_SCALE, PassageTable
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import Setup
 from wraparc.train.system import System

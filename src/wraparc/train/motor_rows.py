@@ -8,11 +8,9 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from wraparc.arrays import Array
 from wraparc.train.motors import BEYOND, FluidCoupling, Induction, Motor, VariableSpeed
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

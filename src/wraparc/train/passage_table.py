@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 
 from wraparc.arc.collocation import CREEP
 from wraparc.arc.traction import plateau_stress
+from wraparc.arrays import Array
 from wraparc.batch.traction import laws_of
 from wraparc.batch.two_point import Block, Ends, first_courses, on_mesh, solved, spread
 from wraparc.train.member import SHARP, Member, Passage
 from wraparc.train.roots import sloped_root
 
-Array = NDArray[np.float64]
 Places = NDArray[np.intp]
 
 #: Entry creep ratio up to which a table goes, either way; a creep of 5 % of the wrap. And the one

@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from wraparc.arc import Distributed
+from wraparc.arrays import Array, Flags, Integers
 from wraparc.batch.columns import (
     Column,
     columns_of,
@@ -38,9 +39,6 @@ from wraparc.train.solve import solve_case
 from wraparc.train.train import Motors, Pulls, Shares, Speeds, Train
 from wraparc.train.walk import held
 from wraparc.units import display
-
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 
 _SHARE_SUM = 1e-6
 _QUICK = Distributed(capacities=False)
@@ -182,7 +180,7 @@ class _Reader:
             rows = self._mended(rows, bad)
         return Read(rows, self.good, tuple(self.problems), start)
 
-    def _mended(self, rows: TrainRows, bad: NDArray[np.int64]) -> TrainRows:
+    def _mended(self, rows: TrainRows, bad: Integers) -> TrainRows:
         """Return the rows, the bad ones those of the train itself."""
         base = _Reader(self.train, {}, {}).read(()).rows
 

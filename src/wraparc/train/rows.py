@@ -8,9 +8,9 @@ from math import isnan
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from wraparc.arc.wrap_arc import of_belt
+from wraparc.arrays import Array, Integers
 from wraparc.batch.arcs import Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
@@ -18,8 +18,7 @@ from wraparc.train.motor_rows import MotorRows
 from wraparc.train.motors import TorqueFollower
 from wraparc.train.train import Division, Motors, Shares, Speeds, Train
 
-Array = NDArray[np.float64]
-Which = slice | NDArray[np.int64]
+Which = slice | Integers
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

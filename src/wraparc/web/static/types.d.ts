@@ -1,27 +1,89 @@
-// What goes between the page and the server, and the state of the page. No code.
+// The state of the page, and what goes between it and the server (api.d.ts) as it has it. No code.
 import type { ComponentChildren } from "preact";
+import type * as api from "./api.d.ts";
 
-export type Units = "si" | "us";
-export type Children = ComponentChildren;
-export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
-/** A number of a text, see NumberInText of the API. */
-export interface Cell {
-  at?: [number, number];
-  value: number;
-  from?: number;
-  apart?: number;
-  name?: string;
-  dimension?: string;
-  digits?: number;
-  form?: string;
+export type Level = api.Level;
+export type Verdict = Partial<api.Verdict> & Pick<api.Verdict, "level" | "headline" | "sentences">;
+export type Table = Omit<api.Table, "key"> & { key: string };
+export type TableRow = api.Row;
+export type Bar = api.Bar;
+export type Input = api.Input;
+export type Book = api.Book;
+export type BookLagging = api.BookLagging;
+/** Rows of the catalogue, whose values are read by the keys of a file. */
+type Keyed<T> = T & { [key: string]: any };
+export type Belt = Keyed<api.CatalogueBelt>;
+export type CatalogueLagging = Keyed<api.CatalogueLagging>;
+export type Catalogue = Omit<api.Catalogue, "belts" | "laggings"> & {
+  belts: Belt[];
+  laggings: CatalogueLagging[];
+};
+/** One field of the drive file, from the schema, or of the page alone, which knows less of it. */
+export type Spec = Pick<api.Field, "key" | "title" | "kind"> &
+  Partial<Omit<api.Field, "slider">> & { slider?: Limits | null };
+export interface Form {
+  sections: { key: string; fields: Spec[] }[];
+  units: Record<string, any>;
+  glossary: Record<string, any>;
 }
+/** A number of a text. */
+export type Cell = Partial<api.NumberInText>;
 /** A text in metric units with its numbers, one that is a number, or one that has none. */
 export type Text =
   | string
-  | { text: string; us?: string; cells: (Cell & { at: [number, number] })[] }
-  | ({ text: string; us?: undefined; cells?: undefined } & Cell)
+  | api.TextWithNumbers
+  | (Pick<api.Number, "text"> & Cell & { us?: undefined; cells?: undefined })
   | null
   | undefined;
+/** What is wrong: told by the server, or found by the page, which knows less of it. */
+export type Problem = Pick<api.ToldProblem, "path" | "message"> &
+  Partial<api.ToldProblem> & {
+    /** Of a drive that is right and that a page without a server does not solve. */
+    beyond?: boolean;
+  };
+/** Numbers and columns by their names: what an arc that was not solved has none of is null. */
+interface Numbers {
+  status: string;
+  numbers: Record<string, any>;
+  profile: Record<string, any[]>;
+}
+/** An arc as numbers [SI]; those that JSON has none for are words. */
+export type Prepared = Omit<api.Prepared, "law"> & { law: any };
+export interface Judging {
+  cases: (Omit<api.JudgedCase, "prepared"> & { prepared: Prepared })[];
+}
+type Solved<T> = Omit<
+  T,
+  keyof Numbers | "status" | "verdict" | "kind" | "tables" | "unbounded" | "prepared"
+> &
+  Numbers;
+export type Arc = Solved<Omit<api.FastAnswer, "sequence" | "remarks">>;
+export type QuickAnswer = Solved<api.FastAnswer> & {
+  verdict: Verdict;
+  prepared: Prepared | null;
+  /** Numbers of the page itself, not judged yet; the verdict is that of the drive before. */
+  own?: boolean;
+};
+export type FullArc = Solved<Omit<api.WholeArc, "paper">> & {
+  tables: Table[];
+  paper: Numbers | null;
+};
+/** What is read of a whole answer, of the server or of the page itself. */
+export type FullAnswer = Pick<api.SolveAnswer, "governing" | "remarks"> & {
+  conditions: Table | null;
+  checks: Table;
+  summary: Table | null;
+  verdict: Verdict;
+  arcs: FullArc[];
+  least_tension:
+    | (Pick<api.LeastTension, "shown" | "sentence" | "level" | "raise_to"> & { table: Table })
+    | null;
+  sources: { kind: string }[];
+  judging: Judging | null;
+};
+
+export type Units = "si" | "us";
+export type Children = ComponentChildren;
 export type Path = (string | number)[];
 export interface Limits {
   least: number;
@@ -51,126 +113,6 @@ export interface LoadCase {
   [key: string]: any;
 }
 
-/** One field of the drive file, from the schema. */
-export interface Spec {
-  key: string;
-  title: string;
-  kind: string;
-  help?: string;
-  symbol?: string;
-  dimension?: string | null;
-  required?: boolean;
-  options?: string[];
-  word?: string | null;
-  default?: any;
-  slider?: Limits | null;
-  allowed?: string | null;
-  least?: number | null;
-  most?: number | null;
-}
-export interface Section {
-  key: string;
-  fields: Spec[];
-}
-export interface Form {
-  sections: Section[];
-  units: Record<string, any>;
-  glossary: Record<string, any>;
-}
-export interface Belt {
-  name: string;
-  kind: string;
-  [key: string]: any;
-}
-export interface CatalogueLagging {
-  name: string;
-  title: string;
-  kind: string;
-  source: string;
-  conditions: string[];
-  [key: string]: any;
-}
-export interface Catalogue {
-  belts: Belt[];
-  laggings: CatalogueLagging[];
-  /** Conditions that published values cover, by surface. */
-  published: Record<string, string[]>;
-  examples: { name: string; title: string; kind: string }[];
-}
-
-export interface Problem {
-  path: string;
-  message: string;
-  /** What kind it is: `missing`, `few_tensions`, or nothing. */
-  code?: string;
-  sentence?: string;
-  /** Of a drive that is right and that a page without a server does not solve. */
-  beyond?: boolean;
-}
-export interface Verdict {
-  level: Level;
-  word?: string;
-  headline: Text;
-  action?: Text;
-  sentences: Text[];
-}
-export interface TableRow {
-  name: string;
-  title: Text;
-  symbol?: string;
-  values: Text[];
-  note: Text;
-  level: Level | null;
-}
-export interface Table {
-  key: string;
-  /** Word that `--table` asks for it by. */
-  name: string;
-  title: Text;
-  heads: Text[];
-  note: Text;
-  rows: TableRow[];
-}
-export interface Arc {
-  pulley: string;
-  load_case: string;
-  status: string;
-  level: Level;
-  levels: Record<string, Level>;
-  creep_limit: number;
-  numbers: Record<string, any>;
-  profile: Record<string, any[]>;
-  tested: { pressure_min: number; pressure_max: number; slip_max: number } | null;
-  outside: [number, number][];
-}
-export interface FullArc extends Arc {
-  bars: Bar[];
-  short: string;
-  status_text: string;
-  /** Slack-side tension to raise to for this load case alone [N]. */
-  raise_to: number | null;
-  tables: Table[];
-  table_sources: string[];
-  paper: { status: string; numbers: Record<string, any>; profile: Record<string, any[]> } | null;
-}
-export interface QuickAnswer extends Arc {
-  sequence: number;
-  verdict: Verdict;
-  remarks: Text[];
-  prepared: Prepared | null;
-  /** Numbers of the page itself, not judged yet; the verdict is that of the drive before. */
-  own?: boolean;
-}
-/** An arc as numbers [SI]; those that JSON has none for are words. */
-export interface Prepared {
-  law: Record<string, number | number[]>;
-  given: Record<string, number | string>;
-  inputs: Input[];
-}
-/** What the server has solved of a drive of one pulley, for the page to move its numbers. */
-export interface Judging {
-  cases: { load_case: string; prepared: Prepared; elsewhere: Path[] }[];
-}
 /** A drive that the page has put together: as the program reads it, and its arcs in numbers. */
 export interface Assembled {
   drive: any;
@@ -188,49 +130,6 @@ export interface Assembled {
   kinds: string[];
   /** The load case that is meant where none is named. */
   meant: string;
-}
-/** A number of the document that the page may move. */
-export interface Input {
-  path: Path;
-  name: string;
-  dimension: string;
-  least: number | string;
-  most: number | string;
-  open: boolean;
-}
-/** A check against its limit; share is its value over the limit. */
-export interface Bar {
-  name: string;
-  /** What is held against the limit [SI]. */
-  value: number;
-  title: string;
-  level: Level;
-  place: string;
-  at_most: boolean;
-  share: number;
-  found: Text;
-  limit: Text;
-  /** What it says where it is not kept, and where its limit came from. */
-  says: Text;
-  source: string;
-}
-export interface FullAnswer {
-  verdict: Verdict;
-  governing: { pulley: string; load_case: string };
-  arcs: FullArc[];
-  conditions: Table | null;
-  checks: Table;
-  least_tension: {
-    shown: Text;
-    sentence: Text;
-    level: Level;
-    table: Table;
-    raise_to: number | null;
-  } | null;
-  summary: Table | null;
-  sources: { kind: string }[];
-  remarks: Text[];
-  judging: Judging | null;
 }
 
 /** A design of the database that is on the page. */
@@ -304,14 +203,4 @@ export interface ChartLook {
   stacked?: boolean;
   /** Whether the axis has its numbers, as only the lowest of several does. */
   numbered?: boolean;
-}
-
-/** What the page reads drives with: see web/answers/book.py. */
-export interface Book {
-  laggings: Record<string, BookLagging>;
-  catalogue: { belts: any[]; laggings: Record<string, any> };
-  own: Record<string, any>;
-}
-export interface BookLagging {
-  laws: Record<string, { condition: string; law: any; steepest_fall: number }>;
 }

@@ -120,7 +120,7 @@ function laggingPick(i) {
       read: () => laggingName(get(app.doc, at)),
       put: (name) => putLagging(i, name),
     }),
-    kind && kind !== "own" && h("span", { class: `kind ${kind}` }, kind),
+    kind && h("span", { class: `kind ${kind}` }, kind),
     condition,
   );
 }
