@@ -18,11 +18,11 @@ from wraparc.cli.options import (
     units_option,
 )
 from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.page import NEEDED, made_page, save_page
 from wraparc.cli.page import SUFFIXES as PAGES
-from wraparc.cli.page import made_page, require_pages, save_page
 from wraparc.cli.pipe import say
 from wraparc.cli.solve import SOLVED, code_of, exit_code, solved
-from wraparc.errors import InputError
+from wraparc.errors import InputError, require
 from wraparc.render.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
@@ -103,7 +103,7 @@ def report(
     asked = named_conditions(conditions)
     read = load_whole(file, overrides=settings, conditions=asked)
     if page_file is not None:
-        require_pages()
+        require("web", *NEEDED)
     carried = None if page_file is None else made_page(file, settings, asked, creep_limit)
     results, train = solved(read, "both", case, creep_limit, file)
     in_time = _in_time(file, settings)
