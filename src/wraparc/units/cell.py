@@ -113,8 +113,8 @@ def _with_unit(
         if not math.isfinite(number):
             return NONE if math.isnan(number) else _UNBOUNDED, ""
         if form in ("slip", "slip apart") and dimension == "speed" and abs(number) < _SLOW:
-            unit = "mm/s" if system == "si" else "in/s"
-            return display(number / unit_factor(unit, "speed"), "number", system, places), unit
+            unit, size = ("mm/s", 1e-3) if system == "si" else ("in/s", 0.0254)
+            return display(number / size, "number", system, places), unit
         return parts(number, dimension, system, places)
 
     if form in ("to", "-"):
