@@ -322,17 +322,13 @@ class _Assembly:
             push = self.row((self.size + n + i, 1.0))
             rows[i] = (lam * drum.inertia)[:, None] * omega - torque - push + moments[i]
         # an integral makes a pole at 0, which would be counted as a root less
-        integral = [_integrates(d) for d in station.drums]
+        integral = [d.trim is not None or isinstance(d.control, SpeedLoop) for d in station.drums]
         for i, drum in enumerate(station.drums):
             follows = isinstance(drum.control, Follower)
             lead = station.index(drum.control.master) if isinstance(drum.control, Follower) else i
             if integral[i] or (follows and integral[lead]):
                 rows[i] = lam[:, None] * rows[i]
         return rows
-
-
-def _integrates(drum: Drum) -> bool:
-    return drum.trim is not None or isinstance(drum.control, SpeedLoop)
 
 
 @lru_cache(maxsize=48)
