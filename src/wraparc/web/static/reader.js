@@ -3356,7 +3356,7 @@ let known, mass, strength;
 return load_case__resultant($bound(of, "entry_tension"), $bound(of, "exit_tension"), $bound(of, "wrap_angle"), ...$iter(known));
 }
 function wear_table__life_table(result, lagging, of = null) {
-let data, depth, k, life, note, passes, rows, source;
+let data, depth, k, life, note, passes, rows, source, years;
 
 (data = wear_table___life_of(result, lagging));
 if ((data == null)) {
@@ -3370,7 +3370,8 @@ if (($at(data, "life_hours") != null)) {
 (source = $b.str(lagging.source_of("wear_coefficient")));
 $m.append(rows, new Row("Wear coefficient", [k], undefined, source));
 (life = wear_table___life($at(data, "life_hours")));
-$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, wear_table___years_note()));
+(years = ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here"));
+$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, years));
 }
 (rows = $add(rows, [...(function* () { for (const vendor of $iter($at(data, "vendors"))) { yield wear_table___vendor_row(vendor, of); } })()]));
 (note = ("" + "Depth that may be worn off: half the thickness, " + $str(depth) + "."));
@@ -3417,9 +3418,6 @@ if ($truth($math.isinf(hours))) {
 return "-";
 }
 return $add(cell__quantity(hours, "number"), " h");
-}
-function wear_table___years_note() {
-return ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here");
 }
 function wear_table___vendor_row(vendor, of) {
 let ends, high, least, low, most, note, number, years;
