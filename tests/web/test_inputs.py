@@ -5,6 +5,7 @@ docs/reference/file_formats.md has it; verdicts of the command line.
 """
 
 import json
+import re
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,8 @@ from playwright.sync_api import Locator, Page, expect
 
 from cli.running import wraparc
 from web.browser import PHONE, Calculator, Visitor
-from web.calculators import wait_for
+from web.calculators import document, wait_for
+from web.test_standing import take
 from wraparc.drive.conditions import covered
 from wraparc.files.lagging_file import lagging_from_text, load_lagging_conditions
 from wraparc.schema.emit import document_text
@@ -273,3 +275,17 @@ def test_another_belt_of_the_catalogue_is_judged_as_by_the_command(
     said = page.locator(".governing .headline").inner_text()
     assert said.partition(" ")[2] == f"{told['word']} {told['headline']}"
     page.unroute_all(behavior="ignoreErrors")
+
+
+def test_a_form_names_fields_and_no_keys_of_a_file(visitor: Visitor) -> None:
+    # expected: the sentence of `wraparc solve`, with the labels of the fields in place of keys
+    page = visitor.open("drive")
+    take(page, document("tandem-fabric"))
+    visitor.solved()
+    visitor.open("train")
+    box = page.locator("#train input[id$='train-entry_tension']:visible").first
+    box.fill("200")
+    box.press("Tab")
+    told = page.locator("#train [id$='-e']:visible", has_text="contradict")
+    expect(told).to_contain_text("Exit tension and Effective tension contradict each other")
+    assert not re.search(r"\w_\w", told.inner_text())

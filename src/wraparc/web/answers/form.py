@@ -40,7 +40,6 @@ _OF_LAGGING = (
     "thickness",
     "shear_modulus",
     "compression_modulus",
-    "elastic_modulus",
     "bond_strength",
     "fatigue_limit",
 )

@@ -2,7 +2,7 @@
 
 import { app, get, wrong } from "../base/design.js";
 import { sentence } from "../base/server.js";
-import { NEEDED, shownFields } from "./field.js";
+import { NEEDED, shownFields, spec } from "./field.js";
 
 /** @import { Path, Problem } from "../types.d.ts" */
 
@@ -53,14 +53,18 @@ export function mark(problems) {
     if (needed.length) return false;
     const keys = place(p.path);
     let key = keys.join();
-    if (!shownFields.has(key)) {
-      // tensions that contradict each other: the last of them carries the sentence
-      const given = TENSIONS.filter((t) => get(app.doc, [...keys, t]) != null);
-      if (given.length) key = [...keys, given[given.length - 1]].join();
-    }
+    // tensions that contradict each other: the last of them carries the sentence
+    if (!shownFields.has(key))
+      key = [...keys, TENSIONS.findLast((t) => get(app.doc, [...keys, t]) != null)].join();
     if (!shownFields.has(key)) return true;
-    const ownWords = sentence(p).replace(p.path, ""); // the label says of what
-    wrong.at.set(key, ownWords.replace(/^ = |^: /, ""));
+    // the label says of what, and a form has no words of a file
+    const ownWords = sentence(p)
+      .replace(p.path, "")
+      .replace(/^ ?[=:] /, "");
+    wrong.at.set(
+      key,
+      ownWords.replace(/\w+_\w+/g, (of) => spec("tensions", of).title),
+    );
     return false;
   });
 }

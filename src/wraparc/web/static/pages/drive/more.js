@@ -17,7 +17,7 @@ import { catalogued, givenLoad, ofBelt, PAIRS, pairAt } from "./inputs.js";
 import { follows, takenOver } from "./load.js";
 import { givenBy, givenInCase } from "./load_given.js";
 
-/** @import { Children, Path } from "../../types.d.ts" */
+/** @import { Children, Path, Spec } from "../../types.d.ts" */
 /** @import { Now } from "./inputs.js" */
 
 /** @param {string} key */
@@ -91,32 +91,26 @@ export const pulleyName = (i, page) =>
     ),
   });
 
-/** Numbers of a lagging that a design may give in place of the catalogue's. */
-const PARTS = ["thickness", "shear_modulus", "compression_modulus"].concat([
-  "bond_strength",
-  "fatigue_limit",
-]);
 /** @param {number} i */
 function lagging(i) {
   const known = catalogued(i);
-  const parts = PARTS.map((key) => laggingPart(["pulley", i, "lagging"], key, words(known?.[key])));
+  const parts = section("lagging").map((f) => laggingPart(f, i, words(known?.[f.key])));
   const origin =
     known &&
     h("p", { class: "origin", key: "origin" }, (known.source || "").replace(`${known.kind}: `, ""));
   return [ofCondition(i), origin, ...parts];
 }
 /** A number of the lagging that the design may give in place of the catalogue's.
- * @param {Path} at @param {string} key @param {string | undefined} placeholder */
-const laggingPart = (at, key, placeholder) =>
-  field({
-    spec: spec("lagging", key),
+ * @param {Spec} of @param {number} i @param {string} placeholder */
+function laggingPart(of, i, placeholder) {
+  /** @type {Path} */
+  const at = ["pulley", i, "lagging"];
+  const { key } = of;
+  return field({
+    spec: of,
     path: [...at, key],
-    slider: key === "thickness" ? undefined : false,
-    placeholder: placeholder || "",
-    read: () => {
-      const v = get(app.doc, at);
-      return v && typeof v === "object" ? v[key] : undefined;
-    },
+    placeholder,
+    read: () => get(app.doc, at)?.[key],
     put: (value) => {
       const v = get(app.doc, at);
       const next = { ...(v && typeof v === "object" ? v : { preset: v }), [key]: value };
@@ -124,6 +118,7 @@ const laggingPart = (at, key, placeholder) =>
       edit(at, Object.keys(next).join() === "preset" ? next.preset : next);
     },
   });
+}
 
 function belt() {
   const skip = ["preset", "table", "width"];
