@@ -4523,6 +4523,12 @@ return $add($m.upper($slice(text, null, 1)), $slice(text, 1, null));
 function check___small(text) {
 return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
 }
+function simple___is_friction(mu) {
+let message;
+
+(message = ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite"));
+return [(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), message];
+}
 function base__check(...tests) {
 let failed;
 
@@ -6311,7 +6317,7 @@ class Constant extends FrictionLaw {
 __post_init__() {
 const self = this; let mu;
 (mu = self.friction_coefficient);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
+base__check(simple___is_friction(mu));
 }
 
 compact() {
@@ -6331,7 +6337,7 @@ class PressurePower extends FrictionLaw {
 __post_init__() {
 const self = this; let mu, n, p;
 ([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
+base__check(simple___is_friction(mu), [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), ("" + "the pressure " + $str("must be positive and finite"))], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
 }
 
 compact() {
@@ -7595,7 +7601,7 @@ class ElasticPlastic extends FrictionLaw {
 __post_init__() {
 const self = this; let k, mu;
 ([mu, k] = [self.friction_coefficient, self.stiffness]);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), "the stiffness must be positive and finite"]);
+base__check(simple___is_friction(mu), [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), ("" + "the stiffness " + $str("must be positive and finite"))]);
 }
 
 compact() {
