@@ -5661,7 +5661,11 @@ static of(drive, pulley, case_) {
 const cls = this; let lagging, tensions;
 
 ([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
-return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt($bound(drive, "belt"), $bound(pulley, "side"), $bound(lagging, "law")), ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", drive.belt.width], ["axial_stiffness", drive.belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["wear_coefficient", lagging.wear_coefficient], ["fit", lagging.fit], ["pulley", pulley.name], ["load_case", case_.name]]);
+return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["load_case", case_.name]]);
+}
+static on(belt, pulley, lagging, more = new Map()) {
+const cls = this; 
+return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt(belt, $bound(pulley, "side"), $bound(lagging, "law")), ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", belt.width], ["axial_stiffness", belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["wear_coefficient", lagging.wear_coefficient], ["pulley", pulley.name], ...more]);
 }
 get radius() {
 const self = this; 
@@ -9389,6 +9393,7 @@ Train.LIMITS = Train.prototype.LIMITS = $c114;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
+$sig(WrapArc.on, ["belt", "pulley", "lagging"], true);
 in_page$Given.$compared = in_page$Given.$names;
 Rise.$compared = Rise.$names;
 in_page$Criteria.$compared = in_page$Criteria.$names;
