@@ -11,7 +11,6 @@ from typing import Any
 
 from playwright.sync_api import (
     Browser,
-    BrowserContext,
     Page,
     ViewportSize,
     expect,
@@ -142,8 +141,9 @@ def turn(page: Page, name: str) -> None:
         at.click()
 
 
-#: Windows that visits left: what a page is made of is fetched and compiled in them already.
-_LEFT: dict[Browser, BrowserContext] = {}
+#: Windows that visits left, by what they set, each with an empty page: what that opens is of its
+#: process, in which all that a page is made of is fetched and compiled already.
+_LEFT: dict[tuple[Any, ...], Page] = {}
 #: What a page may keep there; the next visitor finds nothing of it.
 _KEPT = "cookies,local_storage,indexeddb,cache_storage"
 
@@ -151,35 +151,35 @@ _KEPT = "cookies,local_storage,indexeddb,cache_storage"
 class Visitor:
     """A page of the browser that remembers what went wrong on it.
 
-    With `again` in a window that another visit has left, for who sets nothing in it.
+    In a window that another visit has left, but `fresh` for who sets something in it.
     """
 
     def __init__(
         self,
         browser: Browser,
         address: str,
-        size: ViewportSize | None = None,
+        size: ViewportSize = DESKTOP,
         *,
         told_long: bool = True,
-        again: bool = False,
+        fresh: bool = False,
         **context: Any,
     ) -> None:
         # a page that moves by itself is painted without end, and a test has only to look at it
         context = {"reduced_motion": "reduce", **context}
-        self.again = browser if again else None
-        left = _LEFT.pop(browser, None) if again else None
-        self.context = left or browser.new_context(
-            viewport=size or DESKTOP, accept_downloads=True, locale="en-GB", **context
+        origin = "/".join(address.split("/")[:3])
+        self._kind = None if fresh else (browser, origin, *size.values(), *context.items())
+        left = _LEFT.pop(self._kind, None) if self._kind else None
+        self.context = (
+            left.context
+            if left
+            else browser.new_context(
+                viewport=size, accept_downloads=True, locale="en-GB", **context
+            )
         )
         self.context.set_default_timeout(_LONG)
         if told_long and not left:
             self.context.add_init_script(_TOLD_LONG)
-        self.page: Page = self.context.new_page()
-        if left:
-            session = left.new_cdp_session(self.page)
-            what = {"origin": address.rstrip("/"), "storageTypes": _KEPT}
-            session.send("Storage.clearDataForOrigin", what)
-            session.detach()
+        self.page: Page = self.context.new_page() if fresh else self._opened(left, origin)
         self.address = address
         self.wrong: list[str] = []
         self.elsewhere: list[str] = []
@@ -187,6 +187,19 @@ class Visitor:
         self.page.on("pageerror", lambda e: self.wrong.append(str(e)))
         self.page.on("request", lambda r: self._asked(r.url))
         self.page.on("dialog", lambda d: d.accept())
+
+    def _opened(self, left: Page | None, origin: str) -> Page:
+        self._empty = left or self.context.new_page()
+        if left:
+            session = self.context.new_cdp_session(left)
+            session.send("Storage.clearDataForOrigin", {"origin": origin, "storageTypes": _KEPT})
+            session.detach()
+        else:
+            file = Path(__file__).as_uri()
+            self._empty.goto(file if origin == "file://" else f"{origin}/static/icon.svg")
+        with self._empty.expect_popup() as opened:
+            self._empty.evaluate("void open('about:blank')")
+        return opened.value
 
     def _said(self, kind: str, text: str) -> None:
         if kind in ("error", "warning") and not any(known in text for known in _REFUSED):
@@ -201,12 +214,13 @@ class Visitor:
         if not self.page.is_closed():
             self.page.unroute_all(behavior="ignoreErrors")
         self.context.unroute_all(behavior="ignoreErrors")
-        if self.again:
-            for page in self.context.pages:
-                page.close()
-            _LEFT[self.again], self.again = self.context, None
-        else:
+        if not self._kind:
             self.context.close()
+            return
+        for page in self.context.pages:
+            if page != self._empty:
+                page.close()
+        _LEFT[self._kind] = self._empty
 
     def open(self, name: str = "drive", *, unfold: bool | None = None) -> Page:
         """Go to a page as a user does, and wait until it shows what it has to.

@@ -70,7 +70,7 @@ def long_visit(calculator: Calculator) -> Iterator[Visitor]:
 @pytest.fixture
 def visitor(calculator: Calculator) -> Iterator[Visitor]:
     browser, server = calculator
-    found = Visitor(browser, server.address, again=True)
+    found = Visitor(browser, server.address)
     yield found
     found.close()
     assert found.wrong == []

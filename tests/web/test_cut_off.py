@@ -46,7 +46,7 @@ class Cut:
     """A visitor whose network can be cut."""
 
     def __init__(self, calculator: Calculator) -> None:
-        self.visitor = Visitor(calculator[0], calculator[1].address, told_long=False)
+        self.visitor = Visitor(calculator[0], calculator[1].address, told_long=False, fresh=True)
         self.page = self.visitor.page
         self.page.clock.install()
         self.asked: list[str] = []
@@ -272,7 +272,7 @@ def test_a_part_that_is_not_there_any_more_asks_for_a_reload(cut: Cut) -> None:
 def test_a_page_that_begins_without_a_server_begins_with_it(
     calculator: Calculator, how: str
 ) -> None:
-    visitor = Visitor(calculator[0], calculator[1].address, told_long=False)
+    visitor = Visitor(calculator[0], calculator[1].address, told_long=False, fresh=True)
     page = visitor.page
     page.clock.install()
     visitor.context.route("**/api/v1/**", CUTS[how])

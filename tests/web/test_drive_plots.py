@@ -2,7 +2,7 @@
 
 from playwright.sync_api import expect
 
-from web.browser import PHONE, Calculator, Visitor
+from web.browser import DESKTOP, PHONE, Calculator, Visitor
 
 #: Boxes of the grid, numbers below the axis, names and points of the courses of every plot.
 _PLOTS = """() => [...document.querySelectorAll("#drive .plots svg.chart")].map((svg) => {
@@ -49,7 +49,7 @@ def _apart(a: Box, b: Box) -> bool:
 def test_plots_stand_on_one_axis_with_names_that_cover_nothing(calculator: Calculator) -> None:
     # expected: the same ends of every course, numbers below the lowest plot alone; boxes of the
     # letters as the browser measures them, less its room above and below them
-    for size in (None, PHONE):
+    for size in (DESKTOP, PHONE):
         visitor = Visitor(calculator[0], calculator[1].address, size)
         page = visitor.open("drive")
         visitor.solved()

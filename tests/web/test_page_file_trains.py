@@ -190,7 +190,7 @@ def test_a_page_reads_the_same_on_another_machine(
     assert wraparc("page", str(file), "-o", str(html))[0] == 0
     texts = []
     for seed in (0, 3):
-        visitor = Visitor(chrome, html.as_uri(), offline=True)
+        visitor = Visitor(chrome, html.as_uri(), fresh=bool(seed), offline=True)
         if seed:
             visitor.context.add_init_script(OTHER_MACHINE.replace("SEED", str(seed)))
         page = visitor.page
@@ -235,7 +235,7 @@ def test_what_would_change_the_creep_is_shown_whole_at_once(
     html = tmp_path / "page.html"
     file = EXAMPLES / "head-drive-fabric.toml"
     assert wraparc("page", str(file), "-o", str(html))[0] == 0
-    visitor = Visitor(chrome, html.as_uri(), offline=True)
+    visitor = Visitor(chrome, html.as_uri(), fresh=True, offline=True)
     visitor.context.add_init_script(DRAWN_OFTEN)
     visitor.page.goto(html.as_uri())
     visitor.page.wait_for_selector(".ways li")

@@ -396,7 +396,7 @@ QUESTIONS = {
 
 def test_questions_are_asked_again_once_the_server_is_back(calculator: Calculator) -> None:
     """The server drops requests in the middle; what was asked needs no second press."""
-    visitor = Visitor(calculator[0], calculator[1].address)
+    visitor = Visitor(calculator[0], calculator[1].address, fresh=True)
     visitor.page.clock.install()
     page = visitor.open("drive")
     visitor.solved()

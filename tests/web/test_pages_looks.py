@@ -106,26 +106,50 @@ def keep(shot: bytes, name: str) -> None:
         few.save(Path(folder) / f"{name}.png", optimize=True)
 
 
-#: Rules that judge by colours: the others find the same in a dark page as in a light one.
-COLOURS = {"type": "rule", "values": ["color-contrast", "link-in-text-block"]}
+#: All rules but that of contrast where `colours` are not asked for, otherwise those that judge by
+#: colours, of one text of each kind: what has the same style, in what has the same backgrounds,
+#: reads the same, and most of the time goes into cells of tables. Only what is wrong is described.
+_CHECK = """([tags, colours]) => {
+  const known = new Map();
+  const kind = (e) => {
+    if (!e) return "";
+    if (!known.has(e)) {
+      const { backgroundColor, backgroundImage, opacity } = getComputedStyle(e);
+      const own = [e.tagName, e.getAttribute("class"), backgroundColor, backgroundImage, opacity];
+      known.set(e, `${kind(e.parentElement)}/${own}`);
+    }
+    return known.get(e);
+  };
+  const texts = new Map();
+  for (const e of colours ? document.body.querySelectorAll("*") : []) {
+    const own = [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim());
+    if (!(own || e.matches("input, select, textarea")) || !e.checkVisibility()) continue;
+    const { color, fontSize, fontWeight, textShadow } = getComputedStyle(e);
+    const all = `${kind(e)} ${color} ${fontSize} ${fontWeight} ${textShadow}`;
+    if (!texts.has(all)) texts.set(all, e);
+  }
+  return axe.run(colours ? { include: [...texts.values()] } : document, {
+    runOnly: colours ? ["color-contrast", "link-in-text-block"] : tags,
+    rules: colours ? {} : { "color-contrast": { enabled: false } },
+    resultTypes: ["violations"],
+    selectors: false,
+  });
+}"""
 
 
 def violations(page: Page) -> list[str]:
-    """Return what is wrong with a page as it is, and with its colours in the dark."""
+    """Return what is wrong with a page as it is, and with its colours in the light and the dark."""
     if not page.evaluate("() => 'axe' in window"):
         page.evaluate(f"() => {{ {axe()} }}")
-    found = _violations(page, TAGS)
+    found = _violations(page, colours=False) + _violations(page, colours=True)
     page.emulate_media(color_scheme="dark")
-    found += [f"dark: {violation}" for violation in _violations(page, COLOURS)]
+    found += [f"dark: {violation}" for violation in _violations(page, colours=True)]
     page.emulate_media(color_scheme="light")
     return found
 
 
-def _violations(page: Page, rules: Any) -> list[str]:
-    # Only what is wrong is described: describing what is right takes most of the time.
-    found: dict[str, Any] = page.evaluate(
-        "(runOnly) => axe.run({ runOnly, resultTypes: ['violations'], selectors: false })", rules
-    )
+def _violations(page: Page, *, colours: bool) -> list[str]:
+    found: dict[str, Any] = page.evaluate(_CHECK, [TAGS, colours])
     assert found["passes"], "axe looked at nothing"
     return [
         f"{v['id']}: {v['help']}: {[n['html'][:160] for n in v['nodes'][:3]]}"

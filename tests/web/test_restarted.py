@@ -15,7 +15,7 @@ def test_a_killed_server_is_waited_for_and_comes_back(
     # two windows on one server; what computes is no matter here
     place = ("--no-open", "--workers", "0", "--database", str(tmp_path / "designs.sqlite"))
     with serving(*place) as server:
-        window, other = (Visitor(calculator[0], server.address) for _ in range(2))
+        window, other = (Visitor(calculator[0], server.address, fresh=True) for _ in range(2))
         for visitor in (window, other):
             visitor.page.clock.install()  # it is turned to when the server is asked for again
         page = window.open("tests", unfold=True)

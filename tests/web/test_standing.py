@@ -26,7 +26,7 @@ MARKS = {"drive": 2, "across": 2, "train": 2}
 @pytest.fixture
 def guest(calculator: Calculator) -> Iterator[Visitor]:
     """One whose page may complain: its server is taken away."""
-    found = Visitor(calculator[0], calculator[1].address, told_long=False)
+    found = Visitor(calculator[0], calculator[1].address, told_long=False, fresh=True)
     found.page.clock.install()
     yield found
     found.close()
