@@ -74,7 +74,7 @@ def main() -> int:
     for (name, arc), capacities, found in zip(drives, asked, there, strict=True):
         misses = apart(in_python(arc, capacities), found)
         worst |= {what: max(worst.get(what, 0.0), miss) for what, miss in misses.items()}
-        if max(misses.values()) > ALLOWED:
+        if max(misses.values(), default=0.0) > ALLOWED:
             beyond.append((name, arc, capacities, misses))
     ends = Counter(found["outcome"] for found in there)
     print(f"{len(drives)} drives of {len(ALL_LAWS)} laws: {ends[0]} solved, {ends[1]} break away,")

@@ -4,139 +4,73 @@ Every name below is imported when it is first used, so that ``import wraparc`` c
 nothing.
 """
 
-import importlib
 import typing
 
-from wraparc import views
+from wraparc import lazily, views
 
 if typing.TYPE_CHECKING:
-    from wraparc.across import AcrossResult, solve_across
-    from wraparc.arc import (
-        ArcResult,
-        Capacities,
-        ClassicalDrive,
-        Distributed,
-        DriveResult,
-        Energy,
-        PaperMarch,
-        Profile,
-        Status,
-        WrapArc,
-        solve,
-    )
-    from wraparc.batch import BatchResult, Setting, solve_batch
-    from wraparc.drive import (
-        Across,
-        Belt,
-        Drive,
-        GrippingPulley,
-        Lagging,
-        LoadCase,
-        Pulley,
-        Tensions,
-        Transition,
-        WidthProfile,
-    )
-    from wraparc.errors import (
-        BreakawayError,
-        ConvergenceError,
-        InputError,
-        MissingExtraError,
-        Problem,
-        SlackBeltError,
-        WraparcError,
-    )
-    from wraparc.files import load_lagging
-    from wraparc.friction import (
-        CoefficientPieces,
-        Constant,
-        ElasticPlastic,
-        FrictionLaw,
-        IntegralLog,
-        MeasuredTable,
-        Piece,
-        PressureKnots,
-        PressurePower,
-        TestedRange,
-        Trend,
-    )
-    from wraparc.motion import Event, RunResult, StabilityResult, Station, simulate, stability
-    from wraparc.motion.file import load_motion
-    from wraparc.provenance import Kind, Provenance
-    from wraparc.train import (
-        Train,
-        TrainBatchResult,
-        TrainResult,
-        solve_train,
-        solve_train_batch,
-    )
-    from wraparc.train.file import load_drive, load_train
-    from wraparc.version import __version__
-
-__all__ = [
-    "Across",
-    "AcrossResult",
-    "ArcResult",
-    "BatchResult",
-    "Belt",
-    "BreakawayError",
-    "Capacities",
-    "ClassicalDrive",
-    "CoefficientPieces",
-    "Constant",
-    "ConvergenceError",
-    "Distributed",
-    "Drive",
-    "DriveResult",
-    "ElasticPlastic",
-    "Energy",
-    "Event",
-    "FrictionLaw",
-    "GrippingPulley",
-    "InputError",
-    "IntegralLog",
-    "Kind",
-    "Lagging",
-    "LoadCase",
-    "MeasuredTable",
-    "MissingExtraError",
-    "PaperMarch",
-    "Piece",
-    "PressureKnots",
-    "PressurePower",
-    "Problem",
-    "Profile",
-    "Provenance",
-    "Pulley",
-    "RunResult",
-    "Setting",
-    "SlackBeltError",
-    "StabilityResult",
-    "Station",
-    "Status",
-    "Tensions",
-    "TestedRange",
-    "Train",
-    "TrainBatchResult",
-    "TrainResult",
-    "Transition",
-    "Trend",
-    "WidthProfile",
-    "WrapArc",
-    "WraparcError",
-    "__version__",
-    "load_drive",
-    "load_lagging",
-    "load_motion",
-    "load_train",
-    "simulate",
-    "solve",
-    "solve_across",
-    "solve_batch",
-    "solve_train",
-    "solve_train_batch",
-    "stability",
-]
+    from wraparc.across import AcrossResult as AcrossResult
+    from wraparc.across import solve_across as solve_across
+    from wraparc.arc import ArcResult as ArcResult
+    from wraparc.arc import Capacities as Capacities
+    from wraparc.arc import ClassicalDrive as ClassicalDrive
+    from wraparc.arc import Distributed as Distributed
+    from wraparc.arc import DriveResult as DriveResult
+    from wraparc.arc import Energy as Energy
+    from wraparc.arc import PaperMarch as PaperMarch
+    from wraparc.arc import Profile as Profile
+    from wraparc.arc import Status as Status
+    from wraparc.arc import WrapArc as WrapArc
+    from wraparc.arc import solve as solve
+    from wraparc.batch import BatchResult as BatchResult
+    from wraparc.batch import Setting as Setting
+    from wraparc.batch import solve_batch as solve_batch
+    from wraparc.drive import Across as Across
+    from wraparc.drive import Belt as Belt
+    from wraparc.drive import Drive as Drive
+    from wraparc.drive import GrippingPulley as GrippingPulley
+    from wraparc.drive import Lagging as Lagging
+    from wraparc.drive import LoadCase as LoadCase
+    from wraparc.drive import Pulley as Pulley
+    from wraparc.drive import Tensions as Tensions
+    from wraparc.drive import Transition as Transition
+    from wraparc.drive import WidthProfile as WidthProfile
+    from wraparc.errors import BreakawayError as BreakawayError
+    from wraparc.errors import ConvergenceError as ConvergenceError
+    from wraparc.errors import InputError as InputError
+    from wraparc.errors import MissingExtraError as MissingExtraError
+    from wraparc.errors import Problem as Problem
+    from wraparc.errors import SlackBeltError as SlackBeltError
+    from wraparc.errors import WraparcError as WraparcError
+    from wraparc.files import load_lagging as load_lagging
+    from wraparc.friction import CoefficientPieces as CoefficientPieces
+    from wraparc.friction import Constant as Constant
+    from wraparc.friction import ElasticPlastic as ElasticPlastic
+    from wraparc.friction import FrictionLaw as FrictionLaw
+    from wraparc.friction import IntegralLog as IntegralLog
+    from wraparc.friction import MeasuredTable as MeasuredTable
+    from wraparc.friction import Piece as Piece
+    from wraparc.friction import PressureKnots as PressureKnots
+    from wraparc.friction import PressurePower as PressurePower
+    from wraparc.friction import TestedRange as TestedRange
+    from wraparc.friction import Trend as Trend
+    from wraparc.motion import Event as Event
+    from wraparc.motion import RunResult as RunResult
+    from wraparc.motion import StabilityResult as StabilityResult
+    from wraparc.motion import Station as Station
+    from wraparc.motion import simulate as simulate
+    from wraparc.motion import stability as stability
+    from wraparc.motion.file import load_motion as load_motion
+    from wraparc.provenance import Kind as Kind
+    from wraparc.provenance import Provenance as Provenance
+    from wraparc.train import Train as Train
+    from wraparc.train import TrainBatchResult as TrainBatchResult
+    from wraparc.train import TrainResult as TrainResult
+    from wraparc.train import solve_train as solve_train
+    from wraparc.train import solve_train_batch as solve_train_batch
+    from wraparc.train.file import load_drive as load_drive
+    from wraparc.train.file import load_train as load_train
+    from wraparc.version import __version__ as __version__
 
 _ROOMS = {
     "arc": (
@@ -164,7 +98,7 @@ _ROOMS = {
     "train.file": "load_drive load_train",
     "version": "__version__",
 }
-_ROOM_OF = {name: room for room, names in _ROOMS.items() for name in names.split()}
+__all__, __getattr__, __dir__ = lazily.offer(__name__, _ROOMS)
 
 views.install(
     html="wraparc.render.notebook:html",
@@ -172,15 +106,3 @@ views.install(
     plot="wraparc.plot:plot",
     frame="wraparc.render.notebook:frame",
 )
-
-
-def __getattr__(name: str) -> object:
-    if name not in _ROOM_OF:
-        raise AttributeError(f"module 'wraparc' has no attribute {name!r}")
-    value: object = getattr(importlib.import_module(f"wraparc.{_ROOM_OF[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return list(__all__)

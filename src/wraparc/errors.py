@@ -9,6 +9,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from importlib import import_module
+from importlib.util import find_spec
 from typing import Any
 
 _SHOWN_LENGTH = 60
@@ -188,8 +189,21 @@ class MissingExtraError(WraparcError, ImportError):
         return f"needs {self.library}: pip install 'wraparc[{self.extra}]'"
 
 
-def library(name: str, extra: str) -> Any:
-    """Return a library that only an extra brings.
+def require(extra: str, *libraries: str) -> None:
+    """Say what to install where libraries that an extra brings are not all there.
+
+    Raises
+    ------
+    MissingExtraError
+        With the first that is not installed.
+    """
+    for name in libraries:
+        if find_spec(name) is None:
+            raise MissingExtraError(name, extra)
+
+
+def pandas() -> Any:
+    """Return pandas, of the extra ``notebook``.
 
     Raises
     ------
@@ -197,9 +211,9 @@ def library(name: str, extra: str) -> Any:
         If it is not installed.
     """
     try:
-        return import_module(name)
+        return import_module("pandas")
     except ImportError:
-        raise MissingExtraError(name, extra) from None
+        raise MissingExtraError("pandas", "notebook") from None
 
 
 class BreakawayError(WraparcError):

@@ -17,6 +17,7 @@ from arc.wide import any_table
 from wraparc.arc import traction as one
 from wraparc.batch.traction import Laws, laws_of
 from wraparc.friction import FrictionLaw
+from wraparc.friction.compact import residual_at, segment_of
 
 Array = NDArray[np.float64]
 
@@ -70,7 +71,7 @@ def test_rows_are_the_scalar_source(name: str) -> None:
         assert got == pytest.approx(expected, rel=1e-9, abs=1e-12), (name, i)
         plateau = one.plateau_stress(law, pressure[i])
         assert rows.plateau(pressure)[i] * pressure[i] == pytest.approx(plateau, rel=1e-12)
-        residual = one.residual_stress(law, pressure[i])
+        residual = residual_at(law, segment_of(law, pressure[i]), pressure[i]) * pressure[i]
         assert rows.residual(pressure)[i] * pressure[i] == pytest.approx(residual, rel=1e-12)
 
 

@@ -24,7 +24,7 @@ from wraparc.catalogue import design_friction
 from wraparc.checks import Check, Level, judge
 from wraparc.checks.design_standard import asked, wrap_factors
 from wraparc.checks.of_arc import slip_speed
-from wraparc.checks.of_rows import LEVELS, NAMES, judge_rows
+from wraparc.checks.of_rows import LEVELS, NAMES, worst_of_rows
 from wraparc.drive import Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
 from wraparc.drive.belt import Side
 from wraparc.files import drive_from_document
@@ -41,7 +41,7 @@ def of_rows(of: Drive, pulley: str = "head", document: Any = None) -> tuple[str,
     )
     softens = rows.arcs.laws.steepest_fall[0] < 0.0
     found = solve_precisely(rows.arcs, EVERYTHING if softens else TENSIONS)
-    level, governing = judge_rows(
+    level, governing, _ = worst_of_rows(
         BatchResult(rows.arcs, found), rows.held, (np.ones(1), np.ones(1)), Setting.PRECISE
     )
     return str(LEVELS[level[0]]), NAMES[governing[0]]
@@ -259,7 +259,9 @@ def test_rows_know_whether_the_slip_speed_is_above_that_of_the_tests(
     of = quiet(lagging=replace(SOFT, law=law), criteria=NONE)
     rows = DriveSource(drive_document(of), "head", ()).rows({}, 1, "full")
     solved = solve_arcs(rows.arcs, capacities=False)
-    level, governing = judge_rows(solved, rows.held, (np.ones(1), np.ones(1)), Setting.PRECISE)
+    level, governing, _ = worst_of_rows(
+        solved, rows.held, (np.ones(1), np.ones(1)), Setting.PRECISE
+    )
     missed = NAMES[governing[0]] == "tested_slip_speed" and str(LEVELS[level[0]]) == "ATTENTION"
     assert missed is (times < 1.0)
 

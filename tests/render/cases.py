@@ -4,7 +4,7 @@ from functools import cache
 from pathlib import Path
 
 from wraparc import DriveResult
-from wraparc.cli.solve import solve_as_train
+from wraparc.cli.solve import solved
 from wraparc.train import TrainResult
 from wraparc.train.file import load_drive_or_train
 
@@ -15,4 +15,6 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def train(name: str) -> tuple[TrainResult, list[DriveResult]]:
     """An example train and its pulleys, by both methods."""
     read = load_drive_or_train(EXAMPLES / f"{name}.toml")
-    return solve_as_train(read, "both", None, None, name)
+    results, whole = solved(read, "both", None, None, name)
+    assert whole is not None
+    return whole, results

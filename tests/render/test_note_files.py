@@ -16,12 +16,12 @@ from wraparc import MissingExtraError, solve
 from wraparc.answer.document import result_document
 from wraparc.glossary import GLOSSARY
 from wraparc.render import NoteHead, markdown, pdf, workbook
-from wraparc.render.note_workbook import SHEETS
 from wraparc.units import System, unit_factor
 
 pytestmark = pytest.mark.usefixtures("solved_once")
 
 BOTH = [solved(), marched()]
+SHEETS = ("Summary", "Inputs", "Results", "Tables", "Profile", "All profiles", "Sources")
 
 
 def sheets(data: bytes) -> dict[str, list[list[Any]]]:

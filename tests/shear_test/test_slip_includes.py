@@ -118,7 +118,9 @@ def test_a_cover_of_a_plan() -> None:
     belt = '[test_belt]\ncover_thickness = "4 mm"\ncover_shear_modulus = "1 MPa"\n'
     plan = plan_from_text(PLAN + belt)
     assert plan.slip_includes == ()
-    assert plan.removed_compliance == pytest.approx(12e-3 / 2e6 + 4e-3 / 1e6, rel=1e-12)
+    assert plan.cover_compliance + plan.sample_compliance == pytest.approx(
+        12e-3 / 2e6 + 4e-3 / 1e6, rel=1e-12
+    )
     bare = plan_from_text(PLAN + '[test_belt]\ncover_thickness = "0 mm"\n')
     assert (bare.slip_includes, bare.cover_compliance) == ((), 0.0)
     assert plan_from_text(PLAN).slip_includes == ("cover shear",)

@@ -15,10 +15,9 @@ from schemathesis.specs.openapi.checks import (
 )
 
 from web.calculators import API, PATIENCE
-from wraparc.web.answers.reports import report
+from wraparc.web.answers import files
 from wraparc.web.app import create_app
 from wraparc.web.asked import ReportRequest
-from wraparc.web.routes import reports
 from wraparc.web.settings import Settings
 
 pytestmark = pytest.mark.usefixtures("solved_once")
@@ -35,16 +34,17 @@ SCHEMA = schemathesis.openapi.from_asgi(
 def each_note_is_made_once() -> Iterator[None]:
     """Most requests for a note differ in a header or a letter alone; a note takes a second."""
     made: dict[tuple[str, str], bytes] = {}
+    make = files.report
 
-    def once(asked: ReportRequest, kind: str) -> bytes:
+    def once(asked: ReportRequest, kind: files.NoteKind) -> bytes:
         # a text of the longest length that is allowed stands for one shorter by a letter
         key = (re.sub(r"(.)\1{40,}", r"\1", asked.model_dump_json()), kind)
         if key not in made:
-            made[key] = report(asked, kind)
+            made[key] = make(asked, kind)
         return made[key]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(reports, "report", once)
+        patch.setattr(files, "report", once)
         yield
 
 

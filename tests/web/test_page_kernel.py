@@ -15,6 +15,7 @@ import pytest
 
 import page_kernel
 import page_watch
+from javascript import whole
 from javascript.names import Refused
 from javascript.translate import translate, translated
 from web.kernel_cases import apart, arcs, case_of, in_node, in_python
@@ -150,6 +151,22 @@ def test_what_is_not_translated_is_named_by_its_place(function: FunctionType) ->
     first = function.__code__.co_firstlineno
     assert file == __file__
     assert first <= int(line) <= first + 6
+
+
+def first_only(text: str) -> str:
+    return text.replace(", ", " ", 1)
+
+
+def head_and_rest(text: str) -> list[str]:
+    return text.split(":", 1)
+
+
+@pytest.mark.parametrize("function", [first_only, head_and_rest], ids=lambda f: f.__name__)
+def test_an_argument_that_javascript_would_drop_is_refused(function: FunctionType) -> None:
+    module = whole.Module(__name__.partition(".")[0], {})
+    module.export("f", function)
+    with pytest.raises(Refused, match="more arguments"):
+        module.text()
 
 
 def new(x: float, y: float) -> Pair:

@@ -61,6 +61,8 @@ _METHODS = frozenset(
 """,
     )
 )
+#: Most arguments of those that JavaScript has without the limits, places and counts of Python.
+_MOST = {"replace": 2, "split": 1, "startswith": 1, "endswith": 1, "count": 1, "index": 1, "sub": 2}
 
 
 class Module:
@@ -918,6 +920,8 @@ class Function:
             self.module.by_name.add(name)
             return f'$method({base}, "{name}", [{", ".join(args)}], {self._by_name(node)})'
         if name in _METHODS:
+            if len(args) > _MOST.get(name, len(args)):
+                return self.refuse(node, "has more arguments than JavaScript's takes")
             return f"$m.{name}({', '.join([base, *args])})"
         self.module.called.setdefault(name, self.where(node))
         return f"{base}.{name}({', '.join(args)})"

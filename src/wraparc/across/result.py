@@ -267,7 +267,8 @@ class AcrossResult(Viewable):
         return {name: float(getattr(self, name)) for name in SCALARS}
 
 
-SCALARS = (
+#: What tells how uneven the belt runs and stands, and wears.
+UNEVEN = (
     "largest_running_tension",
     "tightest_strip_tension",
     "largest_static_tension",
@@ -277,6 +278,9 @@ SCALARS = (
     "entry_unevenness",
     "exit_unevenness",
     "energy_unevenness",
+)
+SCALARS = (
+    *UNEVEN,
     "outside_tested_share",
     "yaw_moment",
     "entry_guide_force",

@@ -30,21 +30,10 @@ _MOST_ITERATIONS = 60
 
 
 class Law(NamedTuple):
-    """A friction law as arrays.
+    """A `CompactLaw` as arrays.
 
-    Attributes
-    ----------
-    kind
-        One of LIMIT, KNOTS, PIECES, TABLE.
-    edges
-        Pressures where the segments meet [Pa].
-    coefficients
-        By segment, see `wraparc.friction.compact`: shape (segments, 16 or 25) of an integral-log
-        law, (4,) of a limit, (pressures, slips, 4) of a table.
-    slips
-        Slips where the cells of a table meet [m].
-    onset_compliance
-        Slip per shear stress before a limit is reached [m/Pa].
+    Its coefficients have shape (segments, 16 or 25) of an integral-log law, (4,) of a limit,
+    (pressures, slips, 4) of a table.
     """
 
     kind: int

@@ -88,6 +88,7 @@ def answer_table(result: AcrossResult) -> Table:
     def row(name: str, note: str = "") -> Row:
         return row_of(name, getattr(result, name), note=note)
 
+    depths = ", ".join(named("levelling_depth", d) for d in result.levelling_depth.tolist())
     rows = [
         row("largest_running_tension", _of_mean(result.largest_running_tension, arc.entry_tension,
                                                 arc.width)),
@@ -98,7 +99,7 @@ def answer_table(result: AcrossResult) -> Table:
         row("energy_unevenness", f"wears fastest {at(place_of_largest(result.frictional_energy))}"),
         row("largest_pressure"),
         row("largest_creep", at(place_of_largest(np.abs(result.exit_creep)))),
-        Row("Levelling depth, modes 1 to 4", (_depths(result),), "w_n",
+        Row("Levelling depth, modes 1 to 4", (depths,), "w_n",
             _wear_words(result), "levelling_depth"),
         row("yaw_moment"),
         row("entry_guide_force"),
@@ -118,10 +119,6 @@ def answer_table(result: AcrossResult) -> Table:
 
 def _of_mean(tension: float, entry: float, width: float) -> str:
     return f"{percent(tension * width / entry)} of the mean at the entry"
-
-
-def _depths(result: AcrossResult) -> str:
-    return ", ".join(named("levelling_depth", d) for d in result.levelling_depth.tolist())
 
 
 def _wear_words(result: AcrossResult) -> str:

@@ -31,7 +31,7 @@ def laggings_sheet(laggings: Sequence[Lagging]) -> Sheet:
                 lagging.condition,
                 lagging.surface or NONE,
                 named("lagging_thickness", lagging.thickness),
-                _reference_friction(lagging),
+                f"{float(lagging.law.friction(6.35e-3, 207e3)):.2f}",
             ),
             note=of.note(lagging.provenance),
         )
@@ -46,10 +46,6 @@ def laggings_sheet(laggings: Sequence[Lagging]) -> Sheet:
         else ()
     )
     return Sheet("Laggings of the catalogue", "", None, (table,), remarks, of.listed())
-
-
-def _reference_friction(lagging: Lagging) -> str:
-    return f"{float(lagging.law.friction(6.35e-3, 207e3)):.2f}"
 
 
 def lagging_sheet(laggings: Sequence[Lagging]) -> Sheet:

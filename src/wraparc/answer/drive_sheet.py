@@ -72,7 +72,8 @@ def drive_sheet(
     tables.append(summary_table(results))
     tables.append(loads_table(first))
     for position in detail:
-        tables += _arc(first, tuple(r.arcs[position] for r in results), of)
+        found = arc_tables(first, tuple(r.arcs[position] for r in results), of)
+        tables += [table for name, table in found.items() if name != "loads"]
     if any(pulley.across for pulley in first.drive.pulleys):
         from wraparc.answer.across_tables import across_tables
 
@@ -146,11 +147,6 @@ def arc_sheet(result: ArcResult) -> Sheet:
         subtitle=str(result.status),
         tables=tuple(tables),
     )
-
-
-def _arc(result: DriveResult, results: Results, of: Sources) -> list[Table]:
-    found = arc_tables(result, results, of)
-    return [table for key, table in found.items() if key != "loads"]
 
 
 def arc_tables(result: DriveResult, results: Results, of: Sources) -> dict[str, Table]:

@@ -84,7 +84,7 @@ def _asked_for(result: PlanResult) -> Iterable[tuple[str, str]]:
         ("Order of the tests", _order(tests)),
         ("Operator", _texts(tests, lambda t: t.operator or rig.operator)),
         ("Temperature", _span([t.temperature for t in tests], "temperature")),
-        ("Humidity", _percents([t.humidity for t in tests])),
+        ("Humidity", _ends([t.humidity for t in tests], lambda share: f"{100.0 * share:.3g} %")),
         ("Test speed", _speeds([t.speed for t in tests])),
         ("Area of a face", quantity(rig.area, "area", GIVEN_DIGITS)),
         ("Faces that slide", str(rig.faces)),
@@ -169,10 +169,6 @@ def _ends(values: list[float | None], shown: Callable[[float], str]) -> str:
 
 def _span(values: list[float | None], dimension: Dimension) -> str:
     return _ends(values, lambda value: quantity(value, dimension, GIVEN_DIGITS))
-
-
-def _percents(values: list[float | None]) -> str:
-    return _ends(values, lambda value: f"{100.0 * value:.3g} %")
 
 
 def _speeds(values: list[float | None]) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import asdict
 from typing import Any
 
-from wraparc.answer.study_sheet import Global, Local
 from wraparc.glossary import GLOSSARY
 from wraparc.study.monte_carlo import PERCENTS, Group, Judged, Summary
+from wraparc.study.sensitivity import Global, Local
 from wraparc.study.share import CONFIDENCE, Share
 from wraparc.units import DIMENSION_TEXT
 

@@ -25,12 +25,10 @@ from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import Called, names_of
 from wraparc.study.monte_carlo import PERCENTS, Group, Summary, over_conditions
-from wraparc.study.sensitivity import Indices, Swing
+from wraparc.study.sensitivity import Global, Local, Swing
 from wraparc.study.share import CONFIDENCE, Share
 from wraparc.units import Dimension
 
-Local = Mapping[tuple[str, str], Mapping[str, Sequence[Swing]]]
-Global = Mapping[tuple[str, str], Mapping[str, Indices]]
 #: Results that a table of groups shows the percentiles of.
 _SHOWN = ("exit_creep", "least_exit_tension", "creep_limit_margin", "peak_shear_stress")
 _MOST_ROWS, _SHORT_ROWS = 60, 8

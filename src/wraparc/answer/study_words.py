@@ -59,7 +59,8 @@ def verdict(summary: Summary) -> Verdict:
         level = Level.FAILS
     over, what = summary.over_limit, "designs" if _cases(summary.data) == 1 else "rows"
     beyond = _exceed("exit_creep", over.count, over.total, what, summary.creep_limit)
-    lost = ((counts["breakaway"], "in gross slip"), (_unanswered(summary), "without an answer"))
+    unanswered = sum(counts[word] for word, _ in _NO_ANSWER)
+    lost = ((counts["breakaway"], "in gross slip"), (unanswered, "without an answer"))
     sentences = [f"{counts['solved']:,} carry their load, {counts['breakaway']:,} break away."]
     for word, why in _NO_ANSWER:
         if counts[word]:
@@ -84,10 +85,6 @@ def verdict(summary: Summary) -> Verdict:
         beyond = _over_time(weighted, summary, what)
     headline = f"{beyond}{_among(lost)}; {_ends(summary)}.{leads}"
     return Verdict(level, headline, tuple(sentences), f"{level}, {ground}" if ground else "")
-
-
-def _unanswered(summary: Summary) -> int:
-    return sum(summary.counts[word] for word, _ in _NO_ANSWER)
 
 
 def _ends(summary: Summary) -> str:

@@ -239,7 +239,12 @@ def matching_sheet(result: TrainResult, matching: Matching) -> Sheet:
     """Return how exactly the drives of a train must be matched."""
     tables = [
         case_table(matching.case),
-        _curve_table("trim", f"Against {_noun(matching.trim)}", matching.trim, trim_text),
+        _curve_table(
+            "trim",
+            f"Against {GLOSSARY[matching.trim.quantity].title.lower()}",
+            matching.trim,
+            trim_text,
+        ),
         _curve_table(
             "diameter", "Against diameter, drums turning as before", matching.diameter, trim_text
         ),
@@ -265,10 +270,6 @@ def _curve_table(name: str, title: str, curve: ShareCurve, text: Callable[[float
     entry = GLOSSARY[curve.quantity]
     of = "" if curve.axis.value == "load_ratio" else f" of {names[curve.drive]}"
     return Table(title, rows, note=f"{entry.title}{of} from {low} to {high}.", name=name)
-
-
-def _noun(curve: ShareCurve) -> str:
-    return GLOSSARY[curve.quantity].title.lower()
 
 
 def _place(mark: Mark) -> str:

@@ -98,11 +98,8 @@ def _motor_losses(case: CaseResult) -> Iterator[str]:
     else:
         mains = named("electrical_power", electrical)
         tail = f"; the motors take {mains} from the mains"
-    yield f"Between mains and drums {', '.join(parts)} {_are(parts)} lost{tail}."
-
-
-def _are(parts: list[str]) -> str:
-    return "is" if len(parts) == 1 else "are"
+    are = "is" if len(parts) == 1 else "are"
+    yield f"Between mains and drums {', '.join(parts)} {are} lost{tail}."
 
 
 def short_sentences(case: CaseResult) -> Iterator[str]:

@@ -62,7 +62,8 @@ def life_table(result: ArcResult, lagging: Lagging, of: Sources | None = None) -
         source = str(lagging.source_of("wear_coefficient"))
         rows.append(Row("Wear coefficient", (k,), note=source))
         life = _life(data["life_hours"])
-        rows.append(Row(f"Life until {depth} is worn off", (life,), note=_years_note()))
+        years = f"frictional energy times wear coefficient; a year has {HOURS:g} h of running here"
+        rows.append(Row(f"Life until {depth} is worn off", (life,), note=years))
     rows += [_vendor_row(vendor, of) for vendor in data["vendors"]]
     note = f"Depth that may be worn off: half the thickness, {depth}."
     if data["life_hours"] is None:
@@ -129,7 +130,3 @@ def _life(hours: float) -> str:
     if math.isinf(hours):
         return NONE
     return quantity(hours, "number") + " h"
-
-
-def _years_note() -> str:
-    return f"frictional energy times wear coefficient; a year has {HOURS:g} h of running here"

@@ -7,7 +7,6 @@ and wrap pressure*: belt displacement over wrap angle for increasing tension rat
 from collections.abc import Sequence
 from dataclasses import replace
 
-from wraparc.arc.drive_solve import Method
 from wraparc.arc.result import ArcResult
 from wraparc.arc.solver import Distributed
 from wraparc.arc.wrap_arc import WrapArc
@@ -17,9 +16,7 @@ from wraparc.errors import InputError, Problem
 LARGEST_RATIO = 1000.0
 
 
-def tension_ratio_family(
-    arc: WrapArc, ratios: Sequence[float], *, method: Method | None = None
-) -> tuple[ArcResult, ...]:
+def tension_ratio_family(arc: WrapArc, ratios: Sequence[float]) -> tuple[ArcResult, ...]:
     """Solve an arc at several tension ratios, its tight side held.
 
     Parameters
@@ -29,8 +26,6 @@ def tension_ratio_family(
         and gets T1 = T2/ratio.
     ratios
         Tight-side over slack-side tension, > 1 [-]; what is solved comes in the order given.
-    method
-        The solver; `Distributed` unless given.
 
     Returns
     -------
@@ -57,9 +52,8 @@ def tension_ratio_family(
         problems = [Problem(key="ratios", message="needs at least one tension ratio")]
     if problems:
         raise InputError(problems)
-    solver = Distributed() if method is None else method
     if arc.side < 0.0:
         arcs = (replace(arc, entry_tension=arc.exit_tension / ratio) for ratio in ratios)
     else:
         arcs = (replace(arc, exit_tension=arc.entry_tension / ratio) for ratio in ratios)
-    return tuple(map(solver.solve, arcs))
+    return tuple(map(Distributed().solve, arcs))

@@ -33,7 +33,6 @@ from wraparc.friction.compact import (
     limit_at,
     peak,
     plateau_at,
-    residual_at,
     segment_of,
     tail,
 )
@@ -279,8 +278,3 @@ def held_stress(law: CompactLaw, pressure: float) -> float:
 def plateau_stress(law: CompactLaw, pressure: float) -> float:
     """Largest traction of a law at a pressure, at any slip [Pa]."""
     return plateau_at(law, segment_of(law, pressure), pressure) * pressure
-
-
-def residual_stress(law: CompactLaw, pressure: float) -> float:
-    """Traction of a law at a pressure that is left at slips without bound [Pa]."""
-    return residual_at(law, segment_of(law, pressure), pressure) * pressure

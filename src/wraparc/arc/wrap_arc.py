@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TypedDict
+from typing import Any, TypedDict
 
 from wraparc.arc.quantities import Geometry, Load
 from wraparc.arc.summary import (
@@ -15,7 +15,7 @@ from wraparc.arc.summary import (
     recovery_compliance,
     too_steep,
 )
-from wraparc.drive import CREEP_LIMIT, Belt, Drive, Fit, LoadCase, Pulley
+from wraparc.drive import CREEP_LIMIT, Belt, Drive, Fit, Lagging, LoadCase, Pulley
 from wraparc.drive.belt import Side
 from wraparc.drive.pitch import (
     centrifugal_of,
@@ -220,26 +220,36 @@ class WrapArc:
     def of(cls, drive: Drive, pulley: Pulley, case: LoadCase) -> WrapArc:
         """Return the arc of one pulley of a drive in one load case."""
         lagging, tensions = pulley.lagging_in(case.condition), case.tensions[pulley.name]
-        return cls(
-            law=lagging.law,
-            **of_belt(drive.belt, pulley.side, lagging.law),
+        return cls.on(
+            drive.belt,
+            pulley,
+            lagging,
             entry_tension=tensions.entry,
             exit_tension=tensions.exit,
+            creep_limit=drive.creep_limit_of(pulley),
+            belt_speed=drive.belt.speed,
+            fit=lagging.fit,
+            load_case=case.name,
+        )
+
+    @classmethod
+    def on(cls, belt: Belt, pulley: Pulley, lagging: Lagging, **more: Any) -> WrapArc:
+        """Return the arc of a belt on a pulley; `more` is what neither of them says."""
+        return cls(
+            law=lagging.law,
+            **of_belt(belt, pulley.side, lagging.law),
             diameter=pulley.diameter,
             wrap_angle=pulley.wrap_angle,
-            width=drive.belt.width,
-            axial_stiffness=drive.belt.axial_stiffness,
+            width=belt.width,
+            axial_stiffness=belt.axial_stiffness,
             thickness=lagging.thickness,
             shear_modulus=lagging.shear_modulus,
             compression_modulus=lagging.compression_modulus,
             overrun=pulley.overrun,
             recovery=pulley.recovery,
-            creep_limit=drive.creep_limit_of(pulley),
-            belt_speed=drive.belt.speed,
             wear_coefficient=lagging.wear_coefficient,
-            fit=lagging.fit,
             pulley=pulley.name,
-            load_case=case.name,
+            **more,
         )
 
     @property

@@ -13,7 +13,7 @@ from wraparc.arc.quantities import BREAKAWAY, REFUSED, SOLVED, UNSOLVED
 from wraparc.arrays import Array, Flags
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs
-from wraparc.errors import library
+from wraparc.errors import pandas
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -101,7 +101,7 @@ class BatchResult(Mapping[str, Array]):
         MissingExtraError
             If pandas is not installed.
         """
-        frame: pd.DataFrame = library("pandas", "notebook").DataFrame(dict(self))
+        frame: pd.DataFrame = pandas().DataFrame(dict(self))
         return frame
 
 

@@ -10,7 +10,6 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike
 
-from wraparc.arrays import Array
 from wraparc.batch import row
 from wraparc.batch.arcs import Arcs, arcs_of_table
 from wraparc.batch.result import BatchResult
@@ -121,7 +120,7 @@ def solve_arcs(
     found = np.empty((len(arcs), row.FOUND_NUMBERS))
 
     def run(which: slice) -> None:
-        found[which] = _chunk(arcs.rows(which), setting, wanted)
+        found[which] = solve_rows(arcs.rows(which), wanted, setting.accuracy)[0]
 
     share_chunks(run, len(arcs), CHUNK, threads, progress)
     return BatchResult(arcs, found)
@@ -185,7 +184,3 @@ def _share(
 def _tell(progress: Progress | None, done: int, total: int) -> None:
     if progress is not None:
         progress(done, total)
-
-
-def _chunk(arcs: Arcs, setting: Setting, parts: int) -> Array:
-    return solve_rows(arcs, parts, setting.accuracy)[0]

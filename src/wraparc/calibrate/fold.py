@@ -15,6 +15,7 @@ from wraparc.drive import Drive
 from wraparc.errors import InputError, Problem
 
 _MOST_BINS = 720
+_POINTS = 90  # on the wrap
 _ACTIVE = 0.02
 _MOSTLY_ONE_SIGN = 0.5
 
@@ -55,7 +56,6 @@ def fold(
     pulley: str,
     load_case: str,
     *,
-    points: int = 90,
     choices: RecordChoices | None = None,
 ) -> Folded:
     """Cut a record into revolutions, find the contact arc, and average over the revolutions.
@@ -92,20 +92,20 @@ def fold(
         raise InputError(_no_full_arc("no contact arc is recorded from its entry to its exit"))
     guard = 2.0 * np.pi / bins  # the nips are known to a bin: keep off them
     use = whole[turn] & (along >= guard) & (along <= wrap - guard)
-    place = np.minimum((along[use] / wrap * points).astype(np.int64), points - 1)
+    place = np.minimum((along[use] / wrap * _POINTS).astype(np.int64), _POINTS - 1)
     off = (along > wrap + 2.0 * guard) & (along < 2.0 * np.pi - 2.0 * guard)
     if np.count_nonzero(off) > 20:  # the mean of all off the belt is surer than a cluster
         levels = {name: float(value[off].mean()) for name, value in signals.items()}
     notes = [] if angle is record.angle else ["the rotation angle falls with time: turned round"]
     means = {}
     for name, value in signals.items():
-        mean = _binned(value[use] - levels[name], place, points)
+        mean = _binned(value[use] - levels[name], place, _POINTS)
         sign = _sign(name, mean, side, signs.get(name))
         if sign < 0.0:
             notes.append(f"the sign of {name.replace('_', ' ')} was turned round")
         means[name] = sign * mean
-    filled = np.bincount(place, minlength=points) > 0
-    middle = _binned(along[use], place, points)  # where its samples lie, not its middle
+    filled = np.bincount(place, minlength=_POINTS) > 0
+    middle = _binned(along[use], place, _POINTS)  # where its samples lie, not its middle
     return Folded(
         position=middle[filled],
         displacement=means["displacement"][filled] if "displacement" in means else None,

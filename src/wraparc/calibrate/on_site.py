@@ -14,9 +14,9 @@ from wraparc.calibrate.field_numbers import (
 )
 from wraparc.drive import Drive
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import InputError, Problem, shown
 from wraparc.train.whole import Whole, by_pulley
-from wraparc.units import Dimension, display, parse_quantity
+from wraparc.units import display, positive_quantity
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -74,7 +74,7 @@ def _coefficient(
         value = wear_coefficient(worn, _energy(results, asked.wear_hours))
         return value, f"calibrated to the wear measured: {value * 1e9:.3g} mm3/J"
     if asked.wear_coefficient:
-        value = _quantity(asked.wear_coefficient, "wear_coefficient", "wear_coefficient")
+        value = positive_quantity(asked.wear_coefficient, "wear_coefficient", "wear_coefficient")
         return value, "wear coefficient as given"
     lagging = drive.pulley(pulley).lagging
     if lagging.wear_coefficient is None:
@@ -102,16 +102,8 @@ def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> flo
 
 def _depth(text: str, key: str, thickness: float) -> float:
     """Return a depth of wear [m], of a lagging that is so thick [m]."""
-    depth = _quantity(text, "length", key)
+    depth = positive_quantity(text, "length", key)
     if depth > thickness:
         told = f"more than the lagging has, {display(thickness, 'length')}"
         raise InputError(Problem(key=key, value=shown(text), message=told))
     return depth
-
-
-def _quantity(text: str, dimension: Dimension, key: str) -> float:
-    with placed(key):
-        value = parse_quantity(text, dimension)
-    if not value > 0.0:
-        raise InputError(Problem(key=key, value=shown(text), message="must be more than 0"))
-    return value

@@ -9,6 +9,8 @@ import numpy as np
 from wraparc.arc import ArcResult
 from wraparc.arrays import Array
 
+_RATE = 200.0  # samples in a second [1/s]
+
 
 @dataclass(frozen=True, eq=False)
 class PulleyRecord:
@@ -70,17 +72,9 @@ def virtual_record(
     return PulleyRecord(angle, signals[0], signals[1])
 
 
-def record_text(record: PulleyRecord, rate: float = 200.0) -> str:
-    """Return a record as a CSV table: time, rotation within the turn, displacement, shear angle.
-
-    Parameters
-    ----------
-    record
-        The record.
-    rate
-        Samples in a second [1/s].
-    """
-    heads, columns = ["time [s]", "rotation [deg]"], [np.arange(len(record)) / rate]
+def record_text(record: PulleyRecord) -> str:
+    """Return a record as a CSV table: time, rotation within the turn, displacement, shear angle."""
+    heads, columns = ["time [s]", "rotation [deg]"], [np.arange(len(record)) / _RATE]
     columns.append(np.degrees(np.mod(record.angle, 2.0 * np.pi)))
     if record.displacement is not None:
         heads.append("belt displacement [mm]")

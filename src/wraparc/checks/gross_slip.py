@@ -75,10 +75,6 @@ def rises(arcs: Sequence[WrapArc], index: int, take_up: TakeUp) -> Rise:
     return Rise(*map(float, rise_among(pulls, index, take_up.fixed, after)))
 
 
-def _pulls_of(arcs: Sequence[ArcResult]) -> Array:
-    return np.array([[r.arc.effective_tension] for r in arcs])
-
-
 def _rise(pulls: Array, index: int, lost: Array) -> Rise:
     tight, slack = rises_of(pulls, index, lost)
     return Rise(float(tight[0]), float(slack[0]))
@@ -204,7 +200,8 @@ def margins_of(result: DriveResult, arc: ArcResult) -> Margins:
     """Return the margins to sliding of an arc among the others of its load case."""
     arcs = [a for a in result if a.arc.load_case == arc.arc.load_case]
     index, after = arcs.index(arc), result.drive.criteria.take_up.after
-    pulls, names = _pulls_of(arcs), [r.arc.pulley for r in arcs]
+    pulls = np.array([[r.arc.effective_tension] for r in arcs])
+    names = [r.arc.pulley for r in arcs]
     total = np.abs(pulls.sum(axis=0))
     held = given_up(pulls, names, TakeUp(after=after))
     rise = (_rise(pulls, index, lost) for lost in (held, 0.5 * total, total))

@@ -284,10 +284,10 @@ def _factors(drives: Sequence[Drive], which: Integers, pulley: str, wrap_angle: 
     return found
 
 
-def judge_rows(
+def worst_of_rows(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> tuple[Codes, Codes]:
-    """Return the verdict of every arc and the check that governs it.
+) -> tuple[Codes, Codes, Array]:
+    """Return the verdict of every arc, the check that governs it, and by which margin.
 
     As `judge` finds them for one pulley in one load case, but for the energy balance of the
     solution, which a batch does not report.
@@ -305,17 +305,9 @@ def judge_rows(
 
     Returns
     -------
-    level, governing
-        Places in `LEVELS` and `NAMES`, shape (n,) each.
+    level, governing, margin
+        Places in `LEVELS` and `NAMES`, and the margin, shape (n,) each.
     """
-    level, governing, _ = worst_of_rows(solved, held, factors, setting)
-    return level, governing
-
-
-def worst_of_rows(
-    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> tuple[Codes, Codes, Array]:
-    """Return what `judge_rows` does, and by which margin the check governs, shape (n,)."""
     n = len(solved.arcs)
     level, governing = np.zeros(n, dtype=np.int8), np.zeros(n, dtype=np.int8)
     least = np.full(n, math.inf)

@@ -11,7 +11,7 @@ import click
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.errors import InputError, Problem, shown
 from wraparc.saving import saving_problems
-from wraparc.units import Dimension, parse_quantity
+from wraparc.units import Dimension, positive_quantity
 
 if TYPE_CHECKING:
     from wraparc.drive import Drive
@@ -63,13 +63,7 @@ def typed(option: str, text: str) -> Iterator[None]:
 
 def positive(option: str, text: str | None, dimension: Dimension) -> float | None:
     """Return a quantity [SI] of more than 0 that was typed for an option; None if it was not."""
-    if text is None:
-        return None
-    with typed(option, text):
-        value = parse_quantity(text, dimension)
-        if value <= 0.0:
-            raise InputError(Problem(message="must be more than 0"))
-    return value
+    return None if text is None else positive_quantity(text, dimension, option)
 
 
 @contextlib.contextmanager

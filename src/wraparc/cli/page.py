@@ -9,11 +9,13 @@ import click
 from wraparc.cli.options import check_outputs
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, require
 from wraparc.saving import save_file
 from wraparc.schema.source import parse, read_text
 
 SUFFIXES = (".html", ".htm")
+#: Libraries that a page is made with, as the answers of the server are.
+NEEDED = ("pydantic", "fastapi")
 
 
 @click.command()
@@ -32,7 +34,7 @@ def page(file: str | None, output: str) -> int:
     and saves drive files, which the command line solves to the same numbers.
     """
     check_outputs({"--output": (output, SUFFIXES)}, [file] if file else [])
-    require_pages()
+    require("web", *NEEDED)
     save_page(output, made_page(file))
     return 0
 
@@ -55,17 +57,6 @@ def save_page(output: str, made: Made) -> None:
         return
     save_file(output, text)
     click.echo(f"Wrote {output}", err=True)
-
-
-def require_pages() -> None:
-    """Say what to install where the pages cannot be made."""
-    from importlib.util import find_spec
-
-    from wraparc.errors import MissingExtraError
-
-    for library in ("pydantic", "fastapi"):  # as the answers of the server do
-        if find_spec(library) is None:
-            raise MissingExtraError(library, "web")
 
 
 #: Files that are no drives, by a key that only they have.

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from wraparc.arc import DriveResult
-from wraparc.arc import solve as solve_drive
 from wraparc.cli.options import (
     check_outputs,
     conditions_option,
@@ -19,20 +18,11 @@ from wraparc.cli.options import (
     units_option,
 )
 from wraparc.cli.output import STANDARD_OUTPUT
+from wraparc.cli.page import NEEDED, made_page, save_page
 from wraparc.cli.page import SUFFIXES as PAGES
-from wraparc.cli.page import made_page, require_pages, save_page
 from wraparc.cli.pipe import say
-from wraparc.cli.solve import (
-    METHODS,
-    SOLVED,
-    code_of,
-    exit_code,
-    solve_as_train,
-    with_case,
-    with_limit,
-)
-from wraparc.drive import Drive
-from wraparc.errors import InputError
+from wraparc.cli.solve import SOLVED, code_of, exit_code, solved
+from wraparc.errors import InputError, require
 from wraparc.render.note import PAPERS, NoteHead, Paper
 from wraparc.saving import save_file
 from wraparc.schema.source import printable
@@ -40,7 +30,7 @@ from wraparc.units import System
 
 if TYPE_CHECKING:
     from wraparc.motion.reported import InTime
-    from wraparc.train import Train, TrainResult
+    from wraparc.train import TrainResult
 
 SUFFIXES = (".pdf", ".xlsx", ".md")
 
@@ -113,9 +103,9 @@ def report(
     asked = named_conditions(conditions)
     read = load_whole(file, overrides=settings, conditions=asked)
     if page_file is not None:
-        require_pages()
+        require("web", *NEEDED)
     carried = None if page_file is None else made_page(file, settings, asked, creep_limit)
-    results, train = _solved(read, file, case, creep_limit)
+    results, train = solved(read, "both", case, creep_limit, file)
     in_time = _in_time(file, settings)
     _write(output, results, head, units, train, in_time)
     if page_file is not None and carried is not None:
@@ -149,20 +139,6 @@ def _head(**values: Any) -> NoteHead:
         return NoteHead(**values)
     except InputError as error:
         raise InputError(replace(p, key=f"--{p.key}") for p in error.problems) from None
-
-
-def _solved(
-    read: "Drive | Train", file: str, case: str | None, creep_limit: str | None
-) -> tuple[list[DriveResult], "TrainResult | None"]:
-    """Solve a drive by both methods; a belt with several pulleys as a train."""
-    if isinstance(read, Drive) and len(read.pulleys) == 1:
-        drive = with_limit(with_case(read, case, file), creep_limit)
-        return [
-            solve_drive(drive, method=method(), raise_on_failure=False)
-            for method in METHODS["both"]
-        ], None
-    train, results = solve_as_train(read, "both", case, creep_limit, file)
-    return results, train
 
 
 def _write(

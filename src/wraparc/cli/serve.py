@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, require, shown
 from wraparc.saving import interrupted
 
 if TYPE_CHECKING:
@@ -47,7 +47,7 @@ def serve(
     Only this machine can reach it unless --host says otherwise, which needs a --token. On this
     machine only who opens the printed address gets in; other users of the machine do not.
     """
-    _require_web()
+    require("web", "fastapi", "uvicorn", "sqlalchemy", "alembic")
     from wraparc.web.private import private_files
     from wraparc.web.serving import run
     from wraparc.web.settings import Settings
@@ -87,16 +87,6 @@ def _token(host: str, given: str | None, new: bool) -> str:
     if not given and is_loopback(host):
         given = own_token(user_folder(), new=new)
     return _checked_token(host, given)
-
-
-def _require_web() -> None:
-    from importlib.util import find_spec
-
-    from wraparc.errors import MissingExtraError
-
-    for library in ("fastapi", "uvicorn", "sqlalchemy", "alembic"):
-        if find_spec(library) is None:
-            raise MissingExtraError(library, "web")
 
 
 def _check_catalogue() -> None:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -21,6 +21,7 @@ from wraparc.units import System, parse_quantity
 if TYPE_CHECKING:
     from wraparc.train import Train, TrainResult
 
+_Whole = TypeVar("_Whole", Drive, "Train")
 #: Methods by the name they have on the command line.
 METHODS: dict[str, tuple[type[Method], ...]] = {
     "distributed": (Distributed,),
@@ -75,12 +76,7 @@ def solve(
     missing data. Several pulleys on one belt share its load.
     """
     drive = load_whole(file, overrides=settings, conditions=named_conditions(conditions))
-    if not isinstance(drive, Drive) or len(drive.pulleys) > 1:
-        train, results = solve_as_train(drive, method, load_case, creep_limit, file)
-    else:
-        train = None
-        drive = with_limit(with_case(drive, load_case, file), creep_limit)
-        results = [solve_drive(drive, method=m(), raise_on_failure=False) for m in METHODS[method]]
+    results, train = solved(drive, method, load_case, creep_limit, file)
     units = answer.units
     answer.write("csv", lambda: _csv(results, units, decimal_comma))
     answer.write("plot", lambda: _picture(results, units, train).save)
@@ -92,20 +88,30 @@ def solve(
     return exit_code(results[0] if train is None else train)
 
 
-def solve_as_train(
+def solved(
     read: "Drive | Train", method: str, load_case: str | None, creep_limit: str | None, file: str
-) -> "tuple[TrainResult, list[DriveResult]]":
-    """Solve what was read as a train, its pulleys by the methods of a name in `METHODS`."""
-    from wraparc.cli import train_answer
-    from wraparc.train import Train
+) -> "tuple[list[DriveResult], TrainResult | None]":
+    """Solve what was read by the methods of a name in `METHODS`; several pulleys are a train.
+
+    The load of a train is always divided by the main solver: the paper's march knows no speeds.
+    """
+    if isinstance(read, Drive) and len(read.pulleys) == 1:
+        drive = _with_limit(_with_case(read, load_case, file), creep_limit)
+        return [_solved(drive, m) for m in METHODS[method]], None
+    from wraparc.train import Train, solve_train
 
     train = Train.of(read) if isinstance(read, Drive) else read
-    train = train_answer.with_case(train, load_case, file)
-    if creep_limit is not None:
-        with typed("--creep-limit", creep_limit):
-            limit = parse_quantity(creep_limit, "length")
-        train = train_answer.with_limit(train, limit)
-    return train_answer.solve_all(train, METHODS[method])
+    if load_case is not None:
+        with placed("--load-case", file):
+            train = replace(train, cases=(train.case(load_case),))
+    result = solve_train(_with_limit(train, creep_limit), raise_on_failure=False)
+    own = result.drive_result()
+    methods = METHODS[method]
+    return [own if m is Distributed else _solved(own.drive, m) for m in methods], result
+
+
+def _solved(drive: Drive, method: type[Method]) -> DriveResult:
+    return solve_drive(drive, method=method(), raise_on_failure=False)
 
 
 def _document(
@@ -150,12 +156,12 @@ def check(answer: Answer, file: str, settings: tuple[str, ...]) -> int:
 
 
 def _sheet(results: Sequence[DriveResult], everything: bool, train: "TrainResult | None") -> Sheet:
-    if train is not None:
-        from wraparc.cli.train_answer import sheet_of
-
-        return sheet_of(train, results, everything)
     detail = range(len(results[0])) if everything else None
-    return drive_sheet(results, detail)
+    if train is None:
+        return drive_sheet(results, detail)
+    from wraparc.answer.train_sheet import train_sheet
+
+    return train_sheet(train, detail, results)
 
 
 def _picture(results: Sequence[DriveResult], units: System, train: "TrainResult | None") -> Any:
@@ -181,7 +187,7 @@ def _map(result: DriveResult, units: System) -> Any:
     return plot_across(largest(found, lambda r: r.energy_unevenness), units)
 
 
-def with_case(drive: Drive, name: str | None, file: str) -> Drive:
+def _with_case(drive: Drive, name: str | None, file: str) -> Drive:
     """Return the drive with one load case only."""
     if name is None:
         return drive
@@ -189,11 +195,11 @@ def with_case(drive: Drive, name: str | None, file: str) -> Drive:
         return replace(drive, load_cases=(drive.load_case(name),))
 
 
-def with_limit(drive: Drive, text: str | None) -> Drive:
-    """Return the drive with one creep limit for all pulleys, as it was typed."""
+def _with_limit(whole: _Whole, text: str | None) -> _Whole:
+    """Return a drive or train with one creep limit for all pulleys, as it was typed."""
     if text is None:
-        return drive
+        return whole
     with typed("--creep-limit", text):
         limit = parse_quantity(text, "length")
-        pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in drive.pulleys)
-        return replace(drive, creep_limit=limit, pulleys=pulleys)
+        pulleys = tuple(replace(pulley, creep_limit=limit) for pulley in whole.pulleys)
+        return replace(whole, creep_limit=limit, pulleys=pulleys)

@@ -11,14 +11,10 @@ from wraparc.cli.answer import Answer, answers
 from wraparc.cli.bar import bar
 from wraparc.cli.pipe import say
 from wraparc.saving import interrupted
-from wraparc.units import Dimension, System
 
 if TYPE_CHECKING:
-    from wraparc.answer.study_sheet import Global, Local
-    from wraparc.plot.picture import Picture
     from wraparc.study.executor import Executor
     from wraparc.study.file import StudyFile
-    from wraparc.study.monte_carlo import Summary
     from wraparc.study.parameter_study import Study
 
 _DONE = 0
@@ -143,27 +139,11 @@ def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
         sources=asked.sources,
     )
     if answer.paths["plot"] or answer.paths["report"]:
-        pictures = _pictures(asked, summary, local, indices, dimensions, answer.units)
-        drawn = [p.to_bytes("svg").decode("utf-8") for p in pictures]
+        from wraparc.plot.study import study_pictures
+
+        drawn = study_pictures(summary, local, indices, dimensions, answer.units)
+        pictures = list(drawn.values())
+        svg = [p.to_bytes("svg").decode("utf-8") for p in pictures]
         answer.write("plot", lambda: pictures[0].save)
-        answer.write("report", lambda: study_page(sheet, drawn, summary, answer.units))
+        answer.write("report", lambda: study_page(sheet, svg, summary, answer.units))
     answer.give(lambda: sheet, lambda: study_document(summary, local=local, indices=indices))
-
-
-def _pictures(
-    asked: StudyFile,
-    summary: Summary,
-    local: Local | None,
-    indices: Global | None,
-    dimensions: dict[str, Dimension | None],
-    units: System,
-) -> list[Picture]:
-    from wraparc.plot.study import plot_sensitivity, plot_study
-
-    if local is None or indices is None:
-        return [plot_study(summary, dimensions, units)]
-    return [
-        plot_sensitivity(name, local[case][name], found, dimensions, units)
-        for case, of_case in indices.items()
-        for name, found in of_case.items()
-    ]

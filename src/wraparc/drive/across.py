@@ -188,8 +188,6 @@ class Across:
         "misalignment": Limit("number", least=-0.1, most=0.1),
         "deflection": Limit("length", least=-0.1, most=0.1),
     }
-    #: profiles of the radius
-    LENGTHS: ClassVar[tuple[str, ...]] = ("shell_profile", "worn_depth", "build_up")
 
     shell_profile: WidthProfile | None = None
     worn_depth: WidthProfile | None = None

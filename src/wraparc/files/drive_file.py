@@ -49,24 +49,7 @@ def load_drive(
 
 
 def overridden(document: Document, overrides: Overrides, *, file: str = "") -> Document:
-    """Return the document of a drive file with values put over its own.
-
-    Parameters
-    ----------
-    document
-        Tables of a drive file; it is not changed.
-    overrides
-        By key path or as texts, as for `load_drive`. A table of an array is found by its
-        name or by position. None takes a key away. A path that goes on below the name of a
-        lagging (``pulley.head.lagging.thickness``) makes it a table with that preset.
-    file
-        What to call the document in messages.
-
-    Raises
-    ------
-    InputError
-        If a path leads nowhere, with the names there are.
-    """
+    """Return the document of a drive file with values put over its own, see `put_over`."""
     return put_over(document, overrides, DRIVE, file=file)
 
 

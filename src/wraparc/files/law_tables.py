@@ -44,7 +44,7 @@ def _tested(law: FrictionLaw) -> Tables:
         return {}
     ends = (law.tested.pressure_min, law.tested.pressure_max)
     own_ends = isinstance(law, IntegralLog) and len(law.coefficients.pressure) > 1
-    table: Tables = {} if own_ends else {"tested_pressure": _quantities(ends, "pressure")}
+    table: Tables = {} if own_ends else {"tested_pressure": _pressures(ends)}
     table["tested_slip"] = quantity_text(law.tested.slip_max, "length")
     if law.tested.slip_speed is not None:
         table["tested_slip_speed"] = quantity_text(law.tested.slip_speed, "speed")
@@ -65,8 +65,8 @@ def _parts(law: FrictionLaw) -> Tables:
     return {"knots": KNOT.rows(knots)}
 
 
-def _quantities(values: Sequence[float], dimension: Any) -> list[str]:
-    return [quantity_text(value, dimension) for value in values]
+def _pressures(values: Sequence[float]) -> list[str]:
+    return [quantity_text(value, "pressure") for value in values]
 
 
 def _pieces(pieces: CoefficientPieces) -> Tables:
@@ -74,7 +74,7 @@ def _pieces(pieces: CoefficientPieces) -> Tables:
     if name is None:
         message = f"no name is known for a unit of slip of {pieces.slip_unit:g} m"
         raise InputError(Problem(message=message))
-    ends = _quantities(pieces.pressure, "pressure")
+    ends = _pressures(pieces.pressure)
     rows: list[Tables] = [
         {"from": low, "to": high, **_piece(piece, pieces.slip_unit)}
         for piece, low, high in zip(pieces.pieces, ends, ends[1:], strict=False)

@@ -24,6 +24,15 @@ def _edges(tested: TestedRange | None) -> tuple[float, ...]:
     return () if tested is None else (tested.pressure_min, tested.pressure_max)
 
 
+_POSITIVE = "must be positive and finite"
+
+
+def _is_friction(mu: float) -> tuple[bool, str, str, str]:
+    """Whether a coefficient of friction may be one, as `check` asks."""
+    message = f"friction must be at least {LEAST_FRICTION:g} and finite"
+    return LEAST_FRICTION <= mu < np.inf, "friction_coefficient", f"{mu:g}", message
+
+
 @dataclass(frozen=True, kw_only=True)
 class Constant(FrictionLaw):
     """Euler-Eytelwein: friction is one number once the belt slips.
@@ -44,14 +53,7 @@ class Constant(FrictionLaw):
 
     def __post_init__(self) -> None:
         mu = self.friction_coefficient
-        check(
-            (
-                LEAST_FRICTION <= mu < np.inf,
-                "friction_coefficient",
-                f"{mu:g}",
-                f"friction must be at least {LEAST_FRICTION:g} and finite",
-            )
-        )
+        check(_is_friction(mu))
 
     def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
         """mu_0 with the sign of the slip, 0 without slip."""
@@ -100,18 +102,8 @@ class ElasticPlastic(FrictionLaw):
     def __post_init__(self) -> None:
         mu, k = self.friction_coefficient, self.stiffness
         check(
-            (
-                LEAST_FRICTION <= mu < np.inf,
-                "friction_coefficient",
-                f"{mu:g}",
-                f"friction must be at least {LEAST_FRICTION:g} and finite",
-            ),
-            (
-                0.0 < k < np.inf,
-                "stiffness",
-                f"{k:g} Pa/m",
-                "the stiffness must be positive and finite",
-            ),
+            _is_friction(mu),
+            (0.0 < k < np.inf, "stiffness", f"{k:g} Pa/m", f"the stiffness {_POSITIVE}"),
         )
 
     def friction(self, slip: ArrayLike, pressure: ArrayLike) -> Array:
@@ -170,18 +162,8 @@ class PressurePower(FrictionLaw):
     def __post_init__(self) -> None:
         mu, p, n = self.friction_coefficient, self.reference_pressure, self.exponent
         check(
-            (
-                LEAST_FRICTION <= mu < np.inf,
-                "friction_coefficient",
-                f"{mu:g}",
-                f"friction must be at least {LEAST_FRICTION:g} and finite",
-            ),
-            (
-                0.0 < p < np.inf,
-                "reference_pressure",
-                f"{p:g} Pa",
-                "the pressure must be positive and finite",
-            ),
+            _is_friction(mu),
+            (0.0 < p < np.inf, "reference_pressure", f"{p:g} Pa", f"the pressure {_POSITIVE}"),
             (0.0 <= n < 1.0, "exponent", f"{n:g}", "the exponent must lie in 0 <= n < 1"),
         )
 

@@ -3,73 +3,40 @@
 Modules are imported when a name of theirs is first used.
 """
 
-import importlib
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from wraparc.motion.control import (
-        Control,
-        CoupledMotor,
-        Droop,
-        ExactSpeed,
-        Follower,
-        InductionMotor,
-        SpeedLoop,
-        Trim,
-    )
-    from wraparc.motion.event import (
-        Event,
-        Happening,
-        LoadStep,
-        Measured,
-        OnBelt,
-        OnDrum,
-        PowerFailure,
-        Start,
-        Stop,
-    )
-    from wraparc.motion.follow import simulate
-    from wraparc.motion.result import DrumHistory, Outcome, Peak, RunResult
-    from wraparc.motion.station import Drum, Station
-    from wraparc.motion.vibration import (
-        StabilityMap,
-        StabilityResult,
-        stability,
-        stability_map,
-    )
-    from wraparc.motion.write import motion_text
+from wraparc.lazily import offer
 
-__all__ = [
-    "Control",
-    "CoupledMotor",
-    "Droop",
-    "Drum",
-    "DrumHistory",
-    "Event",
-    "ExactSpeed",
-    "Follower",
-    "Happening",
-    "InductionMotor",
-    "LoadStep",
-    "Measured",
-    "OnBelt",
-    "OnDrum",
-    "Outcome",
-    "Peak",
-    "PowerFailure",
-    "RunResult",
-    "SpeedLoop",
-    "StabilityMap",
-    "StabilityResult",
-    "Start",
-    "Station",
-    "Stop",
-    "Trim",
-    "motion_text",
-    "simulate",
-    "stability",
-    "stability_map",
-]
+if TYPE_CHECKING:
+    from wraparc.motion.control import Control as Control
+    from wraparc.motion.control import CoupledMotor as CoupledMotor
+    from wraparc.motion.control import Droop as Droop
+    from wraparc.motion.control import ExactSpeed as ExactSpeed
+    from wraparc.motion.control import Follower as Follower
+    from wraparc.motion.control import InductionMotor as InductionMotor
+    from wraparc.motion.control import SpeedLoop as SpeedLoop
+    from wraparc.motion.control import Trim as Trim
+    from wraparc.motion.event import Event as Event
+    from wraparc.motion.event import Happening as Happening
+    from wraparc.motion.event import LoadStep as LoadStep
+    from wraparc.motion.event import Measured as Measured
+    from wraparc.motion.event import OnBelt as OnBelt
+    from wraparc.motion.event import OnDrum as OnDrum
+    from wraparc.motion.event import PowerFailure as PowerFailure
+    from wraparc.motion.event import Start as Start
+    from wraparc.motion.event import Stop as Stop
+    from wraparc.motion.follow import simulate as simulate
+    from wraparc.motion.result import DrumHistory as DrumHistory
+    from wraparc.motion.result import Outcome as Outcome
+    from wraparc.motion.result import Peak as Peak
+    from wraparc.motion.result import RunResult as RunResult
+    from wraparc.motion.station import Drum as Drum
+    from wraparc.motion.station import Station as Station
+    from wraparc.motion.vibration import StabilityMap as StabilityMap
+    from wraparc.motion.vibration import StabilityResult as StabilityResult
+    from wraparc.motion.vibration import stability as stability
+    from wraparc.motion.vibration import stability_map as stability_map
+    from wraparc.motion.write import motion_text as motion_text
 
 _MODULES = {
     "control": ("Control CoupledMotor Droop ExactSpeed Follower InductionMotor SpeedLoop Trim"),
@@ -80,16 +47,4 @@ _MODULES = {
     "station": "Drum Station",
     "write": "motion_text",
 }
-_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _MODULE_OF:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(importlib.import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+__all__, __getattr__, __dir__ = offer(__name__, _MODULES)

@@ -110,9 +110,9 @@ class Linear:
         m, _, _ = self.matrix(lam, responses)
         return np.asarray(np.linalg.det(m))
 
-    def roots_beyond(self, real: float, highest: float = HIGHEST) -> int:
-        """How many roots have a real part above a value [1/s], up to a frequency [Hz]."""
-        path, responses = _on_contour(self.profiles, real, highest)
+    def roots_beyond(self, real: float) -> int:
+        """How many roots have a real part above a value [1/s], up to `HIGHEST`."""
+        path, responses = _on_contour(self.profiles, real)
         return int(windings(self.determinant(path, responses)))
 
     @cached_property
@@ -322,7 +322,7 @@ class _Assembly:
             push = self.row((self.size + n + i, 1.0))
             rows[i] = (lam * drum.inertia)[:, None] * omega - torque - push + moments[i]
         # an integral makes a pole at 0, which would be counted as a root less
-        integral = [_integrates(d) for d in station.drums]
+        integral = [d.trim is not None or isinstance(d.control, SpeedLoop) for d in station.drums]
         for i, drum in enumerate(station.drums):
             follows = isinstance(drum.control, Follower)
             lead = station.index(drum.control.master) if isinstance(drum.control, Follower) else i
@@ -331,22 +331,18 @@ class _Assembly:
         return rows
 
 
-def _integrates(drum: Drum) -> bool:
-    return drum.trim is not None or isinstance(drum.control, SpeedLoop)
-
-
 @lru_cache(maxsize=48)
 def _on_contour(
-    profiles: tuple[SteadyProfile, ...], real: float, highest: float
+    profiles: tuple[SteadyProfile, ...], real: float
 ) -> tuple[Complex, list[ArcResponse]]:
     """A contour and the arcs' responses on it, which do not depend on how the drums are driven."""
-    path = contour(real, highest)
+    path = contour(real)
     return path, [p.response(path) for p in profiles]
 
 
-def contour(real: float, highest: float = HIGHEST, points: int = _POINTS) -> Complex:
+def contour(real: float, points: int = _POINTS) -> Complex:
     """Upper half of a rectangle around what lies right of a line: up, right, down."""
-    top = 2.0 * math.pi * highest
+    top = 2.0 * math.pi * HIGHEST
     up = real + 1j * top * np.linspace(1e-9, 1.0, points)
     along = np.linspace(real, _RIGHT + 5.0, 30) + 1j * top
     down = _RIGHT + 5.0 + 1j * top * np.linspace(1.0, 1e-9, 60)

@@ -319,7 +319,7 @@ def stability_map(
     x = np.geomspace(low, high, points)
     drum = station.drums[-1]
     inertia = np.geomspace(drum.inertia / 5.0, drum.inertia * 5.0, points)
-    path = contour(0.0, HIGHEST, 240)
+    path = contour(0.0, 240)
     responses = linear.responses(path)
     turn = np.array([1j * linear.duties[-1].speed])
     at_turn = linear.responses(turn)

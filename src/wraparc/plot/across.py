@@ -65,7 +65,8 @@ def plot_across(
         axes += [figure.add_subplot(grid[0, i], sharey=axes[0]) for i in (1, 2)]
         filled = _draw_map(axes[0], result, system, quantity)
         bar = figure.colorbar(filled, cax=figure.add_subplot(grid[1, 0]), orientation="horizontal")
-        bar.set_label(_heading(quantity, system))
+        name = "width_tension" if quantity == "tension" else quantity
+        bar.set_label(GLOSSARY[name].heading(system))
         _draw_lagging(axes[1], result, system)
         _draw_tension(axes[2], result, system)
         arc = result.wide.arc
@@ -84,10 +85,6 @@ def plot_across(
 def _across(result: AcrossResult, system: System) -> tuple[Array, str]:
     unit, size = display_unit("length", system)
     return result.position / size, unit
-
-
-def _heading(name: str, system: System) -> str:
-    return GLOSSARY["width_tension" if name == "tension" else name].heading(system)
 
 
 def _draw_map(ax: Axes, result: AcrossResult, system: System, name: str) -> Any:

@@ -69,17 +69,12 @@ def _range(law: FrictionLaw) -> tuple[float, float, float]:
     return law.tested.pressure_min, law.tested.pressure_max, law.tested.slip_max
 
 
-def _few(values: Array, count: int) -> Array:
-    """At most `count` of the values, the ends among them."""
-    places = np.unique(np.linspace(0, len(values) - 1, count).round().astype(int))
-    picked: Array = values[places]
-    return picked
-
-
 def _pressures(law: FrictionLaw) -> Array:
     low, high, _ = _range(law)
     if isinstance(law, IntegralLog) and len(law.coefficients.pressure) > 3:
-        return _few(np.array(law.coefficients.pressure), _CURVES)
+        knots = law.coefficients.pressure
+        places = np.unique(np.linspace(0, len(knots) - 1, _CURVES).round().astype(int))
+        return np.array([knots[place] for place in places])  # the ends among them
     return np.geomspace(low, high, _CURVES)
 
 

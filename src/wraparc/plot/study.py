@@ -12,7 +12,7 @@ from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, LINES, ORANGE, RED, Picture, styled
 from wraparc.study.fields import label_of, names_of
 from wraparc.study.monte_carlo import Group, Summary
-from wraparc.study.sensitivity import Indices, Swing
+from wraparc.study.sensitivity import Global, Indices, Local, Swing
 from wraparc.study.share import CONFIDENCE
 from wraparc.units import Dimension, System, display, display_unit
 
@@ -20,6 +20,27 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 _MOST_LINES = 8
+
+
+def study_pictures(
+    summary: Summary,
+    local: Local | None,
+    indices: Global | None,
+    units: Mapping[str, Dimension | None],
+    system: System = "si",
+    *,
+    spread: bool = True,
+) -> dict[str, Picture]:
+    """Return what a study says, or the sensitivity of its results, by name."""
+    if local is None or indices is None:
+        return {"results": plot_study(summary, units, system, spread=spread)}
+    return {
+        f"{name}-{number}" if len(indices) > 1 else name: plot_sensitivity(
+            name, local[case][name], found, units, system
+        )
+        for number, (case, of_case) in enumerate(indices.items(), start=1)
+        for name, found in of_case.items()
+    }
 
 
 def plot_study(

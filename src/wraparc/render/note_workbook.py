@@ -33,8 +33,6 @@ if TYPE_CHECKING:
     from wraparc.train import TrainResult
 
 Cell = str | float
-#: Titles of the sheets, in order.
-SHEETS = ("Summary", "Inputs", "Results", "Tables", "Profile", "All profiles", "Sources")
 _WIDEST = 60
 _BLUE, _ORANGE, _RED = "#0072B2", "#D55E00", "#A50F15"
 
@@ -102,7 +100,7 @@ class _Workbook:
         self.wrapped = book.add_format({"text_wrap": True, "valign": "top"})
 
     def write(self, told: Note) -> None:
-        """Write every sheet, in the order of `SHEETS`; the tables from the cells of a note."""
+        """Write every sheet; the tables from the cells of a note."""
         self._summary()
         inputs = note_inputs(self.results[0], self.train)
         self._table("Inputs", _INPUT_HEADS, (self._input(e) for e in inputs if e.value is not None))

@@ -10,7 +10,7 @@ from wraparc.answer.sheet import Sheet, shown
 from wraparc.answer.short import short_sheet
 from wraparc.arc import ArcResult, DriveResult, Profile
 from wraparc.drive import Drive, Lagging
-from wraparc.errors import library
+from wraparc.errors import pandas
 from wraparc.render.lines import plain_text
 from wraparc.render.page import sheet_html
 from wraparc.train.result import TrainResult
@@ -99,7 +99,7 @@ def frame(thing: Any) -> Any:
 
 @frame.register
 def _(thing: Profile) -> Any:
-    return library("pandas", "notebook").DataFrame(dict(thing.columns()))
+    return pandas().DataFrame(dict(thing.columns()))
 
 
 @frame.register
@@ -112,9 +112,7 @@ def _(thing: AcrossResult) -> Any:
     from wraparc.answer.across_tables import across_data
 
     data = across_data(thing)
-    return library("pandas", "notebook").DataFrame(
-        {"across_position": data["across_position"], **data["across"]}
-    )
+    return pandas().DataFrame({"across_position": data["across_position"], **data["across"]})
 
 
 @frame.register
@@ -128,7 +126,7 @@ def _(thing: DriveResult) -> Any:
         }
         for result in thing
     ]
-    return library("pandas", "notebook").DataFrame(rows).set_index(["load_case", "pulley"])
+    return pandas().DataFrame(rows).set_index(["load_case", "pulley"])
 
 
 @frame.register
@@ -144,4 +142,4 @@ def _(thing: TrainResult) -> Any:
         for case in thing
         for member in case
     ]
-    return library("pandas", "notebook").DataFrame(rows).set_index(["load_case", "pulley"])
+    return pandas().DataFrame(rows).set_index(["load_case", "pulley"])

@@ -125,9 +125,9 @@ class CurveFit:
         q = self.parameters
         return ab_from_peak(q.peak_friction, q.peak_slip / unit)
 
-    def coefficient_errors(self, unit: float = 1e-3) -> tuple[float, float]:
+    def coefficient_errors(self) -> tuple[float, float]:
         """Standard errors of A and b, by the delta method."""
-        a, b = self.coefficients(unit)
+        a, b = self.coefficients()
         k = [self.free.index(name) for name in BASE[:2]]
         cov = self.covariance[np.ix_(k, k)]
         by_a = np.array([-a, a])

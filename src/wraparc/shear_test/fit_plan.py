@@ -1,6 +1,6 @@
 """A test plan to its results: read, reduce, fit each curve, then the law of each condition."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -65,7 +65,7 @@ def fit_plan(
     if plan.digitised is not None and read is None:
         plan, curves = with_curves(plan, lambda test: _bytes(plan, test))
         read = lambda test: curves[test.file]  # noqa: E731 - as short as it says
-    reader = read or (lambda test: _from_disk(plan, test))
+    reader = read or (lambda test: read_machine_file(Path(plan.folder) / test.file, test.choices))
     results: list[TestResult] = []
     problems: list[Problem] = []
     seen: list[tuple[PlannedTest, MachineRecord]] = []
@@ -82,7 +82,8 @@ def fit_plan(
             progress(number, len(plan.used_tests), test.file)
     if not results:
         raise InputError(problems or [Problem(message="the plan uses no test", file=plan.file)])
-    conditions = [_condition(plan, name, results, problems) for name in _in_order(results)]
+    names = dict.fromkeys(result.test.condition for result in results)
+    conditions = [_condition(plan, name, results, problems) for name in names]
     if not any(conditions):
         raise InputError(problems)
     return PlanResult(
@@ -91,10 +92,6 @@ def fit_plan(
         left_out=tuple(problems),
         date=datetime.now(UTC).date().isoformat(),
     )
-
-
-def _from_disk(plan: TestPlan, test: PlannedTest) -> MachineRecord:
-    return read_machine_file(Path(plan.folder) / test.file, test.choices)
 
 
 def _bytes(plan: TestPlan, test: PlannedTest) -> bytes:
@@ -226,10 +223,6 @@ def _set_and_measured(plan: TestPlan, test: PlannedTest, measured: float) -> lis
         f"{quantity(force / plan.rig.area, 'pressure')} that were set; the measured one was used"
     )
     return [Sentence(OTHER_PRESSURE, text)]
-
-
-def _in_order(results: Iterable[TestResult]) -> list[str]:
-    return list(dict.fromkeys(result.test.condition for result in results))
 
 
 def _condition(

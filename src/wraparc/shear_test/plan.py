@@ -291,11 +291,6 @@ class TestPlan:
         return (self.cover_thickness or 0.0) / (self.cover_shear_modulus or math.inf)
 
     @property
-    def removed_compliance(self) -> float:
-        """h/G of what is taken off the travel [m/Pa]."""
-        return self.cover_compliance + self.sample_compliance
-
-    @property
     def slip_includes(self) -> tuple[str, ...] | None:
         """What the slip of the law holds besides the sliding; None where a figure tells not."""
         if self.digitised is not None and self.cover_thickness is None:

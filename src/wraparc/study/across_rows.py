@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from wraparc.across import AcrossResult, AcrossSolver, wide_arc
+from wraparc.across.result import UNEVEN
 from wraparc.arrays import Array, Codes, Integers
 from wraparc.batch.arcs import Arcs
 from wraparc.checks import Level, of_across
@@ -15,18 +16,7 @@ from wraparc.checks.of_rows import NAMES
 from wraparc.drive import Drive, LoadCase, Pulley, Tensions
 
 #: Results across the width that a study can keep; not a number where the pulley is even.
-ACROSS_OUTPUTS = (
-    "largest_running_tension",
-    "tightest_strip_tension",
-    "largest_static_tension",
-    "least_tension",
-    "largest_pressure",
-    "largest_creep",
-    "entry_unevenness",
-    "exit_unevenness",
-    "energy_unevenness",
-    "levelling_depth",
-)
+ACROSS_OUTPUTS = (*UNEVEN, "levelling_depth")
 
 
 def solve_rows(

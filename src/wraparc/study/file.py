@@ -110,7 +110,7 @@ def study_from_document(document: Document, *, file: str = "", folder: str = "")
     conditions = [read_condition(r, report) for r in record.get("condition", ())]
     known = tuple(c for c in conditions if c is not None)
     _shares(known, report)
-    outputs = _outputs(record, "outputs", OUTPUTS, report)
+    outputs = _outputs(record, OUTPUTS, report)
     sensitivity = _sensitivity(record, report)
     report.raise_all()
     plan = _plan(record, [axis for axis, _ in axes], known, sensitivity, report)
@@ -239,14 +239,14 @@ def _shares(conditions: Sequence[Condition], report: Report) -> None:
 
 
 def _outputs(
-    record: Mapping[str, Any], key: str, default: tuple[str, ...], report: Report
+    record: Mapping[str, Any], default: tuple[str, ...], report: Report
 ) -> tuple[str, ...]:
-    names = tuple(dict.fromkeys(record.get(key, default)))
+    names = tuple(dict.fromkeys(record.get("outputs", default)))
     known = output_names()
     for name in names:
         if name not in known:
             remedy = nearest(name, known) or f"There are {', '.join(known)}."
-            report.add((key,), "no such result", remedy, name)
+            report.add(("outputs",), "no such result", remedy, name)
     return names
 
 
@@ -261,7 +261,7 @@ def _sensitivity(record: Record, report: Report) -> tuple[str, ...]:
     table = record.get("sensitivity")
     if not isinstance(table, Record):
         return ()
-    return _outputs(table, "outputs", SENSITIVE, report)
+    return _outputs(table, SENSITIVE, report)
 
 
 def _plan(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from statistics import NormalDist
 
@@ -20,8 +20,8 @@ from wraparc.study.plan import Drawn, DrawnField
 from wraparc.study.share import CONFIDENCE
 
 #: by load case and condition, then by result
-LocalSensitivity = dict[tuple[str, str], dict[str, tuple["Swing", ...]]]
-GlobalSensitivity = dict[tuple[str, str], dict[str, "Indices"]]
+Local = Mapping[tuple[str, str], Mapping[str, Sequence["Swing"]]]
+Global = Mapping[tuple[str, str], Mapping[str, "Indices"]]
 
 #: Part of a distribution that its plausible range holds: from 5 % to 95 %.
 RANGE = (0.05, 0.95)
@@ -63,7 +63,7 @@ class Swing:
         return abs(self.at_high - self.at_low)
 
 
-def local_sensitivity(study: Study) -> LocalSensitivity:
+def local_sensitivity(study: Study) -> Local:
     """Swings of every field that is drawn, the widest first.
 
     Laws drawn from a fit have no single field to move and are left to the Sobol indices.
@@ -206,7 +206,7 @@ def _mean_ratio(term: Array, f: Array) -> tuple[float, tuple[float, float]]:
 
 def global_sensitivity(
     path: str | os.PathLike[str], study: Study, outputs: tuple[str, ...]
-) -> GlobalSensitivity:
+) -> Global:
     """Sobol indices of results, by load case and condition, then by result.
 
     Raises
@@ -221,7 +221,7 @@ def global_sensitivity(
     names = tuple(_name(axis) for axis in study.plan.drawn)
     columns = _columns(path, outputs)
     count = len(study.cases)
-    found: GlobalSensitivity = {}
+    found: dict[tuple[str, str], dict[str, Indices]] = {}
     for place, (load, condition) in enumerate(study.cases):
         of_case = found.setdefault((load, condition.name if condition else ""), {})
         for name in outputs:
@@ -232,7 +232,7 @@ def global_sensitivity(
 
 def sensitivities(
     path: str | os.PathLike[str], study: Study, outputs: tuple[str, ...]
-) -> tuple[LocalSensitivity | None, GlobalSensitivity | None]:
+) -> tuple[Local | None, Global | None]:
     """Local and global sensitivity of results of a study; None each if none is asked for."""
     if not outputs:
         return None, None

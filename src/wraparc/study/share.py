@@ -33,8 +33,8 @@ class Share:
         return wilson(self.count, self.total)
 
 
-def wilson(count: int, total: int, confidence: float = CONFIDENCE) -> tuple[float, float]:
-    """Wilson's score interval of a proportion [-].
+def wilson(count: int, total: int) -> tuple[float, float]:
+    """Wilson's score interval of a proportion at `CONFIDENCE` [-].
 
     (p + z^2/2n +- z sqrt(p (1 - p)/n + z^2/4n^2)) / (1 + z^2/n) for independent draws; Latin
     hypercube and Sobol draws are spread more evenly, and their estimate is mostly better than that.
@@ -45,7 +45,7 @@ def wilson(count: int, total: int, confidence: float = CONFIDENCE) -> tuple[floa
     """
     if not total:
         return 0.0, 1.0
-    z = NormalDist().inv_cdf(0.5 + 0.5 * confidence)
+    z = NormalDist().inv_cdf(0.5 + 0.5 * CONFIDENCE)
     p, n = count / total, float(total)
     middle = p + z * z / (2.0 * n)
     half = z * math.sqrt(p * (1.0 - p) / n + z * z / (4.0 * n * n))

@@ -134,7 +134,7 @@ class DriveSource:
         self.drive = any_drive_from_document(document, allow_paths=True)
         refuse_several(self.drive, "a study needs")
         self._read_tensions()
-        lagging = self._record_of(pulley).get("lagging")
+        lagging = next(r for r in self._pulleys if r["name"] == pulley).get("lagging")
         own = lagging if isinstance(lagging, str) else ""
         self._columns = {
             field.name: column
@@ -160,9 +160,6 @@ class DriveSource:
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__ | {"_kept": {}}
-
-    def _record_of(self, pulley: str) -> Record:
-        return next(r for r in self._pulleys if r["name"] == pulley)
 
     def _read_tensions(self) -> None:
         record: Record = TRAIN_FILE.read(self.document, (), Report())

@@ -3,63 +3,44 @@
 Modules are imported when a name of theirs is first used: to read a file takes only descriptions.
 """
 
-import importlib
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from wraparc.train.batch import solve_train_batch
-    from wraparc.train.batch_result import TRAIN_STATUSES, DrumColumns, TrainBatchResult
-    from wraparc.train.change import what_if
-    from wraparc.train.curve import Mark, MarkKind, ShareCurve, share_curve
-    from wraparc.train.grid import ShareMap, share_map
-    from wraparc.train.matching import Change, Matching, match_drives
-    from wraparc.train.motors import (
-        FluidCoupling,
-        Induction,
-        Motor,
-        TorqueFollower,
-        VariableSpeed,
-    )
-    from wraparc.train.result import CaseResult, MemberResult, MotorPoint, TrainResult, TrainStatus
-    from wraparc.train.solve import solve_train
-    from wraparc.train.train import Division, Motors, Pulls, Shares, Speeds, Train, TrainCase
-    from wraparc.train.walk import Axis
+from wraparc.lazily import offer
 
-__all__ = [
-    "TRAIN_STATUSES",
-    "Axis",
-    "CaseResult",
-    "Change",
-    "Division",
-    "DrumColumns",
-    "FluidCoupling",
-    "Induction",
-    "Mark",
-    "MarkKind",
-    "Matching",
-    "MemberResult",
-    "Motor",
-    "MotorPoint",
-    "Motors",
-    "Pulls",
-    "ShareCurve",
-    "ShareMap",
-    "Shares",
-    "Speeds",
-    "TorqueFollower",
-    "Train",
-    "TrainBatchResult",
-    "TrainCase",
-    "TrainResult",
-    "TrainStatus",
-    "VariableSpeed",
-    "match_drives",
-    "share_curve",
-    "share_map",
-    "solve_train",
-    "solve_train_batch",
-    "what_if",
-]
+if TYPE_CHECKING:
+    from wraparc.train.batch import solve_train_batch as solve_train_batch
+    from wraparc.train.batch_result import TRAIN_STATUSES as TRAIN_STATUSES
+    from wraparc.train.batch_result import DrumColumns as DrumColumns
+    from wraparc.train.batch_result import TrainBatchResult as TrainBatchResult
+    from wraparc.train.change import what_if as what_if
+    from wraparc.train.curve import Mark as Mark
+    from wraparc.train.curve import MarkKind as MarkKind
+    from wraparc.train.curve import ShareCurve as ShareCurve
+    from wraparc.train.curve import share_curve as share_curve
+    from wraparc.train.grid import ShareMap as ShareMap
+    from wraparc.train.grid import share_map as share_map
+    from wraparc.train.matching import Change as Change
+    from wraparc.train.matching import Matching as Matching
+    from wraparc.train.matching import match_drives as match_drives
+    from wraparc.train.motors import FluidCoupling as FluidCoupling
+    from wraparc.train.motors import Induction as Induction
+    from wraparc.train.motors import Motor as Motor
+    from wraparc.train.motors import TorqueFollower as TorqueFollower
+    from wraparc.train.motors import VariableSpeed as VariableSpeed
+    from wraparc.train.result import CaseResult as CaseResult
+    from wraparc.train.result import MemberResult as MemberResult
+    from wraparc.train.result import MotorPoint as MotorPoint
+    from wraparc.train.result import TrainResult as TrainResult
+    from wraparc.train.result import TrainStatus as TrainStatus
+    from wraparc.train.solve import solve_train as solve_train
+    from wraparc.train.train import Division as Division
+    from wraparc.train.train import Motors as Motors
+    from wraparc.train.train import Pulls as Pulls
+    from wraparc.train.train import Shares as Shares
+    from wraparc.train.train import Speeds as Speeds
+    from wraparc.train.train import Train as Train
+    from wraparc.train.train import TrainCase as TrainCase
+    from wraparc.train.walk import Axis as Axis
 
 _MODULES = {
     "batch": "solve_train_batch",
@@ -74,16 +55,4 @@ _MODULES = {
     "walk": "Axis",
     "change": "what_if",
 }
-_MODULE_OF = {name: module for module, names in _MODULES.items() for name in names.split()}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _MODULE_OF:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    value: object = getattr(importlib.import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+__all__, __getattr__, __dir__ = offer(__name__, _MODULES)

@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.arrays import Array, Codes, Flags
 from wraparc.batch import STATUSES, BatchResult
 from wraparc.drive.pitch import pitch_radius
-from wraparc.errors import library
+from wraparc.errors import pandas
 from wraparc.train.motor_rows import MotorRows
 from wraparc.train.result import TrainStatus
 from wraparc.train.rows import TrainRows
@@ -112,7 +112,7 @@ class TrainBatchResult:
         columns: dict[str, Any] = {"status": self.status, "belt_speed": self.belt_speed}
         for pulley, drum in self.drums.items():
             columns |= {f"{pulley}.{name}": column for name, column in drum.items()}
-        frame: pd.DataFrame = library("pandas", "notebook").DataFrame(columns)
+        frame: pd.DataFrame = pandas().DataFrame(columns)
         return frame
 
 

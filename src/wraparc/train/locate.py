@@ -176,7 +176,7 @@ def _chosen(system: System, names: Sequence[str], states: list[Settled]) -> Loca
         status = TrainStatus.BREAKAWAY
         reason = (
             f"At these speeds {_listed(names, fallen)} away: the only balance there is has "
-            f"{_them(fallen)} sliding, past the peak of friction."
+            f"{'it' if len(fallen) == 1 else 'them'} sliding, past the peak of friction."
         )
     return Located(status, reason, state.passages, state.level, state, others, fallen)
 
@@ -210,10 +210,6 @@ def _broken(
 def away(names: Sequence[str], indices: Sequence[int]) -> str:
     """Say which drives break away."""
     return f"{_listed(names, indices)} away: no creep makes enough friction."
-
-
-def _them(indices: Sequence[int]) -> str:
-    return "it" if len(indices) == 1 else "them"
 
 
 def _listed(names: Sequence[str], indices: Sequence[int]) -> str:

@@ -14,7 +14,6 @@ def rising_root(
     low: float,
     high: float,
     tolerance: float,
-    slope: float = 0.0,
 ) -> tuple[float, float]:
     """Return x with |f(x)| <= tolerance, and f(x), of a function that rises through its root.
 
@@ -32,8 +31,6 @@ def rising_root(
         Limits of x. Where f does not change its sign between them, the limit is returned.
     tolerance
         Of f.
-    slope
-        Of f, as far as it is known: makes a better first step.
 
     Notes
     -----
@@ -44,8 +41,6 @@ def rising_root(
     value = f(x)
     if abs(value) <= tolerance:
         return x, value
-    if slope > 0.0:
-        reach = min(1.1 * abs(value) / slope, 4.0 * reach)
     direction = 1.0 if value < 0.0 else -1.0
     end = high if direction > 0.0 else low
     a, fa = x, value

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from math import exp, nan
 
 from wraparc.arc import ArcResult, Distributed, Status, WrapArc
-from wraparc.arc.wrap_arc import of_belt
 from wraparc.drive import Pulley
 from wraparc.drive.load_case import exit_behind
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
@@ -171,25 +170,14 @@ def arc_of(
     belt_speed: float | None = None,
 ) -> WrapArc:
     """Return the arc of a pulley of a train."""
-    lagging = pulley.lagging
-    return WrapArc(
-        law=lagging.law,
-        **of_belt(train.belt, pulley.side, lagging.law),
+    return WrapArc.on(
+        train.belt,
+        pulley,
+        pulley.lagging,
         entry_tension=tensions[0],
         exit_tension=exit_behind(*tensions),
-        diameter=pulley.diameter,
-        wrap_angle=pulley.wrap_angle,
-        width=train.belt.width,
-        axial_stiffness=train.belt.axial_stiffness,
-        thickness=lagging.thickness,
-        shear_modulus=lagging.shear_modulus,
-        compression_modulus=lagging.compression_modulus,
-        overrun=pulley.overrun,
-        recovery=pulley.recovery,
         creep_limit=train.creep_limit_of(pulley),
         belt_speed=belt_speed,
-        wear_coefficient=lagging.wear_coefficient,
-        pulley=pulley.name,
         load_case=case.name,
     )
 

@@ -26,7 +26,14 @@ from wraparc.units.display import (
     on_safe_side,
 )
 from wraparc.units.numbers import parse_number
-from wraparc.units.parse import dimension_of, meant_by, parse_quantity, unit_factor, unit_names
+from wraparc.units.parse import (
+    dimension_of,
+    meant_by,
+    parse_quantity,
+    positive_quantity,
+    unit_factor,
+    unit_names,
+)
 from wraparc.units.table import DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
 __all__ = [
@@ -59,6 +66,7 @@ __all__ = [
     "per_stress",
     "percent",
     "placed",
+    "positive_quantity",
     "quantity",
     "unit_factor",
     "unit_names",

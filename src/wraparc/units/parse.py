@@ -10,7 +10,7 @@ from decimal import Decimal
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from wraparc.errors import InputError, Problem, near, shown
+from wraparc.errors import InputError, Problem, near, placed, shown
 from wraparc.units.numbers import finite, split_number
 from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
@@ -84,6 +84,21 @@ def parse_quantity(value: object, dimension: Dimension) -> float:
         problem = f"neither text nor a number, where {kind.name} is needed"
         raise _refused(value, problem, f"Write for example {shown(kind.example)}.")
     return _read(value, dimension)
+
+
+def positive_quantity(text: str, dimension: Dimension, key: str) -> float:
+    """Return what `parse_quantity` does, of more than 0.
+
+    Raises
+    ------
+    InputError
+        With the problem, of a key.
+    """
+    with placed(key):
+        value = parse_quantity(text, dimension)
+    if not value > 0.0:
+        raise InputError(Problem(key=key, value=shown(text), message="must be more than 0"))
+    return value
 
 
 @lru_cache(maxsize=2048)  # of a drive that is changed step by step most stays as it was

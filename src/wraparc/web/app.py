@@ -17,9 +17,8 @@ from wraparc.web.routes import (
     designs,
     drives,
     events,
+    files,
     pages,
-    reports,
-    results,
     shear_tests,
     start,
     studies,
@@ -77,7 +76,7 @@ def create_app(settings: Settings) -> FastAPI:
         redirect_slashes=False,
     )
     app.state.wraparc = state
-    for part in (drives, start, designs, shear_tests, reports, results, studies, events, pages):
+    for part in (drives, start, designs, shear_tests, files, studies, events, pages):
         app.include_router(part.api)
     app.include_router(pages.pages)
     for kind in (InputError, ApiError, MissingExtraError, HTTPException, Exception):

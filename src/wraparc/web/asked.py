@@ -309,21 +309,18 @@ class ReportHead(Request):
     paper: Literal["a4", "us-letter"] = "a4"
 
 
-class ReportRequest(Request):
-    """A calculation note."""
-
-    document: Document
-    units: System = "si"
-    name: Line = Field("drive", description="Name of the file, without its ending.")
-    head: ReportHead = ReportHead()
-
-
 class ExportRequest(Request):
     """A drive whose answer is wanted as a file."""
 
     document: Document
     units: System = "si"
     name: Line = Field("drive", description="Name of the file, without its ending.")
+
+
+class ReportRequest(ExportRequest):
+    """A calculation note."""
+
+    head: ReportHead = ReportHead()
 
 
 class FileChoices(Request):

@@ -5,20 +5,15 @@ Written as a plain ASGI layer, so that it costs microseconds and sees every byte
 
 import hmac
 import socket
-from collections.abc import Awaitable, Callable, Iterable, MutableMapping
+from collections.abc import Iterable
 from html import escape
 from http.cookies import CookieError, SimpleCookie
-from typing import Any
 from urllib.parse import parse_qsl, quote, urlencode, urlsplit
 
 from wraparc.web.errors import PROBLEM_JSON, refused
+from wraparc.web.packing import App, Message, Receive, Scope, Send
 from wraparc.web.settings import Settings, is_address, is_loopback
 
-Scope = MutableMapping[str, Any]
-Message = MutableMapping[str, Any]
-Receive = Callable[[], Awaitable[Message]]
-Send = Callable[[Message], Awaitable[None]]
-App = Callable[[Scope, Receive, Send], Awaitable[None]]
 Refusal = tuple[int, str, str]
 
 COOKIE = "wraparc_token"

@@ -1,7 +1,6 @@
 """Drives in time: a run through an event thinned to be played, and whether the drives pulsate."""
 
 import os
-from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
@@ -9,12 +8,11 @@ import numpy as np
 from wraparc.answer.motion_sheet import run_sheet, stability_sheet
 from wraparc.checks import judge_run
 from wraparc.drive.pitch import whole_thickness
-from wraparc.errors import InputError, Problem, shown
 from wraparc.motion import RunResult, simulate, stability, stability_map
 from wraparc.motion.file import Motion, motion_from_document
 from wraparc.motion.follow import check_event
 from wraparc.plot.motion import plot_stability, plot_stability_map
-from wraparc.units import Dimension, parse_quantity
+from wraparc.units import positive_quantity
 from wraparc.web.answers.documents import without_none
 from wraparc.web.answers.shown import Answer, Bar, Numbers, Sheet, bars, rounded, sheet
 from wraparc.web.asked import EventRequest
@@ -80,12 +78,12 @@ class EventResult(Answer):
 def check(asked: EventRequest) -> Named:
     """Say what a run is called, or everything that is wrong with it."""
     motion = _motion(asked)
-    _quantity("run_out", asked.run_out, "length")
+    positive_quantity(asked.run_out, "length", "run_out")
     if asked.what != "run":
         return Named(title="Will it pulsate?" if asked.what == "stability" else "Stability map")
     event = motion.event(asked.event or "")
     if asked.step is not None:
-        _quantity("step", asked.step, "time")
+        positive_quantity(asked.step, "time", "step")
     check_event(motion.station, event)
     return Named(title=event.name)
 
@@ -100,14 +98,14 @@ def run(asked: EventRequest) -> EventResult:
         found = stability_map(motion.station, what=asked.over)
         drawn = {"map": plot_stability_map(found)}
         return _result(motion, None, None, drawn)
-    run_out = _quantity("run_out", asked.run_out, "length")
+    run_out = positive_quantity(asked.run_out, "length", "run_out")
     if asked.what == "stability":
         told = stability(motion.station, run_out=run_out)
         return _result(motion, None, told, {"stability": plot_stability(told)})
     followed = simulate(
         motion.station,
         motion.event(asked.event or ""),
-        step=None if asked.step is None else _quantity("step", asked.step, "time"),
+        step=None if asked.step is None else positive_quantity(asked.step, "time", "step"),
         points=asked.points,
         progress=_follow,
     )
@@ -187,13 +185,3 @@ def _rows_kept(run: RunResult) -> Any:
         columns += [d.entry_tension, d.exit_tension, d.torque, d.exit_creep, d.peak_shear]
     ends = [f(column) for column in columns for f in (np.argmin, np.argmax)]
     return np.union1d(_evenly(len(run.time), _ROWS), np.array(ends, int))
-
-
-def _quantity(key: str, text: str, dimension: Dimension) -> float:
-    try:
-        value = parse_quantity(text, dimension)
-    except InputError as error:
-        raise InputError(replace(error.problems[0], key=key)) from None
-    if value <= 0.0:
-        raise InputError(Problem(key=key, value=shown(text), message="must be more than 0"))
-    return value

@@ -7,7 +7,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from wraparc.answer.study_document import study_document
-from wraparc.answer.study_sheet import Global, Local, study_sheet
+from wraparc.answer.study_sheet import study_sheet
 from wraparc.answer.study_words import group_name, histogram_sentence
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
@@ -155,11 +155,12 @@ def _result(asked: StudyFile, path: str) -> StudyResult:
         summary, dimensions, local=local, indices=indices,
         remarks=asked.remarks, sources=asked.sources,
     )  # fmt: skip
-    pictures = _pictures(asked, summary, local, indices, dimensions)
+    from wraparc.plot.study import plot_study, study_pictures
+
+    drawn = study_pictures(summary, local, indices, dimensions, spread=False)  # the page draws that
+    pictures = {f"{n}.svg": one.to_bytes("svg").decode("utf-8") for n, one in drawn.items()}
     kept = list(pictures.values())
     if indices is None and summary.drawn:
-        from wraparc.plot.study import plot_study
-
         kept = [plot_study(summary, dimensions).to_bytes("svg").decode("utf-8")]
     return StudyResult(
         summary=plain(study_document(summary, local=local, indices=indices)),
@@ -194,27 +195,3 @@ def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[S
 def _where(group: Group, units: dict[str, Dimension | None]) -> str:
     parts = (group_name(group, units), group.load_case, group.condition)
     return ", ".join(part for part in parts if part)
-
-
-def _pictures(
-    asked: StudyFile,
-    summary: Summary,
-    local: Local | None,
-    indices: Global | None,
-    dimensions: dict[str, Dimension | None],
-) -> dict[str, str]:
-    """Return pictures by name, as SVG; the page draws how results are spread itself."""
-    from wraparc.plot.study import plot_sensitivity, plot_study
-
-    if local is None or indices is None:
-        drawn = {"results": plot_study(summary, dimensions, spread=False)}
-    else:
-        several = len(indices) > 1
-        drawn = {
-            f"{name}-{number}" if several else name: plot_sensitivity(
-                name, local[case][name], found, dimensions
-            )
-            for number, (case, of_case) in enumerate(indices.items(), start=1)
-            for name, found in of_case.items()
-        }
-    return {f"{n}.svg": picture.to_bytes("svg").decode("utf-8") for n, picture in drawn.items()}

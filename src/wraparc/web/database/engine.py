@@ -135,17 +135,14 @@ def _after_damage(file: str) -> str:
 
 def _engine(url: str) -> Engine:
     if not url.startswith("sqlite"):
-        return create_engine(url, pool_pre_ping=True, pool_size=5, connect_args=_patience())
+        patience = {"connect_timeout": 5}
+        return create_engine(url, pool_pre_ping=True, pool_size=5, connect_args=patience)
     memory = url.rstrip("/") in ("sqlite:", "sqlite:///:memory:")
     more: dict[str, Any] = {"poolclass": StaticPool} if memory else {}
     engine = create_engine(url, connect_args={"check_same_thread": False}, **more)
     event.listen(engine, "connect", _prepare_sqlite)
     event.listen(engine, "begin", _begin_sqlite)
     return engine
-
-
-def _patience() -> dict[str, Any]:
-    return {"connect_timeout": 5}
 
 
 def _prepare_sqlite(connection: Any, _: object) -> None:

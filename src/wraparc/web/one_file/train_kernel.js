@@ -1533,10 +1533,6 @@ export function locate___listed(names, indices) {
   return "" + $text([...indices].map((i) => names[i]).join(" and ")) + " " + $text(verb);
 }
 
-export function locate___them(indices) {
-  return indices.length === 1 ? "it" : "them";
-}
-
 /** Return the stable one of several states; there is none where a drive is past its peak. */
 export function locate___chosen(system, names, states) {
   states = $sorted(states, (s) => $maxOf([...s.passages].map((p) => Math.abs(p.creep))));
@@ -1560,7 +1556,7 @@ export function locate___chosen(system, names, states) {
       "At these speeds " +
       $text(locate___listed(names, fallen)) +
       " away: the only balance there is has " +
-      $text(locate___them(fallen)) +
+      $text(fallen.length === 1 ? "it" : "them") +
       " sliding, past the peak of friction.";
   }
   return new Located(status, reason, state.passages, state.level, state, others, fallen);
@@ -2380,10 +2376,6 @@ export function* train_words___matching(case_, cases) {
   }
 }
 
-export function train_words___are(parts) {
-  return parts.length === 1 ? "is" : "are";
-}
-
 /** Say what is lost between the mains and the drums, and what the mains give. */
 export function* train_words___motor_losses(case_) {
   let lost, mains, name, tail, values, what;
@@ -2412,11 +2404,12 @@ export function* train_words___motor_losses(case_) {
     mains = sheet__named("electrical_power", electrical);
     tail = "" + "; the motors take " + $text(mains) + " from the mains";
   }
+  let are = parts.length === 1 ? "is" : "are";
   yield "" +
     "Between mains and drums " +
     $text(parts.join(", ")) +
     " " +
-    $text(train_words___are(parts)) +
+    $text(are) +
     " lost" +
     $text(tail) +
     ".";
@@ -2952,15 +2945,12 @@ export function roots__bracketed_root(f, a, fa, b, fb, tolerance) {
 }
 
 /** Return x with |f(x)| <= tolerance, and f(x), of a function that rises through its root. */
-export function roots__rising_root(f, x, reach, low, high, tolerance, slope = 0.0) {
+export function roots__rising_root(f, x, reach, low, high, tolerance) {
   let b, fb;
   x = min(max(x, low), high);
   let value = f(x);
   if (Math.abs(value) <= tolerance) {
     return [x, value];
-  }
-  if (slope > 0.0) {
-    reach = min((1.1 * Math.abs(value)) / slope, 4.0 * reach);
   }
   let direction = value < 0.0 ? 1.0 : -1.0;
   let end = direction > 0.0 ? high : low;

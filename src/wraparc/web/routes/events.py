@@ -5,26 +5,17 @@ from fastapi import Request, Response
 from wraparc.web.answers import events
 from wraparc.web.answers.shown import Answer, Bar, Sheet
 from wraparc.web.asked import EventRequest
-from wraparc.web.errors import ToldProblem
-from wraparc.web.jobs import Job
-from wraparc.web.jobs import State as JobState
 from wraparc.web.progress import Tell
 from wraparc.web.routes.parts import client_of, picture_of, refuses, router, state_of
+from wraparc.web.routes.studies import JobAnswer
 from wraparc.web.work import JOB_LIMIT
 
 api = router("/events", "events")
 
 
-class RunAnswer(Answer):
+class RunAnswer(JobAnswer):
     """How a run stands, and what came out once it is done."""
 
-    id: str
-    title: str
-    state: JobState
-    done: int
-    total: int
-    message: str
-    problems: list[ToldProblem]
     run: Sheet | None = None
     bars: list[Bar] | None = None
     stability: Sheet | None = None
@@ -52,20 +43,22 @@ async def start(request: Request, response: Response, asked: EventRequest) -> Ru
 
     job = state.runs.start(client, named.title, events.PARTS, work)
     response.headers["location"] = f"{api.prefix}/{job.id}"
-    return _standing(job)
+    return RunAnswer.model_validate(job)
 
 
 @api.get("", response_model_exclude_unset=True)
 async def listed(request: Request) -> RunsAnswer:
     """All runs of this server, the newest first."""
-    return RunsAnswer(jobs=[_standing(job) for job in state_of(request).runs.listed()])
+    return RunsAnswer(
+        jobs=[RunAnswer.model_validate(job) for job in state_of(request).runs.listed()]
+    )
 
 
 @api.get("/{run}", response_model_exclude_unset=True)
 async def one(request: Request, run: str) -> RunAnswer:
     """How a run stands, and its results."""
     job = state_of(request).runs.get(run)
-    told = _standing(job).model_dump()
+    told = JobAnswer.model_validate(job).model_dump()
     if job.state == "done":
         found: events.EventResult = job.result
         told |= {**found.model_dump(), "pictures": list(found.pictures)}
@@ -83,8 +76,3 @@ async def picture(request: Request, run: str, name: str) -> Response:
     """A picture of a run that is done, SVG."""
     found: events.EventResult = state_of(request).runs.result(run)
     return picture_of(found.pictures, name)
-
-
-def _standing(job: Job) -> RunAnswer:
-    keys = ("id", "title", "state", "done", "total", "message", "problems")
-    return RunAnswer(**{key: getattr(job, key) for key in keys})

@@ -435,7 +435,7 @@ const METHODS = {
     return x.get(key);
   },
   pop: (x, key, other) => {
-    if (Array.isArray(x)) return x.pop();
+    if (Array.isArray(x)) return key === undefined ? x.pop() : x.splice(key, 1)[0];
     const found = x.has(key) ? x.get(key) : other;
     x.delete(key);
     return found;

@@ -3356,7 +3356,7 @@ let known, mass, strength;
 return load_case__resultant($bound(of, "entry_tension"), $bound(of, "exit_tension"), $bound(of, "wrap_angle"), ...$iter(known));
 }
 function wear_table__life_table(result, lagging, of = null) {
-let data, depth, k, life, note, passes, rows, source;
+let data, depth, k, life, note, passes, rows, source, years;
 
 (data = wear_table___life_of(result, lagging));
 if ((data == null)) {
@@ -3370,7 +3370,8 @@ if (($at(data, "life_hours") != null)) {
 (source = $b.str(lagging.source_of("wear_coefficient")));
 $m.append(rows, new Row("Wear coefficient", [k], undefined, source));
 (life = wear_table___life($at(data, "life_hours")));
-$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, wear_table___years_note()));
+(years = ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here"));
+$m.append(rows, new Row(("" + "Life until " + $str(depth) + " is worn off"), [life], undefined, years));
 }
 (rows = $add(rows, [...(function* () { for (const vendor of $iter($at(data, "vendors"))) { yield wear_table___vendor_row(vendor, of); } })()]));
 (note = ("" + "Depth that may be worn off: half the thickness, " + $str(depth) + "."));
@@ -3417,9 +3418,6 @@ if ($truth($math.isinf(hours))) {
 return "-";
 }
 return $add(cell__quantity(hours, "number"), " h");
-}
-function wear_table___years_note() {
-return ("" + "frictional energy times wear coefficient; a year has " + $format(6000.0, ("" + "g")) + " h of running here");
 }
 function wear_table___vendor_row(vendor, of) {
 let ends, high, least, low, most, note, number, years;
@@ -4524,6 +4522,12 @@ return $add($m.upper($slice(text, null, 1)), $slice(text, 1, null));
 }
 function check___small(text) {
 return $add($m.lower($slice(text, null, 1)), $slice(text, 1, null));
+}
+function simple___is_friction(mu) {
+let message;
+
+(message = ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite"));
+return [(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), message];
 }
 function base__check(...tests) {
 let failed;
@@ -5657,7 +5661,11 @@ static of(drive, pulley, case_) {
 const cls = this; let lagging, tensions;
 
 ([lagging, tensions] = [pulley.lagging_in($bound(case_, "condition")), $at(case_.tensions, pulley.name)]);
-return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt($bound(drive, "belt"), $bound(pulley, "side"), $bound(lagging, "law")), ["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", drive.belt.width], ["axial_stiffness", drive.belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["wear_coefficient", lagging.wear_coefficient], ["fit", lagging.fit], ["pulley", pulley.name], ["load_case", case_.name]]);
+return $method(cls, "on", [$bound(drive, "belt"), pulley, lagging], [["entry_tension", tensions.entry], ["exit_tension", tensions.exit], ["creep_limit", drive.creep_limit_of(pulley)], ["belt_speed", drive.belt.speed], ["fit", lagging.fit], ["load_case", case_.name]]);
+}
+static on(belt, pulley, lagging, more = new Map()) {
+const cls = this; 
+return $call(cls, [], [["law", lagging.law], ...wrap_arc__of_belt(belt, $bound(pulley, "side"), $bound(lagging, "law")), ["diameter", pulley.diameter], ["wrap_angle", pulley.wrap_angle], ["width", belt.width], ["axial_stiffness", belt.axial_stiffness], ["thickness", lagging.thickness], ["shear_modulus", lagging.shear_modulus], ["compression_modulus", lagging.compression_modulus], ["overrun", pulley.overrun], ["recovery", pulley.recovery], ["wear_coefficient", lagging.wear_coefficient], ["pulley", pulley.name], ...more]);
 }
 get radius() {
 const self = this; 
@@ -6313,7 +6321,7 @@ class Constant extends FrictionLaw {
 __post_init__() {
 const self = this; let mu;
 (mu = self.friction_coefficient);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")]);
+base__check(simple___is_friction(mu));
 }
 
 compact() {
@@ -6333,7 +6341,7 @@ class PressurePower extends FrictionLaw {
 __post_init__() {
 const self = this; let mu, n, p;
 ([mu, p, n] = [self.friction_coefficient, self.reference_pressure, self.exponent]);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), "the pressure must be positive and finite"], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
+base__check(simple___is_friction(mu), [(0.0 < p && p < Infinity), "reference_pressure", ("" + $format(p, ("" + "g")) + " Pa"), ("" + "the pressure " + $str("must be positive and finite"))], [(0.0 <= n && n < 1.0), "exponent", ("" + $format(n, ("" + "g"))), "the exponent must lie in 0 <= n < 1"]);
 }
 
 compact() {
@@ -7597,7 +7605,7 @@ class ElasticPlastic extends FrictionLaw {
 __post_init__() {
 const self = this; let k, mu;
 ([mu, k] = [self.friction_coefficient, self.stiffness]);
-base__check([(1e-06 <= mu && mu < Infinity), "friction_coefficient", ("" + $format(mu, ("" + "g"))), ("" + "friction must be at least " + $format(1e-06, ("" + "g")) + " and finite")], [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), "the stiffness must be positive and finite"]);
+base__check(simple___is_friction(mu), [(0.0 < k && k < Infinity), "stiffness", ("" + $format(k, ("" + "g")) + " Pa/m"), ("" + "the stiffness " + $str("must be positive and finite"))]);
 }
 
 compact() {
@@ -9385,6 +9393,7 @@ Train.LIMITS = Train.prototype.LIMITS = $c114;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
+$sig(WrapArc.on, ["belt", "pulley", "lagging"], true);
 in_page$Given.$compared = in_page$Given.$names;
 Rise.$compared = Rise.$names;
 in_page$Criteria.$compared = in_page$Criteria.$names;
