@@ -10,13 +10,17 @@ import pytest
 
 from choose.searches import CERAMIC, CORD, FABRIC, RUBBER, drive, search
 from wraparc import Belt, InputError, Lagging, LoadCase, Tensions, solve
+from wraparc.answer.choose_sheet import choose_sheet
+from wraparc.answer.sheet import shown
 from wraparc.batch.arcs import Arcs
+from wraparc.checks import Level, judge
 from wraparc.choose import selection as selection_module
 from wraparc.choose.answers import ANSWERS, solve_columns
 from wraparc.choose.belt_rating import least_belt
 from wraparc.choose.ranking import front
 from wraparc.choose.search import Limits
 from wraparc.choose.selection import Selection, choose
+from wraparc.drive.conditions import Condition
 
 
 @pytest.fixture(scope="module")
@@ -231,6 +235,41 @@ def test_the_least_slack_tension_keeps_the_tested_pressure() -> None:
         laggings=(CERAMIC,), drive=drive(40e3, 25e3),
     )  # fmt: skip
     assert choose(one).slack_tension[0] == pytest.approx(34e3 * 1.2 * 0.8 / 2 + 15e3)
+
+
+@pytest.mark.parametrize(
+    ("changes", "name", "level", "begins"),
+    [
+        ({}, "", Level.OK, "Choose full-ceramic"),
+        ({"fatigue_limit": 20e3}, "fatigue_stress", Level.ATTENTION, "Choose full-ceramic"),
+        ({"least": 1.0}, "pulley_diameter", Level.FAILS, "The cheapest within the limits fails: "),
+    ],
+)
+def test_what_is_recommended_is_judged_as_solve_does(
+    changes: dict[str, float], name: str, level: Level, begins: str
+) -> None:
+    # expected: the checks of the same drive, put together by hand and judged
+    limit = changes.get("fatigue_limit")
+    lagging = replace(CERAMIC, fatigue_limit=limit)
+    belt = replace(FABRIC, least_pulley_diameter=changes.get("least"))
+    one = drive(145e3, 70e3).load_cases[0]
+    whole = replace(drive(), load_cases=(one,))
+    found = choose(
+        search(
+            laggings=(lagging,), belts=(belt,), diameters=(0.8,), slack_tensions=(70e3,),
+            drive=whole, conditions=(Condition(name="dry"),),
+            limits=Limits(least_pulley_diameter=False),
+        )
+    )  # fmt: skip
+    pulley = replace(whole.pulleys[0], lagging=lagging)
+    by_hand = judge(solve(replace(whole, belt=belt, pulleys=(pulley,))))
+    missed = [c for c in by_hand.checks if c.missed and c.name != "design_standard"]
+    assert [c.said for c in found.missed] == [c.said for c in missed]
+    assert [c.name for c in found.missed][:1] == [name][: len(missed)]
+    told = shown(choose_sheet(found), "si").verdict
+    assert told is not None
+    assert told.level is level
+    assert str(told.headline).startswith(begins)
 
 
 def test_a_lighter_belt_is_solved_with_its_own_modulus() -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Route, expect
 
-from web.browser import PAGES, READY, Calculator, Visitor, turn
+from web.browser import PAGES, READY, Calculator, Visitor, ask_now, turn
 from web.calculators import TOKEN, wait_for
 from web.test_static import STATIC
 
@@ -212,7 +212,7 @@ def test_the_pauses_double_up_to_five_seconds(cut: Cut) -> None:
     wait_for(lambda: page.evaluate("1") and failed.count("about") == asked + 2)
     cut.mend()
     page.clock.resume()
-    page.get_by_role("button", name="Ask now").click()
+    ask_now(page)
     expect(page.locator(".gone")).to_have_count(0)
     cut.visitor.solved()
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("78")

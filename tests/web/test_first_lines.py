@@ -14,7 +14,7 @@ from playwright.sync_api import Page, Route, ViewportSize, expect
 
 from judgement.rows import ROWS
 from judgement.test_first_sentence import MOST, first
-from web.browser import PHONE, Calculator, Visitor
+from web.browser import PHONE, Calculator, Visitor, ask_now
 from web.calculators import wait_for
 from wraparc.arc import solve
 from wraparc.checks import judge
@@ -295,7 +295,7 @@ def gone(page: Page) -> None:
 
 def back(page: Page) -> None:
     page.unroute_all(behavior="wait")
-    page.get_by_role("button", name="Ask now").click()
+    ask_now(page)
     expect(page.locator(".gone")).to_have_count(0)
 
 
@@ -332,7 +332,7 @@ def test_a_server_that_is_gone_takes_the_place_of_the_verdict(calculator: Calcul
     # the colours of the last results are gone
     expect(page.locator(".checks")).to_have_css("filter", "grayscale(1)")
     page.unroute("**/api/v1/**")
-    page.get_by_role("button", name="Ask now").click()
+    ask_now(page)
     visitor.solved()
     held[0].continue_()
     visitor.alone()

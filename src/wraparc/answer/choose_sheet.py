@@ -35,11 +35,10 @@ from wraparc.answer.sheet import (
     weak_sources,
 )
 from wraparc.checks import Level
-from wraparc.checks.usual import usual_sizes
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
-from wraparc.drive import Drive, Sag
+from wraparc.drive import Sag
 from wraparc.drive.conditions import DRY
 
 _MOST_ROWS = 15
@@ -113,7 +112,9 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     below, silent = below_standard(selection, best), silent_standard(selection, best)
     name = design_name(selection, best, slack=False)
     told = f"Choose {name}"
-    if below:
+    if any(c.level.rank > Level.ATTENTION.rank for c in selection.missed):
+        told = f"The cheapest within the limits fails: {name}"
+    elif below:
         told = f"No candidate {below}; the cheapest is {name}"
     held = tension_at(selection.search.drive.take_up_place)
     headline = (
@@ -138,9 +139,11 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
-    odd = [c.said for c in usual_sizes(_chosen(selection)) if c.missed]
-    headline = " ".join([headline, *odd[:1]])
-    level = Level.ATTENTION if below or silent or odd else Level.OK
+    missed = selection.missed
+    headline = " ".join([headline, *(c.said for c in missed[:1])])
+    sentences += [c.said for c in missed[1:]]
+    level = Level.ATTENTION if below or silent else Level.OK
+    level = max([level, *(c.level for c in missed)], key=lambda of: of.rank)
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""
@@ -149,13 +152,6 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         ground = f"{level}{' dry only' if dry else ''}"
         ground += f", on {kind} data" if kind in WEAK else ""
     return Verdict(level, headline, tuple(sentences), ground)
-
-
-def _chosen(selection: Selection) -> Drive:
-    """Return the recommended design, at the slack-side tension that it is recommended with."""
-    best = int(selection.ranking[0])
-    slack = np.asarray(selection.slack_tension, dtype=float)
-    return selection.grid.with_slack(slack).drive(best)
 
 
 def _heads(selection: Selection) -> tuple[str, ...]:

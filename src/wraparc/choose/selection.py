@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from wraparc.arrays import Array, Flags, Integers
+from wraparc.checks import Check, judge
 from wraparc.checks.least_tension import taut
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
@@ -23,6 +25,13 @@ from wraparc.choose.slack_rules import (
     slack_offset,
     standard_slack,
 )
+from wraparc.train.whole import solved
+
+#: Checks that the limits of a search speak of: always, if it has a limit of the rating, and of
+#: which one pulley of several knows too little.
+_OF_LIMITS = frozenset({"gross_slip", "design_standard", "creep", "sag"})
+_OF_RATING = frozenset({"belt_tension", "momentary_tension"})
+_OF_THE_WHOLE = frozenset({"taut", "take_up", "sense"})
 
 Solver = Callable[..., Mapping[str, Array]]
 
@@ -85,6 +94,24 @@ class Selection:
         if not is_uneven(self.search):
             return self.ranking[:0]
         return self.ranking[np.isnan(self.unevenness[self.ranking])]
+
+    @cached_property
+    def missed(self) -> tuple[Check, ...]:
+        """Checks that the recommended design misses in any condition, the worst first.
+
+        It is judged as every drive is. Left out is what the limits of the search speak of, and for
+        one pulley of several what the drive is held to as a whole.
+        """
+        if not len(self.ranking):
+            return ()
+        search, best = self.search, int(self.ranking[0])
+        told = _OF_LIMITS | (_OF_RATING if search.limits.rating is not None else frozenset())
+        told |= _OF_THE_WHOLE if len(search.drive.pulleys) > 1 else frozenset()
+        grid = self.grid.with_slack(np.asarray(self.slack_tension, dtype=float))
+        judged = (judge(solved(grid.drive(best, k))) for k in range(len(search.conditions)))
+        found = {c.said: c for one in judged for c in one.checks if c.missed}
+        left = [c for c in found.values() if c.name not in told]
+        return tuple(sorted(left, key=lambda c: -c.level.rank))
 
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the limits that a design breaks."""

@@ -1,5 +1,6 @@
 """A lagging table, its keys already read, to laggings: one for each of its laws."""
 
+from dataclasses import fields
 from typing import Any
 
 from wraparc.drive import Block, ConditionFactor, Factors, Lagging, compression_modulus
@@ -22,11 +23,12 @@ from wraparc.schema.tables import Record
 from wraparc.units import display
 
 _KEYS = tuple(entry.key for entry in LAGGING_FILE.entries)
-_SAME = (
-    "name", "title", "description", "surface", "elastic_modulus", "wear_coefficient",
-    "belt_energy_share", "bond_strength", "fatigue_limit",
-)  # fmt: skip
 _MEASURED = ("thickness", "shear_modulus", "compression_modulus")
+#: Keys of a table of their own, and keys that are fields of a lagging as they stand.
+_TABLES = ("law", "block", "cost", "provenance", "sources", "notes")
+_SAME = tuple(
+    key for key in _KEYS if key in {part.name for part in fields(Lagging)} - {*_TABLES, *_MEASURED}
+)
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
 
 

@@ -37,9 +37,15 @@ _LICENCES = (
 )
 #: Parts of the form that the file has fields for.
 _SECTIONS = (
-    "drive", "belt", "pulley", "tensions", "lagging", "load_case", "take_up", "design_standard",
-    "safety_factor", "sag", "train", "conveyor",
-)  # fmt: skip
+    "drive",
+    "belt",
+    "pulley",
+    "tensions",
+    "lagging",
+    "load_case",
+    "train",
+    "conveyor",
+)
 #: Keys of a lagging table in a pulley whose law the page was not made with.
 _OTHER_LAW = ("law", "condition_factor", "slip_speed", "temperature")
 _PLACE = re.compile(r"\{\{(\w+)\}\}")
@@ -147,7 +153,8 @@ def _plain(answer: Any) -> Any:
 def _form(document: Document) -> dict[str, Any]:
     """Return the form of a drive, its units and every unit that the drive is written in."""
     found: dict[str, Any] = _plain(form())
-    found["sections"] = [s for s in found["sections"] if s["key"] in _SECTIONS]
+    shown = {*_SECTIONS, *found["criteria"]}
+    found["sections"] = [s for s in found["sections"] if s["key"] in shown]
     for unit in {*unit_names(), *_units(document)}:
         for dimension in DIMENSIONS:
             try:

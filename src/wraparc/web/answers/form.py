@@ -141,6 +141,7 @@ class Form(Answer):
     units: dict[str, Units]
     glossary: dict[str, Term]
     sections: list[Section]
+    criteria: list[str]
 
 
 @cache
@@ -151,8 +152,14 @@ def form() -> Form:
     top = [e for e in TRAIN_FILE.entries if not isinstance(e.kind, Table) and _is_field(e)]
     lagging = [e for e in LAGGING_GIVEN.entries if e.key in _OF_LAGGING]
     case = [e for e in LOAD_CASE.entries if e.key in ("name", "description")]
+    criteria = [
+        _section(e.key, e.title, f"{e.key}.", e.kind.entries)
+        for e in CRITERIA
+        if isinstance(e.kind, Table)
+    ]
     return Form(
         version=__version__,
+        criteria=[section.key for section in criteria],
         units={dimension: _units(dimension) for dimension in DIMENSIONS},
         glossary={name: _term(quantity) for name, quantity in GLOSSARY.items()},
         sections=[
@@ -163,11 +170,7 @@ def form() -> Form:
             _section("lagging", "Lagging", "pulley[].lagging.", lagging, repeated=True),
             _section("load_case", "Load cases", "load_case[].", case, repeated=True),
             _section("conveyor", "Conveyor", "conveyor.", CONVEYOR.entries),
-            *(
-                _section(entry.key, entry.title, f"{entry.key}.", entry.kind.entries)
-                for entry in CRITERIA
-                if isinstance(entry.kind, Table)
-            ),
+            *criteria,
             _section("train", "Train", "train.", TRAIN.entries),
             _section("motion", "In time", "motion.", filter(_is_plain, MOTION.entries)),
             _section(

@@ -471,6 +471,7 @@ export interface Form {
   units: Record<string, Units>;
   glossary: Record<string, Term>;
   sections: Section[];
+  criteria: string[];
 }
 export interface FoundValue {
   value: number;

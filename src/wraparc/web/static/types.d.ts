@@ -22,7 +22,8 @@ export type Catalogue = Omit<api.Catalogue, "belts" | "laggings"> & {
 export type Spec = Pick<api.Field, "key" | "title" | "kind"> &
   Partial<Omit<api.Field, "slider">> & { slider?: Limits | null };
 export interface Form {
-  sections: { key: string; fields: Spec[] }[];
+  sections: { key: string; title: string; fields: Spec[] }[];
+  criteria: string[];
   units: Record<string, any>;
   glossary: Record<string, any>;
 }

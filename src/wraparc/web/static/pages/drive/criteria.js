@@ -1,30 +1,25 @@
 // What a drive is held against: take-up, design standard, safety factors, sag.
 
 import { app, edit } from "../../base/design.js";
-import { field, more, section } from "../../parts/field.js";
+import { field, more } from "../../parts/field.js";
 
 /** @import { Children, Spec } from "../../types.d.ts" */
 /** @import { Choice } from "../../parts/field.js" */
 
-const TABLES = {
-  take_up: "Take-up",
-  design_standard: "Design standard",
-  safety_factor: "Safety factors",
-  sag: "Belt sag",
-};
-
 /** @returns {Children[]} */
 export const criteria = () =>
-  Object.entries(TABLES).map(([key, title]) =>
-    more(
-      title,
-      section(key)
-        .filter((s) => s.key !== "after" || app.doc.pulley.length > 1)
-        .map((s) => row(key, s)),
-      Boolean(app.doc[key]),
-      key,
-    ),
-  );
+  app.form.sections
+    .filter(({ key }) => app.form.criteria.includes(key))
+    .map(({ key, title, fields }) =>
+      more(
+        title,
+        fields
+          .filter((s) => s.key !== "after" || app.doc.pulley.length > 1)
+          .map((s) => row(key, s)),
+        Boolean(app.doc[key]),
+        key,
+      ),
+    );
 
 /** @param {string} table @param {Spec} s */
 function row(table, s) {
