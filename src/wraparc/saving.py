@@ -86,9 +86,7 @@ def alone(path: Location, key: str = "") -> Iterator[None]:
     if file is None:
         message = "another run is writing this file"
         remedy = "Wait until it has ended, or name another file."
-        raise InputError(
-            Problem(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
-        )
+        raise InputError.of(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
     with file:
         try:
             yield

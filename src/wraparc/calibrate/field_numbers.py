@@ -185,9 +185,7 @@ def wear_coefficient(depth: float, energy: float) -> float:
     """
     for key, value in (("depth", depth), ("energy", energy)):
         if not 0.0 < value < math.inf:
-            raise InputError(
-                Problem(key=key, value=f"{value:g}", message="must be positive and finite")
-            )
+            raise InputError.of(key=key, value=f"{value:g}", message="must be positive and finite")
     return depth / energy
 
 

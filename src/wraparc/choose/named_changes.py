@@ -124,5 +124,5 @@ def _length(text: str, key: str) -> float:
         message = "no lagging is left, and the friction is that of a bare pulley"
     if message:
         remedy = "" if value else "Ask what a bare pulley does."
-        raise InputError(Problem(key=key, value=shown(text), message=message, remedy=remedy))
+        raise InputError.of(key=key, value=shown(text), message=message, remedy=remedy)
     return value

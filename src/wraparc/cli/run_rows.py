@@ -116,7 +116,7 @@ class Rows:
         if rows and kept < rows + 1:
             message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
             remedy = "Remove the saved state, and begin anew."
-            raise InputError(Problem(key="--csv", value=part.name, message=message, remedy=remedy))
+            raise InputError.of(key="--csv", value=part.name, message=message, remedy=remedy)
         part.seek(part.tell())
         part.truncate()
         self.count = rows

@@ -55,7 +55,7 @@ def read_law(record: Record, report: Report) -> FrictionLaw | None:
 
 
 def _problem(key: str, message: str, remedy: str = "", value: str = "") -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, key=key, value=value))
+    return InputError.of(message=message, remedy=remedy, key=key, value=value)
 
 
 def _tested(record: Record, ends: tuple[float, float] | None = None) -> TestedRange | None:

@@ -168,8 +168,6 @@ class Station:
             return self.names.index(name)
         there = ", ".join(map(shown, self.names))
         message = f"no such pulley; the pulleys are {there}"
-        raise InputError(
-            Problem(
-                key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
-            )
+        raise InputError.of(
+            key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
         )

@@ -106,9 +106,7 @@ def check_format(document: Document, file: str = "") -> None:
         remedy = "Update wraparc."
     else:
         message, remedy = "must be a whole number from 1", f"Write format = {FORMAT}."
-    raise InputError(
-        Problem(message=message, remedy=remedy, file=file, key="format", value=shown(given))
-    )
+    raise InputError.of(message=message, remedy=remedy, file=file, key="format", value=shown(given))
 
 
 def read_whole(table: Kind, document: Document, file: str) -> tuple[Any, Report]:
@@ -156,4 +154,4 @@ def _stands_before(written: str, lines: list[str]) -> bool:
 
 
 def _file_problem(file: str, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, file=file))
+    return InputError.of(message=message, remedy=remedy, file=file)

@@ -35,13 +35,11 @@ def checked_reason(reason: str, key: str = "accept_misfit") -> str:
     text = reason.strip()
     if text and len(text) <= _LONGEST_REASON and text.isprintable():
         return text
-    raise InputError(
-        Problem(
-            message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
-            remedy="Say why the law may be used although it does not describe its tests.",
-            key=key,
-            value=shown(reason),
-        )
+    raise InputError.of(
+        message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
+        remedy="Say why the law may be used although it does not describe its tests.",
+        key=key,
+        value=shown(reason),
     )
 
 

@@ -50,5 +50,5 @@ def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:
     solved = solve_case(train, case, Distributed(capacities=False))
     if not solved.status.solved:
         message = f"load case {case.name}: {solved.reason} {solved.status}"
-        raise InputError(Problem(key="train", message=message))
+        raise InputError.of(key="train", message=message)
     return [(m.arc.entry_tension, m.arc.exit_tension) for m in solved]

@@ -115,7 +115,7 @@ def _division(
     if solved is not None and isinstance(case.division, Shares | Pulls):
         if not solved.status.solved:
             message = f"has no solution that the drums could keep their speeds of: {solved.reason}"
-            raise InputError(Problem(key=f"load case {case.name}", message=message))
+            raise InputError.of(key=f"load case {case.name}", message=message)
         train = held(TrainResult(train, (solved,)))[0]
     return train, start
 

@@ -98,7 +98,7 @@ def write_toml(asked: DocumentRequest) -> WriteAnswer:
         if isinstance(error, InputError):
             raise
         message = "holds what a drive file cannot hold"
-        raise InputError(Problem(message=message, remedy="Use text, numbers, tables.")) from None
+        raise InputError.of(message=message, remedy="Use text, numbers, tables.") from None
     return WriteAnswer(toml=text, name=f"{file_stem(document.get('title'))}.toml", **state)
 
 
