@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
-from wraparc.errors import InputError
+from wraparc.errors import input_error
 
 
 class Kind(StrEnum):
@@ -47,7 +47,7 @@ class Provenance:
 
     def __post_init__(self) -> None:
         if self.kind is Kind.PUBLISHED and not self.source.strip():
-            raise InputError.of(
+            raise input_error(
                 message="a published number without a source",
                 remedy="Name the publication, or call the number given or illustrative.",
             )

@@ -12,7 +12,7 @@ from wraparc.arrays import Array, Flags, Integers
 from wraparc.calibrate.record import RecordChoices
 from wraparc.calibrate.virtual_pulley import PulleyRecord
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 
 _MOST_BINS = 720
 _POINTS = 90  # on the wrap
@@ -174,7 +174,7 @@ def _contact(
             f"the wrap angle is {math.degrees(wrap):.0f} deg"
         )
         remedy = "Check the wrap angle, and which column is which."
-        raise InputError.of(message=message, remedy=remedy)
+        raise input_error(message=message, remedy=remedy)
     # the exit nip cuts the last bin of the run: its mean tells where
     last, before = total[(end - 1) % n], total[(end - 2) % n]
     share = min(last / before, 1.0) if before > 0.0 and length > 2 else 1.0
@@ -231,7 +231,7 @@ def _sign(name: str, mean: Array, side: float, given: int | None) -> float:
         return float(given)
     share = float(mean.sum() / np.abs(mean).sum())
     if abs(share) < _MOSTLY_ONE_SIGN:
-        raise InputError.of(
+        raise input_error(
             key=f"signs.{name}",
             message=f"the {name.replace('_', ' ')} is both positive and negative under the "
             "belt, so its sign cannot be told",

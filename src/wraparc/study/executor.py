@@ -15,7 +15,7 @@ from threading import Event
 from time import monotonic
 from typing import Any, NamedTuple, Protocol
 
-from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.errors import InputError, MissingExtraError, Problem, input_error, shown
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import solve_part
 from wraparc.version import __version__
@@ -71,7 +71,7 @@ class Threads:
         """Refuse fewer than one."""
         if self.count is not None and self.count < 1:
             text = str(self.count)
-            raise InputError.of(key="threads", value=text, message="must be at least 1")
+            raise input_error(key="threads", value=text, message="must be at least 1")
 
     def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
         """Solve parts, a few more begun than there are threads, so that memory stays the same."""
@@ -218,9 +218,7 @@ def executor_named(text: str) -> Executor:
         count = text.partition(":")[2]
         if count and not (count.isascii() and count.isdigit() and 1 <= int(count) <= 1000):
             message, remedy = "no number of processes", "Write local:4, or local."
-            raise InputError.of(
-                key="--scheduler", value=shown(text), message=message, remedy=remedy
-            )
+            raise input_error(key="--scheduler", value=shown(text), message=message, remedy=remedy)
         return LocalCluster(int(count) if count else None)
     return DaskCluster(text)
 
@@ -250,7 +248,7 @@ def _knock(address: str, timeout: float) -> None:
 
 def _unreachable(address: str, error: Exception) -> InputError:
     reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
-    return InputError.of(
+    return input_error(
         key="--scheduler",
         value=shown(address),
         message=f"no Dask scheduler answers there: {reason}",
@@ -264,7 +262,7 @@ def _check_workers(client: Any, address: str, timeout: float) -> None:
         versions: dict[str, Any] = client.run(_version_here, on_error="return")
     except (OSError, TimeoutError) as error:
         message = f"the scheduler has no worker after {timeout:g} s"
-        raise InputError.of(
+        raise input_error(
             key="--scheduler",
             value=shown(address),
             message=message,
@@ -274,7 +272,7 @@ def _check_workers(client: Any, address: str, timeout: float) -> None:
     if wrong:
         worker, told = next(iter(wrong.items()))
         has = f"version {told}" if isinstance(told, str) else "none that can be imported"
-        raise InputError.of(
+        raise input_error(
             key="--scheduler",
             value=shown(address),
             message=f"{len(wrong)} of {len(versions)} workers have another wraparc than this "
@@ -289,7 +287,7 @@ def _version_here() -> str:
 
 def _lost(address: str, error: BaseException) -> InputError:
     reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
-    return InputError.of(
+    return input_error(
         key="--scheduler",
         value=shown(address),
         message=f"the cluster was lost: {reason}; parts that are done stay",

@@ -54,7 +54,11 @@ if (($truth(whole) && (given > 1))) {
 } else {
 ([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
 }
-throw $call(InputError.of, [], [["message", message], ["remedy", remedy], ["file", file], ["key", "format"], ["value", $shown(given)]]);
+throw errors__input_error(message, remedy, file, "format", $shown(given));
+}
+function errors__input_error(message, remedy = "", file = "", key = "", value = "", line = null) {
+
+return new InputError(new Problem(message, remedy, file, key, value, line));
 }
 function source__read_tables(table, document, file) {
 let report;
@@ -202,7 +206,7 @@ let by_plain, remedy, texts;
 (by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
 (remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
-return $call(InputError.of, [], [["message", ("" + "the catalogue has no " + $str(what) + " of this name")], ["remedy", $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them."))], ["value", $shown(name)]]);
+return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name));
 }
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
@@ -394,7 +398,7 @@ throw numbers___refused(given, "too small to tell from zero", "Write 0, or check
 return value;
 }
 function numbers___refused(given, message, remedy) {
-return $call(InputError.of, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]);
+return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
@@ -403,7 +407,7 @@ let kind, message;
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
 function parse___refused(given, message, remedy) {
-return $call(InputError.of, [], [["message", message], ["remedy", remedy], ["value", $shown(given)]]);
+return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
 function parse___read(text, dimension) {
 let number, unit, unit_text;
@@ -3637,6 +3641,9 @@ function input_tables__input_rows(inputs, of) {
 
 return $b.tuple((function* () { for (const entry of $iter(inputs)) { if (!((entry.value != null))) continue; yield new Row($bound(entry, "title"), [entry.text()], $bound(entry, "symbol"), entry.note(of), $bound(entry, "name")); } })());
 }
+function errors___stopped(sentence) {
+return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
+}
 function problems___renamed(key, names) {
 let name, path, place, position;
 
@@ -3850,7 +3857,7 @@ throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given
 return new TestedRange($at(pressures, 0), $at(pressures, 1), slip, speed);
 }
 function laws___problem(key, message, remedy = "", value = "") {
-return $call(InputError.of, [], [["message", message], ["remedy", remedy], ["key", key], ["value", value]]);
+return errors__input_error(message, remedy, undefined, key, value);
 }
 function laws___table(record) {
 let problems, rows, slips;
@@ -3995,7 +4002,7 @@ return $c91;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
-return $call(InputError.of, [], [["message", message], ["remedy", "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p))."], ["value", $shown(text)]]);
+return errors__input_error(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text));
 }
 function trends___term(match, text) {
 let coefficient, factor, inner, power;
@@ -4140,7 +4147,7 @@ function lagging_file___catalogue_record(name, text) {
 let record;
 (record = lagging_file___record(text, ("" + "catalogue lagging " + $str(name))));
 if ((!$eq($at(record, "name"), name))) {
-throw $call(InputError.of, [], [["file", ("" + "catalogue lagging " + $str(name))], ["key", "name"], ["value", $shown($at(record, "name"))], ["message", "is not the name of its file"], ["remedy", ("" + "Write name = " + $str($shown(name)) + ", or rename the file.")]]);
+throw errors__input_error("is not the name of its file", ("" + "Write name = " + $str($shown(name)) + ", or rename the file."), ("" + "catalogue lagging " + $str(name)), "name", $shown($at(record, "name")));
 }
 return record;
 }
@@ -4177,7 +4184,7 @@ if (!$truth(lagging_file__is_path(name_or_path))) {
 return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
 }
 if (!$truth(allow_paths)) {
-throw $call(InputError.of, [], [["message", "the path of a file cannot be used here"], ["remedy", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table.")], ["value", $shown(name_or_path)]]);
+throw errors__input_error("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path));
 }
 (path = readText(folder, name_or_path));
 return [lagging_file___record(readText(path), path), path];
@@ -4219,7 +4226,7 @@ let band, dry, here, high, known, low, note, source, there;
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
 (known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw $call(InputError.of, [], [["key", ("" + "condition." + $str(condition))], ["value", $shown(standard)], ["message", ("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition))], ["remedy", ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor.")]]);
+throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
@@ -4237,9 +4244,6 @@ let values;
 
 (values = (function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
-}
-function errors___stopped(sentence) {
-return ((!$truth(sentence) || ($in($at(sentence, $neg(1)), ".?!"))) ? sentence : $add(sentence, "."));
 }
 function criteria__choice_problems(thing, choices) {
 
@@ -4280,7 +4284,7 @@ let names, there;
 
 (names = $b.list(known));
 (there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
-return $call(InputError.of, [], [["message", ("" + $str(of) + " has no such " + $str(what))], ["remedy", $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there)))], ["value", $shown(name)]]);
+return errors__input_error(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name));
 }
 function drive___pull(case_) {
 return $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })());
@@ -4728,6 +4732,19 @@ let row;
 (row = $once(display__unit_row, $kept_display__unit_row)(dimension, system));
 return [row.unit, row.factor];
 }
+class Problem extends $Object {
+__str__() {
+const self = this; let given, place, sentence;
+(place = self.file);
+if ((self.line != null)) {
+(place = ($truth(place) ? ("" + $str(place) + ", line " + $str(self.line)) : ("" + "line " + $str(self.line))));
+}
+(given = $m.join(" = ", (function* () { for (const part of $iter([self.key, self.value])) { if (!($truth(part))) continue; yield part; } })()));
+(sentence = $m.join(": ", (function* () { for (const part of $iter([place, given, self.message])) { if (!($truth(part))) continue; yield part; } })()));
+return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
+}
+}
+$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null, code: () => ""});
 class WraparcError extends $Error {
 }
 class InputError extends WraparcError {
@@ -4737,12 +4754,6 @@ if (!$truth(self.problems)) {
 throw new $TypeError("InputError needs at least one Problem");
 }
 super.$init($bound(self, "problems"));
-}
-static of(message, remedy = "", file = "", key = "", value = "", line = null) {
-const cls = this; let one;
-
-(one = new Problem(message, remedy, file, key, value, line));
-return new cls(one);
 }
 __str__() {
 const self = this; let lines;
@@ -4852,7 +4863,7 @@ return ($truth(keys) ? $m.isdisjoint(self.faulty, keys) : !$truth(self.faulty));
 class Provenance extends $Object {
 __post_init__() {
 const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
-throw $call(InputError.of, [], [["message", "a published number without a source"], ["remedy", "Name the publication, or call the number given or illustrative."]]);
+throw errors__input_error("a published number without a source", "Name the publication, or call the number given or illustrative.");
 }
 }
 __str__() {
@@ -5027,19 +5038,6 @@ return new Problem(("" + "lagging " + $str($shown($bound(lagging, "name"))) + " 
 }
 }
 $sig(Condition, ["name", "factor", "factors", "standard", "source"], false, {factor: () => null, factors: () => new Map(), standard: () => "", source: () => new Provenance()});
-class Problem extends $Object {
-__str__() {
-const self = this; let given, place, sentence;
-(place = self.file);
-if ((self.line != null)) {
-(place = ($truth(place) ? ("" + $str(place) + ", line " + $str(self.line)) : ("" + "line " + $str(self.line))));
-}
-(given = $m.join(" = ", (function* () { for (const part of $iter([self.key, self.value])) { if (!($truth(part))) continue; yield part; } })()));
-(sentence = $m.join(": ", (function* () { for (const part of $iter([place, given, self.message])) { if (!($truth(part))) continue; yield part; } })()));
-return $m.join(" ", (function* () { for (const part of $iter([errors___stopped(sentence), errors___stopped($bound(self, "remedy"))])) { if (!($truth(part))) continue; yield part; } })());
-}
-}
-$sig(Problem, ["message", "remedy", "file", "key", "value", "line", "code"], false, {remedy: () => "", file: () => "", key: () => "", value: () => "", line: () => null, code: () => ""});
 class Conditions extends $Object {
 get several() {
 const self = this; 
@@ -9368,6 +9366,7 @@ const $c1606 = $made(Limit, $c901, ["rotation_speed", 0.0, Infinity, true, false
 const $c1604 = $made(Quantity, $c149, ["rotation_speed", $c1606]);
 const $c1602 = $made(Either, $c1598, [$c1603, $c1604, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
 const $c1596 = $made(Rows, $c933, [$c1602, 1, 10]);
+Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
 $sig(Report.prototype.add, ["place", "message", "remedy", "value", "code"], false);
@@ -9376,7 +9375,6 @@ Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
 Condition.LIMITS = Condition.prototype.LIMITS = $c110;
-Problem.$compared = Problem.$names;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
 Point.LIMITS = Point.prototype.LIMITS = $c111;
