@@ -6,7 +6,6 @@ is asked more often than 1, 2, 4, 5, 5 ... s apart. Time is the page's own: no t
 
 import re
 from collections.abc import Callable, Iterator
-from pathlib import Path
 
 import pytest
 from playwright.sync_api import Route, expect
@@ -32,9 +31,8 @@ def _half(route: Route) -> None:
     route.fulfill(status=200, content_type=kind, body='export const a = {"b": {' * (1 + script))
 
 
-#: A way of cutting makes a request fail otherwise; what comes of one that failed is the same, so
-#: that each walk below takes two of the ways, and each way is taken by two of the walks; silence,
-#: the fourth, is that of `Cut`.
+#: A way of cutting makes a request fail otherwise; what comes of one that failed is the same: of a
+#: script that does not come, of a question by its kind. Silence, the fourth, is that of `Cut`.
 CUTS: dict[str, Callable[[Route], None]] = {
     "offline": _offline,
     "500": _fault,
@@ -103,27 +101,6 @@ def cut(calculator: Calculator) -> Iterator[Cut]:
     assert [w for w in wrong if "Unexpected" not in w] == []  # of half a script
 
 
-@pytest.mark.parametrize("how", ["half an answer", "offline"])
-def test_pages_that_do_not_come_come_with_the_server(cut: Cut, how: str) -> None:
-    page = cut.page
-    page.fill("#f-pulley-0-exit_tension", "77")
-    cut.visitor.solved()
-    cut.cut(how)
-    for name in LATE:
-        turn(page, name)
-        expect(page.locator(f"#{name}")).to_contain_text("Loading")
-    cut.gone()
-    cut.mend()
-    with page.expect_navigation():  # no browser asks anew for a script that did not come
-        page.clock.run_for(31_000)
-    for name in LATE:
-        turn(page, name)
-        page.wait_for_selector(READY[name])
-    turn(page, "drive")
-    expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
-    expect(page.locator(".gone")).to_have_count(0)
-
-
 def _press(name: str) -> Callable[[Cut], None]:
     def pressed(cut: Cut) -> None:
         cut.page.get_by_role("button", name=name, exact=True).first.click()
@@ -154,8 +131,10 @@ PARTS: dict[str, Callable[[Cut], None]] = {
 }
 
 
-@pytest.mark.parametrize("how", ["500", "silence"])
-def test_parts_that_do_not_come_are_one_bar(cut: Cut, how: str) -> None:
+@pytest.mark.parametrize("how", ["half an answer", "silence"])
+def test_parts_and_pages_that_do_not_come_are_one_bar_and_come_with_the_server(
+    cut: Cut, how: str
+) -> None:
     page = cut.page
     page.fill("#f-pulley-0-exit_tension", "77")
     cut.visitor.solved()
@@ -163,15 +142,21 @@ def test_parts_that_do_not_come_are_one_bar(cut: Cut, how: str) -> None:
     for press in PARTS.values():
         press(cut)
         page.keyboard.press("Escape")
+    for name in LATE:
+        turn(page, name)
+        expect(page.locator(f"#{name}")).to_contain_text("Loading")
     cut.gone()
     expect(page.locator("#toast")).to_have_text("")  # the bar is enough
     for part in PARTS:
         wait_for(lambda part=part: page.evaluate("1") and any(part in u for u in cut.asked))
     cut.mend()
-    with page.expect_event("load"):  # a new address alone is no reload
+    with page.expect_event("load"):  # no browser asks anew for a script that did not come
         page.clock.run_for(31_000)
-    page.wait_for_selector(READY["drive"])
+    for name in (*LATE, "drive"):
+        turn(page, name)
+        page.wait_for_selector(READY[name])
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
+    expect(page.locator(".gone")).to_have_count(0)
     PARTS["seek"](cut)
     expect(page.locator(".seek, section[aria-label*='gives']").first).to_be_visible()
 
@@ -268,14 +253,11 @@ def test_a_part_that_is_not_there_any_more_asks_for_a_reload(cut: Cut) -> None:
     expect(page.locator("#f-pulley-0-exit_tension")).to_have_value("77")
 
 
-@pytest.mark.parametrize("how", ["500", "offline"])
-def test_a_page_that_begins_without_a_server_begins_with_it(
-    calculator: Calculator, how: str
-) -> None:
+def test_a_page_that_begins_without_a_server_begins_with_it(calculator: Calculator) -> None:
     visitor = Visitor(calculator[0], calculator[1].address, told_long=False, fresh=True)
     page = visitor.page
     page.clock.install()
-    visitor.context.route("**/api/v1/**", CUTS[how])
+    visitor.context.route("**/api/v1/**", _fault)
     page.goto(f"{visitor.address}?token={TOKEN}")
 
     def told() -> bool:
@@ -290,14 +272,18 @@ def test_a_page_that_begins_without_a_server_begins_with_it(
     visitor.close()
 
 
-@pytest.mark.parametrize("path", sorted(STATIC.rglob("*.js")), ids=lambda p: p.name)
-def test_all_that_is_fetched_is_fetched_in_one_place(path: Path) -> None:
-    if {"built", "vendor"} & set(path.relative_to(STATIC).parts) or path.name == "kernel.js":
-        return
-    code = re.sub(r"/\*.*?\*/|//[^\n]*", "", path.read_text("utf-8"), flags=re.DOTALL)
-    if path.name != "server.js":
-        assert not re.search(r"\bfetch\(|XMLHttpRequest|EventSource", code)
-        assert "location.reload" not in code or path.name in ("pages.js", "main.js")
-    tables = path.name in ("registry.js", "questions.js")  # which are handed to part()
-    for found in re.finditer(r"(?<!typeof )\bimport\(", code):
-        assert tables or code[: found.start()].rstrip().endswith("part(() =>"), found
+def test_all_that_is_fetched_is_fetched_in_one_place() -> None:
+    wrong = []
+    for path in sorted(STATIC.rglob("*.js")):
+        if {"built", "vendor"} & set(path.relative_to(STATIC).parts) or path.name == "kernel.js":
+            continue
+        code = re.sub(r"/\*.*?\*/|//[^\n]*", "", path.read_text("utf-8"), flags=re.DOTALL)
+        if path.name != "server.js":
+            wrong += re.findall(r"\bfetch\(|XMLHttpRequest|EventSource", code)
+            if path.name not in ("pages.js", "main.js"):
+                wrong += re.findall(r"location\.reload", code)
+        tables = path.name in ("registry.js", "questions.js")  # which are handed to part()
+        for found in re.finditer(r"(?<!typeof )\bimport\(", code):
+            alone = not code[: found.start()].rstrip().endswith("part(() =>")
+            wrong += [f"{path.name}: {found}"] if alone and not tables else []
+    assert wrong == []
