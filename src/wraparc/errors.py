@@ -145,16 +145,29 @@ class InputError(WraparcError, ValueError):
         return f"{len(self.problems)} problems:\n{lines}"
 
 
+def input_error(
+    message: str,
+    remedy: str = "",
+    *,
+    file: str = "",
+    key: str = "",
+    value: str = "",
+    line: int | None = None,
+) -> InputError:
+    """Return the error of one problem, see `Problem`."""
+    return InputError(
+        Problem(message=message, remedy=remedy, file=file, key=key, value=value, line=line)
+    )
+
+
 def no_such(what: str, name: object, known: Iterable[str], *, of: str = "the drive") -> InputError:
     """Return the error for a name that nothing has, with the nearest names and all there are."""
     names = list(known)
     there = f"It has {', '.join(map(shown, names))}."
-    return InputError(
-        Problem(
-            message=f"{of} has no such {what}",
-            remedy=f"{nearest(name, names)} {there}".strip(),
-            value=shown(name),
-        )
+    return input_error(
+        message=f"{of} has no such {what}",
+        remedy=f"{nearest(name, names)} {there}".strip(),
+        value=shown(name),
     )
 
 

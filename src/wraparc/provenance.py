@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 
 
 class Kind(StrEnum):
@@ -47,11 +47,9 @@ class Provenance:
 
     def __post_init__(self) -> None:
         if self.kind is Kind.PUBLISHED and not self.source.strip():
-            raise InputError(
-                Problem(
-                    message="a published number without a source",
-                    remedy="Name the publication, or call the number given or illustrative.",
-                )
+            raise input_error(
+                message="a published number without a source",
+                remedy="Name the publication, or call the number given or illustrative.",
             )
 
     def __str__(self) -> str:

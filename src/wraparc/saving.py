@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import BinaryIO
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 
 Location = str | os.PathLike[str]
 #: What an error of the system is called when there is no room left.
@@ -86,9 +86,7 @@ def alone(path: Location, key: str = "") -> Iterator[None]:
     if file is None:
         message = "another run is writing this file"
         remedy = "Wait until it has ended, or name another file."
-        raise InputError(
-            Problem(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
-        )
+        raise input_error(key=key, value=quoted(os.fspath(path)), message=message, remedy=remedy)
     with file:
         try:
             yield

@@ -25,6 +25,7 @@ from wraparc.checks import Check, Level, judge
 from wraparc.checks.design_standard import asked, wrap_factors
 from wraparc.checks.of_arc import slip_speed
 from wraparc.checks.of_rows import LEVELS, NAMES, worst_of_rows
+from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Criteria, DesignStandard, Fit, SafetyFactors, Sag, TakeUp
 from wraparc.drive.belt import Side
 from wraparc.files import drive_from_document
@@ -175,6 +176,21 @@ def test_a_cover_that_the_law_may_include_is_asked_about_in_rows_too(side: Side)
     stated = replace(asked, pulleys=(replace(head, lagging=replace(head.lagging, law=law)),))
     assert of_rows(stated) == one_by_one(stated)
     assert of_rows(stated)[0] == Level.OK.value
+
+
+#: Checks that other tests compare row by row.
+_ELSEWHERE = {
+    "belt_safety", "belt_thickness", "condition", "cover_creep", "fit", "momentary_load",
+    "motor_load",
+}  # fmt: skip
+
+
+def test_no_check_is_forgotten_where_rows_are_judged() -> None:
+    # a study must never say OK where `wraparc solve` does not: a check of RULES that is made of no
+    # row is named in of_rows, every other one has a case here
+    cases = {name for name, _ in CASES}
+    assert cases | _ELSEWHERE == {name for name in NAMES if name} - ACROSS_CHECKS
+    assert cases.isdisjoint(_ELSEWHERE)
 
 
 @pytest.mark.parametrize(("name", "of"), CASES)

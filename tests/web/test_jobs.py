@@ -38,7 +38,7 @@ def study(name: str) -> dict[str, Any]:
 @pytest.mark.processes
 def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: Path) -> None:
     body = {"study": study("wet-dry"), "document": study("head-drive")}
-    body["study"]["sampling"]["samples"] = 400
+    body["study"]["sampling"]["samples"] = 64
     job = server.ask(f"{API}/studies", body)
     assert job.status == 202, job.body
     path = f"{API}/studies/{job.json()['id']}"
@@ -46,7 +46,7 @@ def test_a_study_has_the_numbers_of_the_command_line(server: Process, tmp_path: 
     found = server.ask(path).json()
     assert found["done"] == found["total"]
     code, out, error = wraparc(
-        "study", STUDIES / "wet-dry.toml", "--set", "sampling.samples=400", "--json", "-",
+        "study", STUDIES / "wet-dry.toml", "--set", "sampling.samples=64", "--json", "-",
         "-o", tmp_path / "out.parquet",
     )  # fmt: skip
     assert code == 0, error

@@ -10,7 +10,7 @@ import numpy as np
 
 from wraparc.arrays import Array
 from wraparc.drive import WidthProfile
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.machine_tables import (
     NamedColumn,
     find_column,
@@ -123,7 +123,7 @@ def profile_of(
     """Return the profile that a file of a name holds; everything else as `read_profile`."""
     tables = find_tables(data, file).tables
     if not tables:
-        raise InputError(Problem(file=file, message="holds no table of numbers", remedy=_EXPORT))
+        raise input_error(file=file, message="holds no table of numbers", remedy=_EXPORT)
     table = max(tables, key=lambda t: t.rows)
     named, _ = table.named(lambda name: any(_is(name, key) for key in _WORDS))
     where, what, reading = _columns(named, columns, file)
@@ -136,7 +136,7 @@ def profile_of(
     y, value = y[order], value[order]
     if len(y) < 2 or np.any(np.diff(y) <= 0.0):
         message = "needs two positions or more, each measured once"
-        raise InputError(Problem(file=file, message=message, remedy=_EXPORT))
+        raise input_error(file=file, message=message, remedy=_EXPORT)
     if centred is False or (centred is None and float(np.min(y)) >= 0.0):
         y = y - 0.5 * (y[0] + y[-1])
     return _smoothed(y, _deviation(value, reading, new), reading)
@@ -158,13 +158,11 @@ def _columns(
         what = next((c for c in named if any(_is(c.name, r) for r in READINGS)), None)
     found = [r for r in READINGS if what is not None and _is(what.name, r)]
     if where is None or what is None or not found:
-        raise InputError(
-            Problem(
-                file=file,
-                message="no columns of position and of depth, thickness, diameter or radius; "
-                f"there is {listed(named)}",
-                remedy="Name the columns so, with their units, or say which they are.",
-            )
+        raise input_error(
+            file=file,
+            message="no columns of position and of depth, thickness, diameter or radius; "
+            f"there is {listed(named)}",
+            remedy="Name the columns so, with their units, or say which they are.",
         )
     return where, what, found[0]
 
@@ -173,12 +171,10 @@ def _factor(column: NamedColumn, unit: str, file: str) -> float:
     text = column.unit or unit
     if text:
         return unit_factor(text, "length")
-    raise InputError(
-        Problem(
-            file=file,
-            message=f"column {shown(column.label)} has no unit",
-            remedy='Write it behind the name, "thickness [mm]", or give the unit, "in".',
-        )
+    raise input_error(
+        file=file,
+        message=f"column {shown(column.label)} has no unit",
+        remedy='Write it behind the name, "thickness [mm]", or give the unit, "in".',
     )
 
 
@@ -189,13 +185,11 @@ def _deviation(value: Array, reading: Reading, new: float | None) -> Array:
     if reading == "thickness":
         whole = float(np.max(value)) if new is None else new
         if float(np.max(value)) > whole * (1.0 + 1e-9):
-            raise InputError(
-                Problem(
-                    key="new",
-                    value=f"{1e3 * whole:g} mm",
-                    message=f"thinner than a reading, {1e3 * float(np.max(value)):g} mm",
-                    remedy="Give the thickness of the new lagging.",
-                )
+            raise input_error(
+                key="new",
+                value=f"{1e3 * whole:g} mm",
+                message=f"thinner than a reading, {1e3 * float(np.max(value)):g} mm",
+                remedy="Give the thickness of the new lagging.",
             )
         return whole - value
     return (value - float(np.mean(value))) * (0.5 if reading == "diameter" else 1.0)

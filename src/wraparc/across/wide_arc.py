@@ -13,7 +13,7 @@ from wraparc.arc import WrapArc
 from wraparc.arc.quantities import jumps
 from wraparc.arrays import Array
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.provenance import Provenance
 from wraparc.units import display
 
@@ -89,23 +89,19 @@ class WideArc:
     def __post_init__(self) -> None:
         if np.any(self.thickness < 0.0):
             worst = int(np.argmin(self.thickness))
-            raise InputError(
-                Problem(
-                    key="worn_depth",
-                    value=display(self.arc.thickness - float(self.thickness[worst]), "length"),
-                    message="deeper than the lagging is thick, "
-                    + display(self.arc.thickness, "length"),
-                    remedy="Give the depth worn off, not what is left.",
-                )
+            raise input_error(
+                key="worn_depth",
+                value=display(self.arc.thickness - float(self.thickness[worst]), "length"),
+                message="deeper than the lagging is thick, "
+                + display(self.arc.thickness, "length"),
+                remedy="Give the depth worn off, not what is left.",
             )
         if jumps(self.arc.law.compact()) and not np.all(self.shear > 0.0):
-            raise InputError(
-                Problem(
-                    key="lagging",
-                    message="a friction law that starts with a jump, on a lagging that does not "
-                    "shear, leaves the creep of a resting strip without a value",
-                    remedy="Give the lagging a thickness and a shear modulus.",
-                )
+            raise input_error(
+                key="lagging",
+                message="a friction law that starts with a jump, on a lagging that does not "
+                "shear, leaves the creep of a resting strip without a value",
+                remedy="Give the lagging a thickness and a shear modulus.",
             )
 
     @property

@@ -10,7 +10,7 @@ from wraparc.arc import ArcResult, Distributed
 from wraparc.calibrate.problem import speed_ratio
 from wraparc.drive.load_case import hours_problems
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 from wraparc.provenance import Kind, Provenance
 
 
@@ -185,9 +185,7 @@ def wear_coefficient(depth: float, energy: float) -> float:
     """
     for key, value in (("depth", depth), ("energy", energy)):
         if not 0.0 < value < math.inf:
-            raise InputError(
-                Problem(key=key, value=f"{value:g}", message="must be positive and finite")
-            )
+            raise input_error(key=key, value=f"{value:g}", message="must be positive and finite")
     return depth / energy
 
 

@@ -22,7 +22,7 @@ from wraparc.calibrate.problem import (
     value_of,
     variable_of,
 )
-from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.errors import MissingExtraError, input_error
 
 Solved = dict[State, ArcResult]
 
@@ -50,7 +50,7 @@ class Fit:
         if not all(math.isfinite(start[n]) for n in problem.parameters):
             rigid = [n for n in problem.parameters if not math.isfinite(start[n])]
             message = "infinite in the drive, so there is nothing to start from"
-            raise InputError(Problem(key=f"parameters.{rigid[0]}", message=message))
+            raise input_error(key=f"parameters.{rigid[0]}", message=message)
         self.names = problem.variables
         self.start = np.array([variable_of(n, start[n]) for n in self.names])
         # a zero of the speeds changes no arc: those are solved for the other variables

@@ -12,7 +12,7 @@ from wraparc.arrays import Array, Flags, Integers
 from wraparc.calibrate.record import RecordChoices
 from wraparc.calibrate.virtual_pulley import PulleyRecord
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 
 _MOST_BINS = 720
 _POINTS = 90  # on the wrap
@@ -174,7 +174,7 @@ def _contact(
             f"the wrap angle is {math.degrees(wrap):.0f} deg"
         )
         remedy = "Check the wrap angle, and which column is which."
-        raise InputError(Problem(message=message, remedy=remedy))
+        raise input_error(message=message, remedy=remedy)
     # the exit nip cuts the last bin of the run: its mean tells where
     last, before = total[(end - 1) % n], total[(end - 2) % n]
     share = min(last / before, 1.0) if before > 0.0 and length > 2 else 1.0
@@ -231,12 +231,10 @@ def _sign(name: str, mean: Array, side: float, given: int | None) -> float:
         return float(given)
     share = float(mean.sum() / np.abs(mean).sum())
     if abs(share) < _MOSTLY_ONE_SIGN:
-        raise InputError(
-            Problem(
-                key=f"signs.{name}",
-                message=f"the {name.replace('_', ' ')} is both positive and negative under the "
-                "belt, so its sign cannot be told",
-                remedy=f"Write signs.{name} = 1 if it is positive on a driving pulley, else -1.",
-            )
+        raise input_error(
+            key=f"signs.{name}",
+            message=f"the {name.replace('_', ' ')} is both positive and negative under the "
+            "belt, so its sign cannot be told",
+            remedy=f"Write signs.{name} = 1 if it is positive on a driving pulley, else -1.",
         )
     return 1.0 if share * side > 0.0 else -1.0

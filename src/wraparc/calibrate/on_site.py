@@ -14,7 +14,7 @@ from wraparc.calibrate.field_numbers import (
 )
 from wraparc.drive import Drive
 from wraparc.drive.pitch import turns_an_hour
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.train.whole import Whole, by_pulley
 from wraparc.units import display, positive_quantity
 
@@ -87,12 +87,12 @@ def _energy(results: Mapping[str, ArcResult], hours: Mapping[str, float]) -> flo
     if not hours:
         message = "needed with a measured wear: the hours that it took, by load case"
         remedy = "Write design=12000 for 12,000 hours of the load case design."
-        raise InputError(Problem(key="wear_hours", message=message, remedy=remedy))
+        raise input_error(key="wear_hours", message=message, remedy=remedy)
     energy = 0.0
     for name, share in hours.items():
         if name not in results or results[name].arc.belt_speed is None:
             message = "no such load case, or the belt speed is not known"
-            raise InputError(Problem(key="wear_hours", value=shown(name), message=message))
+            raise input_error(key="wear_hours", value=shown(name), message=message)
         result = results[name]
         arc = result.arc
         turns = share * turns_an_hour(arc.belt_speed or 0.0, arc.radius + arc.offset)
@@ -105,5 +105,5 @@ def _depth(text: str, key: str, thickness: float) -> float:
     depth = positive_quantity(text, "length", key)
     if depth > thickness:
         told = f"more than the lagging has, {display(thickness, 'length')}"
-        raise InputError(Problem(key=key, value=shown(text), message=told))
+        raise input_error(key=key, value=shown(text), message=told)
     return depth

@@ -10,7 +10,7 @@ from wraparc.arc import Distributed, Method, WrapArc
 from wraparc.arrays import Array
 from wraparc.drive import Drive, Tensions
 from wraparc.drive.changes import with_pulley
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 
 #: A load case, and tensions where they are not those of the load case.
 State = tuple[str, Tensions | None]
@@ -157,13 +157,11 @@ class Problemset:
         known = data + len(self.priors)
         if known < len(self.parameters):
             what = "1 number" if known == 1 else f"{known} numbers"
-            raise InputError(
-                Problem(
-                    key="parameters",
-                    value=", ".join(self.parameters),
-                    message=f"{len(self.parameters)} parameters, and only {what} to find them from",
-                    remedy="Calibrate fewer, measure more, or give priors.",
-                )
+            raise input_error(
+                key="parameters",
+                value=", ".join(self.parameters),
+                message=f"{len(self.parameters)} parameters, and only {what} to find them from",
+                remedy="Calibrate fewer, measure more, or give priors.",
             )
 
     @property

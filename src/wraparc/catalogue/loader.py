@@ -18,7 +18,7 @@ from wraparc.catalogue.own import (
     own_folder,
     own_laggings,
 )
-from wraparc.errors import InputError, Problem, near, shown
+from wraparc.errors import InputError, Problem, input_error, near, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.source import read_text
 from wraparc.units import parse_quantity
@@ -264,7 +264,7 @@ def place_of_own(name: str) -> Path:
     folder = own_folder()
 
     def refused(message: str, remedy: str) -> InputError:
-        return InputError(Problem(key="--name", value=shown(name), message=message, remedy=remedy))
+        return input_error(key="--name", value=shown(name), message=message, remedy=remedy)
 
     if folder is None:
         message = "there is no catalogue of your own"
@@ -325,12 +325,10 @@ def unknown_name(what: str, name: str, known: Iterable[str], command: str) -> In
     by_plain = {_plain(k): k for k in known}
     texts = [shown(by_plain[key]) for key in near(_plain(name), by_plain)]
     remedy = f"Did you mean {' or '.join(texts)}?" if texts else ""
-    return InputError(
-        Problem(
-            message=f"the catalogue has no {what} of this name",
-            remedy=f"{remedy} The command `{command}` lists them.".strip(),
-            value=shown(name),
-        )
+    return input_error(
+        message=f"the catalogue has no {what} of this name",
+        remedy=f"{remedy} The command `{command}` lists them.".strip(),
+        value=shown(name),
     )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.provenance import Provenance
 from wraparc.schema.kinds import Choice, Name, Quantity, Rows
 from wraparc.schema.limits import Limit
@@ -72,13 +72,11 @@ def own_folder() -> Path | None:
         return None
     folder = Path(given).expanduser().absolute()
     if not folder.is_dir():
-        raise InputError(
-            Problem(
-                key=VARIABLE,
-                value=shown(given),
-                message="the folder of your own catalogue is not there",
-                remedy="Make it, or clear this environment variable.",
-            )
+        raise input_error(
+            key=VARIABLE,
+            value=shown(given),
+            message="the folder of your own catalogue is not there",
+            remedy="Make it, or clear this environment variable.",
         )
     return folder
 

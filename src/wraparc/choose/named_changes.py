@@ -9,7 +9,7 @@ from wraparc import catalogue
 from wraparc.choose.what_if import Change, redivided
 from wraparc.drive import Drive, Lagging, changes
 from wraparc.drive.conditions import Condition
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import InputError, Problem, input_error, placed, shown
 from wraparc.files import load_lagging
 from wraparc.train import Train
 from wraparc.units import parse_number, parse_quantity
@@ -124,5 +124,5 @@ def _length(text: str, key: str) -> float:
         message = "no lagging is left, and the friction is that of a bare pulley"
     if message:
         remedy = "" if value else "Ask what a bare pulley does."
-        raise InputError(Problem(key=key, value=shown(text), message=message, remedy=remedy))
+        raise input_error(key=key, value=shown(text), message=message, remedy=remedy)
     return value

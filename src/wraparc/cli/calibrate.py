@@ -6,7 +6,7 @@ import click
 
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import check_outputs
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import input_error, placed, shown
 from wraparc.saving import save_file
 
 _TOLD, _NOT_TOLD = 0, 1
@@ -39,13 +39,11 @@ def calibrate(
 
     measured = load_measured(file, overrides=[*settings, *_pulley(pulley)])
     if not measured.problem.parameters:
-        raise InputError(
-            Problem(
-                file=file,
-                key="parameters",
-                message="no parameters to find",
-                remedy='Write parameters = ["friction"], or see the data with wraparc overlay.',
-            )
+        raise input_error(
+            file=file,
+            key="parameters",
+            message="no parameters to find",
+            remedy='Write parameters = ["friction"], or see the data with wraparc overlay.',
         )
     found = fit(measured.problem)
     if found.told:
@@ -136,14 +134,14 @@ def virtual_record(
         there = ", ".join(shown(p.name) for p in drive.pulleys)
         remedy = f"Write which of {there}."
         message = "the drive has several pulleys"
-        raise InputError(Problem(file=file, key="--pulley", message=message, remedy=remedy))
+        raise input_error(file=file, key="--pulley", message=message, remedy=remedy)
     with placed("--pulley", file):
         on = drive.pulley(pulley)
     with placed("--load-case", file):
         arc = WrapArc.of(drive, on, drive.load_case(load_case))
     result = Distributed(points=360, capacities=False).solve(arc)
     if not result.status.solved:
-        raise InputError(Problem(file=file, message=f"no record of it: {result.status}"))
+        raise input_error(file=file, message=f"no record of it: {result.status}")
     record = make(result, samples=samples, revolutions=revolutions, noise=noise, seed=seed)
     save_file(output, record_text(record))
     click.echo(f"Wrote {output}", err=True)

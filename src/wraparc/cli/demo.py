@@ -11,7 +11,7 @@ from wraparc.answer.drive_sheet import drive_sheet
 from wraparc.arc import solve
 from wraparc.cli.options import units_option
 from wraparc.cli.pipe import say
-from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.errors import MissingExtraError, input_error, shown
 from wraparc.files import load_drive
 from wraparc.saving import save_file
 from wraparc.units import System
@@ -76,9 +76,7 @@ def lay_out(into: Path) -> list[str]:
             message = f"cannot be used for the examples: {error.strerror}"
             remedy = "Name another folder with --into."
             given = shown(str(into))
-            raise InputError(
-                Problem(key="--into", value=given, message=message, remedy=remedy)
-            ) from None
+            raise input_error(key="--into", value=given, message=message, remedy=remedy) from None
         save_file(target, content)
     return kept
 
@@ -90,7 +88,7 @@ def examples_folder() -> Path:
     found = next((folder for folder in folders if (folder / _DRIVE).is_file()), None)
     if found is None:
         message, remedy = "this installation lacks the examples", "Install wraparc again."
-        raise InputError(Problem(message=message, remedy=remedy))
+        raise input_error(message=message, remedy=remedy)
     return found
 
 

@@ -10,7 +10,7 @@ import click
 from wraparc.cli.answer import Answer
 from wraparc.cli.bar import bar
 from wraparc.cli.pipe import say
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.saving import interrupted
 from wraparc.study.event_rows import SUFFIXES, run_event_study
 from wraparc.study.event_study import EventStudy, load_event_study
@@ -39,7 +39,7 @@ def event_study(
         remedy = (
             "It knows -o, --set, --units, --full, --table, --json, --plot, --resume and --dry-run."
         )
-        raise InputError(Problem(key=option, message=message, remedy=remedy))
+        raise input_error(key=option, message=message, remedy=remedy)
     path = output or f"{os.path.splitext(os.path.basename(file))[0]}.csv"
     answer.check([file], {"--output": (path, SUFFIXES)})
     asked = load_event_study(file, overrides=settings)

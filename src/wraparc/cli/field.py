@@ -7,7 +7,7 @@ import click
 from wraparc.calibrate.on_site import OnSite, on_site
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import load_whole, options, typed
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import input_error, placed
 from wraparc.units import parse_number
 
 
@@ -71,8 +71,6 @@ def _hours(texts: Iterable[str], option: str) -> dict[str, float]:
         name, equals, number = text.rpartition("=")
         with typed(option, text):
             if not equals or not name:
-                raise InputError(
-                    Problem(message="no load case with hours", remedy="Write CASE=HOURS.")
-                )
+                raise input_error(message="no load case with hours", remedy="Write CASE=HOURS.")
             found[name] = parse_number(number)
     return found

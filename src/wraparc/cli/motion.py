@@ -14,7 +14,7 @@ from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
 from wraparc.cli.solve import FAILS, SOLVED, code_of
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
 from wraparc.motion.follow import simulate
@@ -64,7 +64,7 @@ def run(
     )
     if state_file and (parquet_file or csv_file == STANDARD_OUTPUT):
         message = "rows of a run that goes on later can only be written to a file of --csv"
-        raise InputError(Problem(key="--checkpoint", value=state_file, message=message))
+        raise input_error(key="--checkpoint", value=state_file, message=message)
     motion = load_motion(file, overrides=settings)
     chosen = motion.event(event)
     rows_to = streamed(motion.station, csv_file, parquet_file, state_file)

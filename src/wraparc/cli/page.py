@@ -9,7 +9,7 @@ import click
 from wraparc.cli.options import check_outputs
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import say
-from wraparc.errors import InputError, Problem, require
+from wraparc.errors import input_error, require
 from wraparc.saving import save_file
 from wraparc.schema.source import parse, read_text
 
@@ -75,7 +75,7 @@ def _refuse_others(file: str) -> None:
     kind = next((words for key, words in _OTHERS.items() if key in document), "")
     if kind and "pulley" not in document:
         remedy = "Give the file of a drive: it has a [belt] table and a [[pulley]] table."
-        raise InputError(Problem(file=file, message=f"is {kind}, and no drive", remedy=remedy))
+        raise input_error(file=file, message=f"is {kind}, and no drive", remedy=remedy)
 
 
 def made_page(

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 
 import click
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.saving import FULL
 
 
@@ -37,7 +37,7 @@ def reader_may_leave() -> Iterator[None]:
         _nowhere()
         message = f"cannot be written: {error.strerror}"
         remedy = "What is printed is not whole: print it to another place."
-        raise InputError(Problem(key="standard output", message=message, remedy=remedy)) from None
+        raise input_error(key="standard output", message=message, remedy=remedy) from None
 
 
 def has_left(error: OSError) -> bool:

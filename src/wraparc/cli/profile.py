@@ -5,7 +5,7 @@ from typing import Any
 import click
 
 from wraparc.cli.options import units_option
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.units import System, display, parse_quantity
 
 
@@ -72,6 +72,6 @@ def _pair(text: str) -> tuple[str | int, str | int]:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2:
         remedy = "Write two names or numbers with a comma between, 1,3."
-        raise InputError(Problem(key="--columns", value=text, message="not two", remedy=remedy))
+        raise input_error(key="--columns", value=text, message="not two", remedy=remedy)
     first, second = (int(p) if p.isdecimal() else p for p in parts)
     return first, second

@@ -12,7 +12,7 @@ from typing import Any
 
 from wraparc.cli.output import STANDARD_OUTPUT
 from wraparc.cli.pipe import has_left
-from wraparc.errors import InputError, MissingExtraError, Problem
+from wraparc.errors import InputError, MissingExtraError, Problem, input_error
 from wraparc.motion.recorder import row_names
 from wraparc.motion.station import Station
 from wraparc.saving import alone, is_device, put_in_place, to_disk, unwritable
@@ -116,7 +116,7 @@ class Rows:
         if rows and kept < rows + 1:
             message = f"has {max(kept - 1, 0)} rows; the saved state follows on row {rows}"
             remedy = "Remove the saved state, and begin anew."
-            raise InputError(Problem(key="--csv", value=part.name, message=message, remedy=remedy))
+            raise input_error(key="--csv", value=part.name, message=message, remedy=remedy)
         part.seek(part.tell())
         part.truncate()
         self.count = rows

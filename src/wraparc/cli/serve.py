@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from wraparc.errors import InputError, Problem, require, shown
+from wraparc.errors import input_error, require, shown
 from wraparc.saving import interrupted
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ def _token(host: str, given: str | None, new: bool) -> str:
     if new and given:
         message = "replaces your own token, and another is given here"
         remedy = "Leave out --token and WRAPARC_TOKEN, or --new-token."
-        raise InputError(Problem(key="--new-token", message=message, remedy=remedy))
+        raise input_error(key="--new-token", message=message, remedy=remedy)
     if given == "new":
         given = secrets.token_urlsafe(24)
     if not given and is_loopback(host):
@@ -103,21 +103,17 @@ def _checked_token(host: str, token: str | None) -> str:
     from wraparc.web.token import TOKEN
 
     if not token:
-        raise InputError(
-            Problem(
-                key="--host",
-                value=shown(host),
-                message="the server would be open to the network",
-                remedy="Add --token new, which makes and prints a token, or leave out --host.",
-            )
+        raise input_error(
+            key="--host",
+            value=shown(host),
+            message="the server would be open to the network",
+            remedy="Add --token new, which makes and prints a token, or leave out --host.",
         )
     if not TOKEN.fullmatch(token):
-        raise InputError(
-            Problem(
-                key="--token",
-                message="must be at least 16 letters, digits, - or _",
-                remedy="Write --token new to have one made.",
-            )
+        raise input_error(
+            key="--token",
+            message="must be at least 16 letters, digits, - or _",
+            remedy="Write --token new to have one made.",
         )
     return token
 

@@ -10,7 +10,7 @@ import click
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.pipe import say
 from wraparc.cli.show import Wanted, show
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.saving import interrupted
 
 _DONE, _MISFIT = 0, 1
@@ -78,7 +78,7 @@ def _area(given: str | None) -> float | None:
         raise InputError([replace(p, key="--stress-area") for p in error.problems]) from None
     if area is not None and not area > 0.0:
         message, remedy = "must be above 0", "Write for example --stress-area '400 cm2'."
-        raise InputError(Problem(message=message, remedy=remedy, key="--stress-area"))
+        raise input_error(message=message, remedy=remedy, key="--stress-area")
     return area
 
 
@@ -87,13 +87,11 @@ def _units(given: tuple[str, ...]) -> dict[str, str]:
     for text in given:
         column, sign, unit = text.rpartition("=")
         if not sign or not column.strip() or not unit.strip():
-            raise InputError(
-                Problem(
-                    message="must be a column and its unit",
-                    remedy="Write for example --unit Load=N.",
-                    key="--unit",
-                    value=shown(text),
-                )
+            raise input_error(
+                message="must be a column and its unit",
+                remedy="Write for example --unit Load=N.",
+                key="--unit",
+                value=shown(text),
             )
         units[column.strip()] = unit.strip()
     return units
@@ -289,12 +287,10 @@ def rig(folder: str, lagging: str, pressures: str, **said: Any) -> int:
 
     path = Path(folder)
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise InputError(
-            Problem(
-                message="is there already and not an empty folder",
-                remedy="Name a new folder.",
-                value=shown(os.fspath(folder)),
-            )
+        raise input_error(
+            message="is there already and not an empty folder",
+            remedy="Name a new folder.",
+            value=shown(os.fspath(folder)),
         )
     kept = f"The tests in {folder} are not all there: remove it, and begin anew."
     with interrupted(lambda: kept):

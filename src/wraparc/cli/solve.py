@@ -15,7 +15,7 @@ from wraparc.checks import Level, judge
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import conditions_option, load_whole, named_conditions, typed
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import input_error, placed
 from wraparc.units import System, parse_quantity
 
 if TYPE_CHECKING:
@@ -183,7 +183,7 @@ def _map(result: DriveResult, units: System) -> Any:
     if not found:
         message = "no pulley of this drive is uneven across its width"
         remedy = "Say what is uneven in [pulley.across]."
-        raise InputError(Problem(key="--map", message=message, remedy=remedy))
+        raise input_error(key="--map", message=message, remedy=remedy)
     return plot_across(largest(found, lambda r: r.energy_unevenness), units)
 
 

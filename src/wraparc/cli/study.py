@@ -123,7 +123,7 @@ def _size(asked: Study) -> str:
 def _tell(asked: StudyFile, path: str, answer: Answer) -> None:
     from wraparc.answer.study_document import study_document
     from wraparc.answer.study_sheet import study_sheet
-    from wraparc.render.study import study_page
+    from wraparc.render.page import study_page
     from wraparc.study.monte_carlo import summarise
     from wraparc.study.sensitivity import sensitivities
 

@@ -9,7 +9,7 @@ from wraparc.arc import Distributed
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import load_whole, typed
 from wraparc.cli.output import Content
-from wraparc.errors import InputError, Problem, placed, shown
+from wraparc.errors import input_error, placed, shown
 from wraparc.train import Matching, ShareMap, Train, TrainResult, match_drives, solve_train
 from wraparc.train.matching import WEAR, wet_laggings
 from wraparc.units import display, parse_quantity
@@ -138,21 +138,19 @@ def _drive(train: Train, pulley: str | None, file: str) -> int:
     names = [p.name for p in train.pulleys]
     if len(names) < 2:
         message = "trim needs two or more drive pulleys; this file has one"
-        raise InputError(Problem(message=message, file=file, key="pulley"))
+        raise input_error(message=message, file=file, key="pulley")
     if pulley is None:
         return 1
     if pulley in names[1:]:
         return names.index(pulley)
     message = "trims are relative to the first drive" if pulley in names else "no such pulley"
     there = ", ".join(map(shown, names[1:]))
-    raise InputError(
-        Problem(
-            message=message,
-            remedy=f"Choose one of {there}.",
-            file=file,
-            key="--drive",
-            value=shown(pulley),
-        )
+    raise input_error(
+        message=message,
+        remedy=f"Choose one of {there}.",
+        file=file,
+        key="--drive",
+        value=shown(pulley),
     )
 
 
@@ -163,7 +161,7 @@ def _wear(text: str, train: Train) -> float:
         if not 0.0 <= depth <= thickest:
             most = display(thickest, "length")
             message = f"must be between 0 and the thickness of a lagging, {most}"
-            raise InputError(Problem(message=message))
+            raise input_error(message=message)
     return depth
 
 

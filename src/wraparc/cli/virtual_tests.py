@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.files import load_lagging
 from wraparc.friction import COVER_SHEAR
 from wraparc.provenance import Kind
@@ -48,7 +48,7 @@ def write_virtual_tests(folder: Path, lagging: str, pressures: str, **said: Any)
         message = "the slip of this law includes the cover shear already: it would be there twice"
         remedy = "Leave --cover out, or test another lagging."
         value = f"{said['cover']:g} mm"
-        raise InputError(Problem(message=message, remedy=remedy, key="--cover", value=value))
+        raise input_error(message=message, remedy=remedy, key="--cover", value=value)
     rig = VirtualRig(
         law=of.law,
         area=_AREA,
@@ -144,13 +144,11 @@ def _pressures(text: str) -> list[float]:
             [Problem(message=p.message, remedy=p.remedy, key="--pressures") for p in error.problems]
         ) from None
     if not values or not all(0.0 < value <= 1e7 for value in values):
-        raise InputError(
-            Problem(
-                message="must be pressures in kPa, more than 0 and at most 10000",
-                remedy='Write for example --pressures "69 138 276".',
-                key="--pressures",
-                value=shown(text),
-            )
+        raise input_error(
+            message="must be pressures in kPa, more than 0 and at most 10000",
+            remedy='Write for example --pressures "69 138 276".',
+            key="--pressures",
+            value=shown(text),
         )
     return sorted(set(values))
 
@@ -165,13 +163,11 @@ def _conditions(given: Sequence[str]) -> dict[str, float]:
         except InputError:
             factor = 0.0
         if not re.fullmatch(r"[A-Za-z0-9_]{1,30}", name) or not 0.0 < factor <= 10.0:
-            raise InputError(
-                Problem(
-                    message="must be a word, or a word and a factor on friction up to 10",
-                    remedy="Write for example --condition dry --condition wet=0.7.",
-                    key="--condition",
-                    value=shown(text),
-                )
+            raise input_error(
+                message="must be a word, or a word and a factor on friction up to 10",
+                remedy="Write for example --condition dry --condition wet=0.7.",
+                key="--condition",
+                value=shown(text),
             )
         factors[name] = factor
     return factors
@@ -180,12 +176,10 @@ def _conditions(given: Sequence[str]) -> dict[str, float]:
 def _dialects(names: Sequence[str]) -> list[Dialect]:
     unknown = [name for name in names if name not in DIALECTS]
     if unknown:
-        raise InputError(
-            Problem(
-                message="no dialect that is known",
-                remedy=f"The dialects are {', '.join(DIALECTS)}.",
-                key="--dialect",
-                value=shown(unknown[0]),
-            )
+        raise input_error(
+            message="no dialect that is known",
+            remedy=f"The dialects are {', '.join(DIALECTS)}.",
+            key="--dialect",
+            value=shown(unknown[0]),
         )
     return [DIALECTS[name] for name in names or _TEXT_DIALECTS]

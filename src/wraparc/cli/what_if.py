@@ -9,7 +9,7 @@ from wraparc.choose.what_if import Change
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import load_whole, options, place_options
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import input_error, placed
 
 if TYPE_CHECKING:
     from wraparc.choose.named_changes import Named
@@ -67,12 +67,10 @@ def what_if(
         changes = list(changes_of(read, drive, name, _named(said)))
     changes += _settings(file, said)
     if not changes:
-        raise InputError(
-            Problem(
-                message="nothing is to be changed",
-                remedy="Name a change: --other-carcass, --belt, --lagging, --thickness, --worn, "
-                "--wet, --bare or --change.",
-            )
+        raise input_error(
+            message="nothing is to be changed",
+            remedy="Name a change: --other-carcass, --belt, --lagging, --thickness, --worn, "
+            "--wet, --bare or --change.",
         )
     found = solve_both(read, name, load_case, changes)
     title = drive.title or "What if"

@@ -11,7 +11,7 @@ from wraparc.drive.conditions import Condition
 from wraparc.drive.drive import Drive
 from wraparc.drive.lagging import Lagging
 from wraparc.drive.pulley import Pulley
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.friction import Constant
 from wraparc.provenance import Kind, Provenance
 from wraparc.units import display
@@ -64,13 +64,11 @@ def worn_to(drive: Drive, pulley: str, thickness: float) -> Drive:
     base = drive.pulley(pulley)
     if thickness > base.lagging.thickness:
         given, now = (display(h, "length") for h in (thickness, base.lagging.thickness))
-        raise InputError(
-            Problem(
-                key="worn",
-                value=given,
-                message=f"a lagging that is {now} thick cannot wear to that",
-                remedy="Give the thickness that is left, or change the thickness itself.",
-            )
+        raise input_error(
+            key="worn",
+            value=given,
+            message=f"a lagging that is {now} thick cannot wear to that",
+            remedy="Give the thickness that is left, or change the thickness itself.",
         )
     diameter = base.diameter - 2.0 * (base.lagging.thickness - thickness)
     worn = _as_thick(base, thickness)
@@ -125,14 +123,12 @@ def other_carcass(belt: Belt) -> CatalogueBelt:
         If rating or carcass are not known.
     """
     if belt.rating is None or belt.kind not in ("fabric", "steel cord"):
-        raise InputError(
-            Problem(
-                key="belt",
-                value=shown(belt.name),
-                message="its rating and whether it is fabric or steel cord must be known to find "
-                "the other carcass of the same rating",
-                remedy="Give rating and kind, or name the other belt.",
-            )
+        raise input_error(
+            key="belt",
+            value=shown(belt.name),
+            message="its rating and whether it is fabric or steel cord must be known to find "
+            "the other carcass of the same rating",
+            remedy="Give rating and kind, or name the other belt.",
         )
     others = [b for b in belts() if b.kind != belt.kind]
     rating = belt.rating
@@ -154,12 +150,10 @@ def bare(drive: Drive, pulley: str, standard: str, condition: str = "dry") -> tu
     design = next((d for d in found if d.condition in (condition, "")), None)
     if design is None:
         known = sorted({d.standard for d in design_friction() if d.surface == "bare"})
-        raise InputError(
-            Problem(
-                value=shown(standard),
-                message=f"no design value of a bare pulley, {condition}",
-                remedy=f"Those of {', '.join(known)} are known.",
-            )
+        raise input_error(
+            value=shown(standard),
+            message=f"no design value of a bare pulley, {condition}",
+            remedy=f"Those of {', '.join(known)} are known.",
         )
     lagging = _bare_lagging(design, condition)
     source = lagging.provenance

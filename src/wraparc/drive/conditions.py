@@ -14,7 +14,7 @@ from typing import ClassVar
 
 from wraparc.catalogue import DesignFriction, design_friction
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import InputError, Problem, input_error, nearest, shown
 from wraparc.provenance import Kind, Provenance
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
@@ -206,14 +206,11 @@ def design_ratio(
     dry = next((d for d in there if d.condition == tested), None)
     if here is None or dry is None:
         known = sorted({d.standard for d in design_friction() if d.condition})
-        raise InputError(
-            Problem(
-                key=f"condition.{condition}",
-                value=shown(standard),
-                message=f"no design values of surface {shown(surface)} both {tested} and "
-                f"{condition}",
-                remedy=f"{', '.join(known)} have dry, wet, and wet and dirty; or state a factor.",
-            )
+        raise input_error(
+            key=f"condition.{condition}",
+            value=shown(standard),
+            message=f"no design values of surface {shown(surface)} both {tested} and {condition}",
+            remedy=f"{', '.join(known)} have dry, wet, and wet and dirty; or state a factor.",
         )
     low, high = here.friction[0] / dry.friction[1], here.friction[1] / dry.friction[0]
     band = f", {low:.3g} to {high:.3g}" if low < high else ""

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from wraparc.arrays import Array
-from wraparc.errors import InputError, Problem
+from wraparc.errors import Problem, input_error
 from wraparc.friction import FrictionLaw, IntegralLog, PressureKnots
 from wraparc.schema.limits import Limit, limit_problems, raise_all
 
@@ -146,12 +146,12 @@ def with_peaks(law: FrictionLaw, peaks: Mapping[tuple[int, str], float]) -> Fric
     """
     knots = knots_of(law)
     if knots is None or not isinstance(law, IntegralLog):
-        raise InputError(Problem(message="only an integral-log law with knots can be drawn"))
+        raise input_error(message="only an integral-log law with knots can be drawn")
     columns = {key: list(getattr(knots, key)) for key in PEAKS}
     for (place, quantity), value in peaks.items():
         if not 0 <= place < len(knots.pressure):
             message = f"the law has {len(knots.pressure)} knots, and none {place + 1}"
-            raise InputError(Problem(message=message))
+            raise input_error(message=message)
         columns[quantity][place] = float(value)
     changed = {key: tuple(column) for key, column in columns.items()}
     return replace(law, coefficients=replace(knots, **changed))

@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from wraparc.drive import Drive, Lagging, repeated
 from wraparc.drive.conditions import DRY, Condition
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, input_error, shown
 from wraparc.files.drive_keys import CONDITION
 from wraparc.provenance import Provenance
 from wraparc.schema.origins import own_provenance
@@ -100,13 +100,11 @@ def refuse_several(drive: Drive, what: str) -> None:
         If there are such conditions.
     """
     if drive.conditions:
-        raise InputError(
-            Problem(
-                key="condition",
-                value=shown(list(drive.conditions)),
-                message=f"{what} a drive in one condition",
-                remedy='Write one, condition = "wet", and none in the load cases.',
-            )
+        raise input_error(
+            key="condition",
+            value=shown(list(drive.conditions)),
+            message=f"{what} a drive in one condition",
+            remedy='Write one, condition = "wet", and none in the load cases.',
         )
 
 
@@ -145,5 +143,5 @@ def _asked(text: str) -> Any:
     name, equals, factor = (part.strip() for part in text.partition("="))
     if not name:
         message, remedy = "a condition without a name", "Write dry,wet or dry,dusty=0.8."
-        raise InputError(Problem(message=message, remedy=remedy, value=shown(text)))
+        raise input_error(message=message, remedy=remedy, value=shown(text))
     return {"name": name, "friction_factor": parse_number(factor)} if equals else name

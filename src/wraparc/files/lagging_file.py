@@ -6,7 +6,7 @@ from functools import lru_cache
 
 from wraparc.catalogue import lagging_names, lagging_text
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import input_error, nearest, shown
 from wraparc.files.lagging_build import build_laggings
 from wraparc.files.lagging_keys import LAGGING_FILE
 from wraparc.schema.problems import Report
@@ -90,13 +90,11 @@ def pick_condition(laggings: Iterable[Lagging], condition: str | None) -> Laggin
     if found is None:
         known = [lagging.condition for lagging in laggings]
         message = f"lagging {shown(laggings[0].name)} has no law for this condition, only for "
-        raise InputError(
-            Problem(
-                message=message + ", ".join(shown(name) for name in known),
-                remedy=nearest(condition, known) or "Choose one of them, or add a law to its file.",
-                key="condition",
-                value=shown(condition),
-            )
+        raise input_error(
+            message=message + ", ".join(shown(name) for name in known),
+            remedy=nearest(condition, known) or "Choose one of them, or add a law to its file.",
+            key="condition",
+            value=shown(condition),
         )
     return found
 
@@ -117,13 +115,11 @@ def lagging_record(name_or_path: str, folder: str, allow_paths: bool) -> tuple[R
         text = lagging_text(name_or_path)
         return _catalogue_record(name_or_path, text), f"catalogue lagging {name_or_path}"
     if not allow_paths:
-        raise InputError(
-            Problem(
-                message="the path of a file cannot be used here",
-                remedy=f"Choose one of {', '.join(lagging_names())}, or put the lagging into "
-                "the drive file as a [lagging.NAME] table.",
-                value=shown(name_or_path),
-            )
+        raise input_error(
+            message="the path of a file cannot be used here",
+            remedy=f"Choose one of {', '.join(lagging_names())}, or put the lagging into "
+            "the drive file as a [lagging.NAME] table.",
+            value=shown(name_or_path),
         )
     path = os.path.join(folder, name_or_path)
     return _record(read_text(path), path), path
@@ -138,14 +134,12 @@ def is_path(text: str) -> bool:
 def _catalogue_record(name: str, text: str) -> Record:
     record = _record(text, f"catalogue lagging {name}")
     if record["name"] != name:
-        raise InputError(
-            Problem(
-                file=f"catalogue lagging {name}",
-                key="name",
-                value=shown(record["name"]),
-                message="is not the name of its file",
-                remedy=f"Write name = {shown(name)}, or rename the file.",
-            )
+        raise input_error(
+            file=f"catalogue lagging {name}",
+            key="name",
+            value=shown(record["name"]),
+            message="is not the name of its file",
+            remedy=f"Write name = {shown(name)}, or rename the file.",
         )
     return record
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.files.lagging_keys import KNOT, LAW, TABLE_ROW
 from wraparc.files.trends import trend_text
 from wraparc.friction import (
@@ -35,7 +35,7 @@ def law_table(law: FrictionLaw, **more: Any) -> Tables:
         if table.of is type(law):
             return table.written(law, kind=kind, **_tested(law), **_parts(law), **more)
     message = f"a law of the class {type(law).__name__} cannot be written to a file"
-    raise InputError(Problem(message=message))
+    raise input_error(message=message)
 
 
 def _tested(law: FrictionLaw) -> Tables:
@@ -73,7 +73,7 @@ def _pieces(pieces: CoefficientPieces) -> Tables:
     name = next((n for n in _SLIP_UNITS if unit_factor(n, "length") == pieces.slip_unit), None)
     if name is None:
         message = f"no name is known for a unit of slip of {pieces.slip_unit:g} m"
-        raise InputError(Problem(message=message))
+        raise input_error(message=message)
     ends = _pressures(pieces.pressure)
     rows: list[Tables] = [
         {"from": low, "to": high, **_piece(piece, pieces.slip_unit)}

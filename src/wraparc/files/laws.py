@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from itertools import pairwise
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.files.lagging_keys import LAW
 from wraparc.files.trends import read_trend
 from wraparc.friction import (
@@ -55,7 +55,7 @@ def read_law(record: Record, report: Report) -> FrictionLaw | None:
 
 
 def _problem(key: str, message: str, remedy: str = "", value: str = "") -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, key=key, value=value))
+    return input_error(message=message, remedy=remedy, key=key, value=value)
 
 
 def _tested(record: Record, ends: tuple[float, float] | None = None) -> TestedRange | None:

@@ -17,7 +17,7 @@ from decimal import Decimal
 from functools import cache
 from typing import NamedTuple
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, input_error, shown
 from wraparc.friction import Trend
 from wraparc.friction.trend import Form
 
@@ -195,4 +195,4 @@ def _finite(number: Decimal, text: str) -> float:
 
 
 def _refused(text: str, message: str) -> InputError:
-    return InputError(Problem(message=message, remedy=_GRAMMAR, value=shown(text)))
+    return input_error(message=message, remedy=_GRAMMAR, value=shown(text))

@@ -21,7 +21,7 @@ from wraparc.drive import (
 )
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 from wraparc.files.conveyor_build import conveyor_of
 from wraparc.files.drive_build import Laggings, build_belt
 from wraparc.files.drive_file import drive_from_document
@@ -242,7 +242,7 @@ def _lagging_table(laggings: Lagging | Sequence[Lagging]) -> Tables:
     commons = [_common(replace(lagging, notes=shared)) for lagging in several]
     if any(common != commons[0] for common in commons):
         message = f"laggings of one file differ in more than their laws: {first.name}"
-        raise InputError(Problem(message=message, remedy="Write them into files of their own."))
+        raise input_error(message=message, remedy="Write them into files of their own.")
     laws = [_law(lagging, lagging.notes[len(shared) :]) for lagging in several]
     return {**commons[0], "law": laws if len(laws) > 1 else laws[0]}
 

@@ -3,7 +3,7 @@
 Far beyond any test, and near enough that no file, whatever is in it, takes a computer down. Ours.
 """
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 
 #: Of a file [bytes], of a line [characters], and of the cells in one.
 LARGEST_FILE, LONGEST_LINE, MOST_COLUMNS = 200_000_000, 100_000, 1000
@@ -21,9 +21,7 @@ def refused(
     file: str, message: str, remedy: str, *, key: str = "", value: str = "", line: int | None = None
 ) -> InputError:
     """Return the error of a file: what is wrong with it, and what to do."""
-    return InputError(
-        Problem(message=message, remedy=remedy, file=file, key=key, value=value, line=line)
-    )
+    return input_error(message=message, remedy=remedy, file=file, key=key, value=value, line=line)
 
 
 def beyond(message: str, file: str, line: int | None = None, remedy: str = _REMEDY) -> InputError:

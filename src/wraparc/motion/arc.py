@@ -13,7 +13,7 @@ import numpy as np
 
 from wraparc.arc import WrapArc
 from wraparc.arrays import Array
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.friction.compact import LIMIT
 from wraparc.friction.memory import has_memory
 from wraparc.units import display
@@ -212,30 +212,24 @@ def _refuse(arc: WrapArc) -> None:
     where = f"{of}lagging"
     law = arc.law.compact()
     if arc.entry_overrun < 0.0:
-        raise InputError(
-            Problem(
-                key=f"{of}overrun",
-                value=display(arc.entry_overrun, "length"),
-                message="is towards travel: slip then turns just behind the entry nip of a driving "
-                "pulley, and no step in time follows that reliably",
-                remedy='Set overrun = "0 mm" for what happens in time, or give it rearward.',
-            )
+        raise input_error(
+            key=f"{of}overrun",
+            value=display(arc.entry_overrun, "length"),
+            message="is towards travel: slip then turns just behind the entry nip of a driving "
+            "pulley, and no step in time follows that reliably",
+            remedy='Set overrun = "0 mm" for what happens in time, or give it rearward.',
         )
     if not has_memory(arc.law):
-        raise InputError(
-            Problem(
-                key=where,
-                message="the measured table does not rise from 0 along a concave curve, so that "
-                "its unloading is not known",
-                remedy="Fit an integral-log law to it, or smooth it.",
-            )
+        raise input_error(
+            key=where,
+            message="the measured table does not rise from 0 along a concave curve, so that "
+            "its unloading is not known",
+            remedy="Fit an integral-log law to it, or smooth it.",
         )
     if law.kind == LIMIT and arc.shear_compliance + law.onset_compliance == 0.0:
-        raise InputError(
-            Problem(
-                key=where,
-                message="friction that holds without slip on a lagging that does not shear has no "
-                "unique creep in time",
-                remedy="Give the thickness and the shear modulus of the lagging.",
-            )
+        raise input_error(
+            key=where,
+            message="friction that holds without slip on a lagging that does not shear has no "
+            "unique creep in time",
+            remedy="Give the thickness and the shear modulus of the lagging.",
         )

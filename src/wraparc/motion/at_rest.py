@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.station_state import StationState
 
 
@@ -24,14 +24,14 @@ def rest(march: StationState) -> None:
         if rise:
             message = "a rise of tension over a run at rest is not known"
             remedy = "Leave [train.run] out for an event that begins at rest."
-            raise InputError(Problem(key=f"run[{i + 1}]", message=message, remedy=remedy))
+            raise input_error(key=f"run[{i + 1}]", message=message, remedy=remedy)
     lift = march.station.lift_share * march.pull
     if lift <= 0.0:
         return
     if not any(d.backstop or d.brake for d in march.drums):
         message = "nothing holds an inclined conveyor at rest"
         remedy = "Give a drum backstop = true or a brake_torque."
-        raise InputError(Problem(key="lift_share", message=message, remedy=remedy))
+        raise input_error(key="lift_share", message=message, remedy=remedy)
     for j in range(1, 41):  # the load hangs itself into the drums, which stand
         march.T[0] = march.slack + lift * j / 40.0
         _hang(march)

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 from wraparc.motion.march import March
 from wraparc.motion.recorder import Recorder, Sink
 from wraparc.saving import put_in_place, unwritable
@@ -138,8 +138,8 @@ class Checkpoint:
         recorder.pictures = [(float(t), list(creep), list(shear)) for t, creep, shear in pictures]
 
     def _problem(self, message: str, remedy: str) -> InputError:
-        return InputError(
-            Problem(key="--checkpoint", value=os.fspath(self.path), message=message, remedy=remedy)
+        return input_error(
+            key="--checkpoint", value=os.fspath(self.path), message=message, remedy=remedy
         )
 
 

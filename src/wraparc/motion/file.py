@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import InputError, Problem, input_error, nearest, shown
 from wraparc.motion.control import Control, Droop, ExactSpeed, Follower
 from wraparc.motion.event import Event, Happening, Measured, Start, Stop
 from wraparc.motion.keys import CONTROL, DRUM, EVENT, HAPPENING, MOTION, TRIM
@@ -70,7 +70,7 @@ class Motion:
         names = [e.name for e in self.events]
         message = f"no such event; there are {', '.join(map(shown, names))}"
         remedy = nearest(name, names) or "Write a [[motion.event]] table of that name."
-        raise InputError(Problem(key="event", value=shown(name), message=message, remedy=remedy))
+        raise input_error(key="event", value=shown(name), message=message, remedy=remedy)
 
 
 def load_motion(
@@ -132,7 +132,7 @@ def motion_from_document(
     if problems:
         raise InputError(problems)
     if made is None:  # pragma: no cover - something was reported then
-        raise InputError(Problem(key="motion", message="could not be read", file=file))
+        raise input_error(key="motion", message="could not be read", file=file)
     return made
 
 
@@ -330,7 +330,7 @@ def parse_record(text: str, pulley: str, *, at: float = 0.0, file: str = "") -> 
     if len(names) != 2 or names[0] != "time" or names[1] not in ("speed", "torque"):
         message = "the first line must name both columns with their units"
         remedy = "Write time [s],speed [rpm] or time [s],torque [kN m]."
-        raise InputError(Problem(message=message, remedy=remedy, file=file, line=1))
+        raise input_error(message=message, remedy=remedy, file=file, line=1)
     units = [h[2] for h in heads if h]
     dimension: Any = "rotation_speed" if names[1] == "speed" else "torque"
     times, values = [], []
@@ -338,7 +338,7 @@ def parse_record(text: str, pulley: str, *, at: float = 0.0, file: str = "") -> 
         if len(row) != 2 or not all(cell.strip() for cell in row):
             message = "the record has a gap: a value is missing"
             remedy = "Cut the record before the gap, or fill it and say so."
-            raise InputError(Problem(message=message, remedy=remedy, file=file, line=line))
+            raise input_error(message=message, remedy=remedy, file=file, line=line)
         try:
             times.append(parse_quantity(f"{row[0].strip()} {units[0]}", "time"))
             values.append(parse_quantity(f"{row[1].strip()} {units[1]}", dimension))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.event import Event, Measured, OnDrum, Start
 from wraparc.motion.march import March
@@ -170,13 +170,11 @@ def _check_step(march: March, event: Event) -> None:
             fastest, what = frequency, thing.pulley
     if fastest and march.h > 1.0 / (_STEPS_A_WAVE * fastest):
         need = 1.0 / (_STEPS_A_WAVE * fastest)
-        raise InputError(
-            Problem(
-                key="step",
-                value=display(march.h, "time"),
-                message=f"too coarse for {fastest:.3g} Hz at {what}",
-                remedy=f"Take {display(0.99 * need, 'time', digits=2)} or less.",
-            )
+        raise input_error(
+            key="step",
+            value=display(march.h, "time"),
+            message=f"too coarse for {fastest:.3g} Hz at {what}",
+            remedy=f"Take {display(0.99 * need, 'time', digits=2)} or less.",
         )
 
 
@@ -194,8 +192,8 @@ def _check_steps(march: March, event: Event) -> None:
                 f"step, more than a quarter of a wrap, {display(shortest, 'length', digits=3)} long"
             )
             remedy = f"Take {display(0.99 * least, 'time', digits=2)} or less."
-        raise InputError(
-            Problem(key="step", value=display(march.h, "time"), message=message, remedy=remedy)
+        raise input_error(
+            key="step", value=display(march.h, "time"), message=message, remedy=remedy
         )
 
 
@@ -225,4 +223,4 @@ def _check_ramps(march: March, event: Event) -> None:
         if given <= march.pull:  # not even the load is carried
             remedy = "Lower the load, or"
         remedy += " raise torque_limit or rated_torque of the motors."
-        raise InputError(Problem(key=f"motion.event.{event.name}", message=message, remedy=remedy))
+        raise input_error(key=f"motion.event.{event.name}", message=message, remedy=remedy)

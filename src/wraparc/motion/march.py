@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.at_rest import rest
 from wraparc.motion.drum_state import DrumState
 from wraparc.motion.equations import BESIDE, Trial, guessed, solved
@@ -72,7 +72,7 @@ class March(StationState):
             message = "its steady state could not be reached by marching"
             remedy = "Give more points, or begin at rest."
             key = f"pulley.{self.names[error.args[0]]}"
-            raise InputError(Problem(key=key, message=message, remedy=remedy)) from None
+            raise input_error(key=key, message=message, remedy=remedy) from None
         for d, pair in zip(self.drums, zip(entries, exits, strict=True), strict=True):
             d.omega, d.level = d.duty.speed, 1.0
             d.moment = d.torque = d.moment_of(*pair, 0.0, 0.0)[0]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from wraparc.drive import Limit
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import Problem, input_error, nearest, shown
 from wraparc.motion.control import Control, Droop, Follower, Trim
 from wraparc.schema.limits import limit_problems, raise_all
 from wraparc.train import Train
@@ -168,8 +168,6 @@ class Station:
             return self.names.index(name)
         there = ", ".join(map(shown, self.names))
         message = f"no such pulley; the pulleys are {there}"
-        raise InputError(
-            Problem(
-                key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
-            )
+        raise input_error(
+            key="pulley", value=shown(name), message=message, remedy=nearest(name, self.names)
         )

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from wraparc.arc import Distributed
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.control import Follower
 from wraparc.motion.drum_state import SOFT, drum_of
 from wraparc.motion.event import Event, LoadStep, Measured, OnBelt, OnDrum, PowerFailure
@@ -212,8 +212,8 @@ def steady_of(station: Station) -> CaseResult:
     result = solve_case(train, train.case(station.load_case), Distributed(capacities=False))
     if not result.status.solved:
         message = f"there is no steady state to move from: {result.reason} {result.status}"
-        raise InputError(Problem(key="motion", message=message))
+        raise input_error(key="motion", message=message)
     if not result.belt_speed > 0.0:
         message = "what moves needs a belt speed"
-        raise InputError(Problem(key="belt.speed", message=message, remedy="Give [belt] speed."))
+        raise input_error(key="belt.speed", message=message, remedy="Give [belt] speed.")
     return result

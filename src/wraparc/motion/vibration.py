@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from wraparc.arrays import Array, Complex
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.arc_response import ArcResponse
 from wraparc.motion.control import (
     Control,
@@ -161,7 +161,7 @@ def stability(station: Station, *, run_out: float = 0.5e-3) -> StabilityResult:
     """
     if not 0.0 < run_out < 0.05:
         message = "must be more than 0 and less than 50 mm"
-        raise InputError(Problem(key="run_out", value=f"{run_out:g} m", message=message))
+        raise input_error(key="run_out", value=f"{run_out:g} m", message=message)
     linear = Linear.of(station)
     names = station.names
     return StabilityResult(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.motion.event import Event, Happening, Measured, OnBelt, OnDrum, PowerFailure
 from wraparc.motion.file import Motion
 from wraparc.motion.keys import CONTROL, DRUM, EVENT, HAPPENING, MOTION
@@ -60,7 +60,7 @@ def _event(event: Event) -> Tables:
     happens = [row for h in event.happenings for row in _happenings(h)]
     if not happens:
         message = "an event in which nothing happens cannot stand in a file"
-        raise InputError(Problem(key="event", value=f'"{event.name}"', message=message))
+        raise input_error(key="event", value=f'"{event.name}"', message=message)
     return EVENT.written(event, happens=happens)
 
 

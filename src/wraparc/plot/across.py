@@ -8,7 +8,7 @@ import numpy as np
 
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
 from wraparc.arrays import Array
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import input_error, nearest, shown
 from wraparc.friction.interpolation import evaluate, pchip
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import BLUE, GREY, ORANGE, RED, Picture, styled
@@ -46,12 +46,10 @@ def plot_across(
         If there is no such quantity.
     """
     if quantity not in QUANTITIES:
-        raise InputError(
-            Problem(
-                value=shown(quantity),
-                message=f"no such quantity; a map shows {', '.join(QUANTITIES)}",
-                remedy=nearest(quantity, QUANTITIES),
-            )
+        raise input_error(
+            value=shown(quantity),
+            message=f"no such quantity; a map shows {', '.join(QUANTITIES)}",
+            remedy=nearest(quantity, QUANTITIES),
         )
     with styled():
         from matplotlib.figure import Figure

@@ -7,7 +7,7 @@ import numpy as np
 
 from wraparc.arc import ArcResult
 from wraparc.arrays import Array
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.plot.picture import RED
 from wraparc.plot.profiles import angles, column, heading, outside_spans
@@ -52,7 +52,7 @@ def draw_pulley(
     columns = [name for name, _ in result.profile.columns()]
     if quantity not in columns:
         message = f"the profile has no such column, only {', '.join(columns)}"
-        raise InputError(Problem(key="quantity", value=shown(quantity), message=message))
+        raise input_error(key="quantity", value=shown(quantity), message=message)
     ax.set_aspect("equal")
     ax.axis("off")
     _draw_body(ax)

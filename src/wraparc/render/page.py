@@ -1,9 +1,15 @@
 """Sheets as HTML: a piece for a notebook, or a whole page that needs no other file."""
 
+import json
 from collections.abc import Iterator, Sequence
 from html import escape
+from typing import TYPE_CHECKING
 
-from wraparc.answer.sheet import Sheet, Table
+from wraparc.answer.sheet import Sheet, Table, shown
+from wraparc.units import System
+
+if TYPE_CHECKING:
+    from wraparc.study.monte_carlo import Summary
 
 _STYLE = """
 body { font: 15px/1.45 system-ui, sans-serif; max-width: 1100px; margin: 2em auto; padding: 0 1em;
@@ -18,6 +24,17 @@ figure { margin: 1.5em 0; } figure svg { max-width: 100%; height: auto; }
 figcaption, footer, table + p { color: #444; font-size: 13px; }
 pre { font-size: 13px; overflow-x: auto; }
 """
+
+
+def study_page(
+    sheet: Sheet, pictures: Sequence[str], summary: "Summary", system: System = "si"
+) -> str:
+    """Return a study as one HTML page: its sheet, pictures as SVG, and the input it rests on."""
+    named = [(f"Picture {n}: {sheet.title}", svg) for n, svg in enumerate(pictures, start=1)]
+    data = json.dumps(summary.data["input"], indent=1, ensure_ascii=False, default=str)
+    program, print_ = summary.data["program"], summary.data["fingerprint"]
+    foot = f"{program}, fingerprint {print_}. Input:\n{data}"
+    return sheet_page(shown(sheet, system), named, foot)
 
 
 def sheet_page(sheet: Sheet, pictures: Sequence[tuple[str, str]], footer: str) -> str:

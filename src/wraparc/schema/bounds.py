@@ -8,7 +8,7 @@ import re
 
 import numpy as np
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 
 #: Most keys, most lists and tables, most values in lists. A thousand load cases are a fifth.
 MOST_KEYS, MOST_TABLES, MOST_VALUES = 20_000, 20_000, 100_000
@@ -117,4 +117,4 @@ def _refused(
     message: str, remedy: str, file: str = "", text: str = "", at: int | None = None
 ) -> InputError:
     line = None if at is None else text.count("\n", 0, at) + 1
-    return InputError(Problem(message=message, remedy=remedy, file=file, line=line))
+    return input_error(message=message, remedy=remedy, file=file, line=line)

@@ -8,7 +8,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, TypeVar
 
-from wraparc.errors import InputError, Problem, nearest, shown
+from wraparc.errors import InputError, Problem, input_error, nearest, shown
 from wraparc.schema.below import below, own_key
 from wraparc.schema.kinds import Kind, table_labels
 from wraparc.schema.problems import Place, place_text
@@ -149,7 +149,7 @@ def _put(node: object, steps: Place, done: Place, value: object, kind: Kind | No
         node = {"preset": node}
     if not isinstance(node, dict) or isinstance(step, int):
         where = f"{place_text(done)} has" if done else "this file has"
-        raise InputError(Problem(message=f"{where} nothing called {place_text((step,))}"))
+        raise input_error(message=f"{where} nothing called {place_text((step,))}")
     step = own_key(kind, step)
     node = {own_key(kind, key): item for key, item in node.items()}
     if not rest and value is None:
@@ -168,11 +168,9 @@ def _index(rows: list[Any], step: str | int, done: Place) -> int:
         return position - 1
     names = [str(label) for label in labels]
     there = ", ".join(shown(label) for label in labels) or "none"
-    raise InputError(
-        Problem(
-            message=f"{place_text(done)} has nothing called {shown(step)}; there is {there}",
-            remedy=nearest(step, names),
-        )
+    raise input_error(
+        message=f"{place_text(done)} has nothing called {shown(step)}; there is {there}",
+        remedy=nearest(step, names),
     )
 
 
@@ -199,4 +197,4 @@ def _unquoted(text: str, path: str) -> str:
 
 
 def _refused(text: str, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, value=shown(text)))
+    return input_error(message=message, remedy=remedy, value=shown(text))

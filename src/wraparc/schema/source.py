@@ -6,7 +6,7 @@ import stat
 import tomllib
 from typing import Any
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.schema.bounds import check_toml
 from wraparc.schema.kinds import Kind
 from wraparc.schema.problems import Report
@@ -106,9 +106,7 @@ def check_format(document: Document, file: str = "") -> None:
         remedy = "Update wraparc."
     else:
         message, remedy = "must be a whole number from 1", f"Write format = {FORMAT}."
-    raise InputError(
-        Problem(message=message, remedy=remedy, file=file, key="format", value=shown(given))
-    )
+    raise input_error(message=message, remedy=remedy, file=file, key="format", value=shown(given))
 
 
 def read_whole(table: Kind, document: Document, file: str) -> tuple[Any, Report]:
@@ -156,4 +154,4 @@ def _stands_before(written: str, lines: list[str]) -> bool:
 
 
 def _file_problem(file: str, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, file=file))
+    return input_error(message=message, remedy=remedy, file=file)

@@ -7,7 +7,7 @@ import numpy as np
 
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.drive import FrictionFactor, Lagging
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import Problem, input_error, shown
 from wraparc.friction import FrictionLaw
 from wraparc.shear_test.budget import Common
 from wraparc.shear_test.curve_fit import Z95, CurveFit
@@ -35,13 +35,11 @@ def checked_reason(reason: str, key: str = "accept_misfit") -> str:
     text = reason.strip()
     if text and len(text) <= _LONGEST_REASON and text.isprintable():
         return text
-    raise InputError(
-        Problem(
-            message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
-            remedy="Say why the law may be used although it does not describe its tests.",
-            key=key,
-            value=shown(reason),
-        )
+    raise input_error(
+        message=f"must be a reason in words, of at most {_LONGEST_REASON} printable characters",
+        remedy="Say why the law may be used although it does not describe its tests.",
+        key=key,
+        value=shown(reason),
     )
 
 

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import asdict, replace
 from pathlib import Path
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, input_error, shown
 from wraparc.motion.file import load_motion
 from wraparc.saving import (
     alone,
@@ -123,8 +123,8 @@ def _begun(study: EventStudy, part: Path, *, resume: bool) -> list[EventRow]:
         if not resume:
             message = "an interrupted run has left its rows beside it"
             remedy = f"Go on with --resume, or remove {part}."
-            raise InputError(
-                Problem(key="--output", value=shown(str(part)), message=message, remedy=remedy)
+            raise input_error(
+                key="--output", value=shown(str(part)), message=message, remedy=remedy
             )
         rows = _read(part, key)
     try:
@@ -150,9 +150,7 @@ def _read(part: Path, key: str) -> list[EventRow]:
     if not mine:
         message = "the rows there are of another study, or the study has changed since"
         remedy = "Remove the file, or write to another one."
-        raise InputError(
-            Problem(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
-        )
+        raise input_error(key="--resume", value=shown(str(part)), message=message, remedy=remedy)
     return rows
 
 

@@ -15,7 +15,7 @@ from threading import Event
 from time import monotonic
 from typing import Any, NamedTuple, Protocol
 
-from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.errors import InputError, MissingExtraError, Problem, input_error, shown
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import solve_part
 from wraparc.version import __version__
@@ -71,7 +71,7 @@ class Threads:
         """Refuse fewer than one."""
         if self.count is not None and self.count < 1:
             text = str(self.count)
-            raise InputError(Problem(key="threads", value=text, message="must be at least 1"))
+            raise input_error(key="threads", value=text, message="must be at least 1")
 
     def solve(self, study: Study, parts: Sequence[Part]) -> Solved:
         """Solve parts, a few more begun than there are threads, so that memory stays the same."""
@@ -218,9 +218,7 @@ def executor_named(text: str) -> Executor:
         count = text.partition(":")[2]
         if count and not (count.isascii() and count.isdigit() and 1 <= int(count) <= 1000):
             message, remedy = "no number of processes", "Write local:4, or local."
-            raise InputError(
-                Problem(key="--scheduler", value=shown(text), message=message, remedy=remedy)
-            )
+            raise input_error(key="--scheduler", value=shown(text), message=message, remedy=remedy)
         return LocalCluster(int(count) if count else None)
     return DaskCluster(text)
 
@@ -250,13 +248,11 @@ def _knock(address: str, timeout: float) -> None:
 
 def _unreachable(address: str, error: Exception) -> InputError:
     reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
-    return InputError(
-        Problem(
-            key="--scheduler",
-            value=shown(address),
-            message=f"no Dask scheduler answers there: {reason}",
-            remedy="Start one with `dask scheduler`, workers with `dask worker ADDRESS`.",
-        )
+    return input_error(
+        key="--scheduler",
+        value=shown(address),
+        message=f"no Dask scheduler answers there: {reason}",
+        remedy="Start one with `dask scheduler`, workers with `dask worker ADDRESS`.",
     )
 
 
@@ -266,26 +262,22 @@ def _check_workers(client: Any, address: str, timeout: float) -> None:
         versions: dict[str, Any] = client.run(_version_here, on_error="return")
     except (OSError, TimeoutError) as error:
         message = f"the scheduler has no worker after {timeout:g} s"
-        raise InputError(
-            Problem(
-                key="--scheduler",
-                value=shown(address),
-                message=message,
-                remedy=f"Start some: dask worker {address}",
-            )
+        raise input_error(
+            key="--scheduler",
+            value=shown(address),
+            message=message,
+            remedy=f"Start some: dask worker {address}",
         ) from error
     wrong = {worker: told for worker, told in versions.items() if told != __version__}
     if wrong:
         worker, told = next(iter(wrong.items()))
         has = f"version {told}" if isinstance(told, str) else "none that can be imported"
-        raise InputError(
-            Problem(
-                key="--scheduler",
-                value=shown(address),
-                message=f"{len(wrong)} of {len(versions)} workers have another wraparc than this "
-                f"({__version__}); {worker} has {has}",
-                remedy="Install the same version on every worker.",
-            )
+        raise input_error(
+            key="--scheduler",
+            value=shown(address),
+            message=f"{len(wrong)} of {len(versions)} workers have another wraparc than this "
+            f"({__version__}); {worker} has {has}",
+            remedy="Install the same version on every worker.",
         )
 
 
@@ -295,11 +287,9 @@ def _version_here() -> str:
 
 def _lost(address: str, error: BaseException) -> InputError:
     reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
-    return InputError(
-        Problem(
-            key="--scheduler",
-            value=shown(address),
-            message=f"the cluster was lost: {reason}; parts that are done stay",
-            remedy="Go on with --resume.",
-        )
+    return input_error(
+        key="--scheduler",
+        value=shown(address),
+        message=f"the cluster was lost: {reason}; parts that are done stay",
+        remedy="Go on with --resume.",
     )

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from wraparc.drive import Limit
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.schema.below import below, own_key, tables_of
 from wraparc.schema.kinds import Kind, Quantity, TextOr, WordOr, table_labels
 from wraparc.schema.overrides import parse_path
@@ -118,13 +118,10 @@ def _below(kind: Kind, step: str | int, place: Place) -> Kind:
     keys = list(dict.fromkeys(e.key for table in tables_of(kind) for e in table.entries))
     if not keys:
         message = f"{place_text(place[:-1])} is a value, with nothing below it"
-        raise InputError(Problem(message=message))
+        raise input_error(message=message)
     known: Sequence[str] = (*keys, *SCALING) if len(place) == 4 and place[2] == "lagging" else keys
     if len(place) == 3 and place[0] == "pulley":
         known = [*keys, *DRUM_KEYS]
-    raise InputError(
-        Problem(
-            message="a drive file has no such field",
-            remedy=unknown_key_remedy(str(step), known),
-        )
+    raise input_error(
+        message="a drive file has no such field", remedy=unknown_key_remedy(str(step), known)
     )

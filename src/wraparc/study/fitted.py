@@ -8,7 +8,7 @@ import numpy as np
 
 from wraparc.arrays import Array
 from wraparc.drive import Fit
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.study.distributions import normal_quantile
 from wraparc.study.plan import Drawn
 from wraparc.units import Dimension
@@ -36,13 +36,11 @@ class DrawnFit(Drawn):
 
     def __post_init__(self) -> None:
         if not self.fit.knots:
-            raise InputError(
-                Problem(
-                    key=self.field,
-                    value=shown(self.fit.parameters[:3]),
-                    message="only peaks of the knots of an integral-log law can be drawn, all > 0",
-                    remedy="Fit the lagging with `wraparc fit`.",
-                )
+            raise input_error(
+                key=self.field,
+                value=shown(self.fit.parameters[:3]),
+                message="only peaks of the knots of an integral-log law can be drawn, all > 0",
+                remedy="Fit the lagging with `wraparc fit`.",
             )
 
     @property

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from wraparc.arrays import Array
 from wraparc.checks.of_rows import NOT_CHECKED
-from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.errors import MissingExtraError, input_error, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.study.histogram import limit_column
 from wraparc.study.parameter_study import (
@@ -235,7 +235,7 @@ def read_data(path: str | os.PathLike[str]) -> dict[str, Any]:
     except (OSError, KeyError, ValueError, pa.ArrowException):
         name = shown(os.fspath(path))
         message = "is no file of results of a study"
-        raise InputError(Problem(value=name, message=message)) from None
+        raise input_error(value=name, message=message) from None
     return data
 
 

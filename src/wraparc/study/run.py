@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from wraparc.batch import Setting
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.saving import (
     FULL,
     alone,
@@ -202,13 +202,11 @@ def _size_of(study: Study, file: Path) -> int:
     except (OSError, ValueError, KeyError, TypeError):
         same, size = False, 0
     if not same or size < 1:
-        raise InputError(
-            Problem(
-                key="--resume",
-                value=shown(str(file.parent)),
-                message="the parts there are of another study, or the study has changed since",
-                remedy="Remove the folder, or write to another file.",
-            )
+        raise input_error(
+            key="--resume",
+            value=shown(str(file.parent)),
+            message="the parts there are of another study, or the study has changed since",
+            remedy="Remove the folder, or write to another file.",
         )
     return size
 
@@ -252,10 +250,8 @@ def _tell(progress: Progress | None, done: int, total: int) -> None:
 def _stopped(error: OSError, path: str | os.PathLike[str], done: int, total: int) -> InputError:
     full = error.errno in FULL
     reason = "the disk is full" if full else f"cannot be written: {error.strerror or error}"
-    return InputError(
-        Problem(
-            value=shown(os.fspath(path)),
-            message=f"{reason}; {done} of {total} parts are done and stay",
-            remedy="Make room and go on with --resume." if full else "Go on with --resume.",
-        )
+    return input_error(
+        value=shown(os.fspath(path)),
+        message=f"{reason}; {done} of {total} parts are done and stay",
+        remedy="Make room and go on with --resume." if full else "Go on with --resume.",
     )

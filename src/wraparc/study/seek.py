@@ -12,7 +12,7 @@ import numpy as np
 from wraparc.arc import ArcResult, Distributed, DriveResult, Method, WrapArc
 from wraparc.arc import solve as solve_drive
 from wraparc.drive import Drive, Limit
-from wraparc.errors import InputError, Problem, nearest, placed, shown
+from wraparc.errors import InputError, input_error, nearest, placed, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.schema.kinds import Quantity
 from wraparc.schema.overrides import parse_path, put_over
@@ -192,15 +192,15 @@ def _kind(field: str, document: Document) -> Quantity:
         return kind
     message = "is no quantity of a drive file, and only one can be sought"
     remedy = "Name one by its key path, such as pulley.head.wrap_angle."
-    raise InputError(Problem(key="field", value=shown(field), message=message, remedy=remedy))
+    raise input_error(key="field", value=shown(field), message=message, remedy=remedy)
 
 
 def _result_dimension(name: str) -> Dimension:
     if name in RESULTS:
         return GLOSSARY[name].dimension
     message = f"no result of a pulley; there are {', '.join(RESULTS)}"
-    raise InputError(
-        Problem(key="result", value=shown(name), message=message, remedy=nearest(name, RESULTS))
+    raise input_error(
+        key="result", value=shown(name), message=message, remedy=nearest(name, RESULTS)
     )
 
 
@@ -230,7 +230,7 @@ def _range(goal: Goal, now: float, kind: Quantity) -> tuple[float, float]:
         return least, most
     message = "has no value here to seek about" if math.isnan(sum(ends)) else "is an empty range"
     remedy = "Give both ends of the range, the smaller first."
-    raise InputError(Problem(key="field", value=shown(goal.field), message=message, remedy=remedy))
+    raise input_error(key="field", value=shown(goal.field), message=message, remedy=remedy)
 
 
 def _tried(least: float, most: float, now: float) -> list[float]:

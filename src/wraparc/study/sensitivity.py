@@ -13,7 +13,7 @@ import numpy as np
 from wraparc.alike import falling
 from wraparc.arrays import Array
 from wraparc.batch import Setting
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.study.parameter_study import Study
 from wraparc.study.parquet import batches, read_data
 from wraparc.study.plan import Drawn, DrawnField
@@ -217,7 +217,7 @@ def global_sensitivity(
     data = read_data(path)
     if data["plan"] != "saltelli":
         message = "the results are not those of a sensitivity study"
-        raise InputError(Problem(value=os.fspath(path), message=message))
+        raise input_error(value=os.fspath(path), message=message)
     names = tuple(_name(axis) for axis in study.plan.drawn)
     columns = _columns(path, outputs)
     count = len(study.cases)

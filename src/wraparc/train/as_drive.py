@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from wraparc.arc import Distributed
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 from wraparc.train.result import drive_with
 from wraparc.train.solve import solve_case, solve_train
 from wraparc.train.train import Train, TrainCase
@@ -50,5 +50,5 @@ def _pairs(train: Train, case: TrainCase) -> Sequence[tuple[float, float]]:
     solved = solve_case(train, case, Distributed(capacities=False))
     if not solved.status.solved:
         message = f"load case {case.name}: {solved.reason} {solved.status}"
-        raise InputError(Problem(key="train", message=message))
+        raise input_error(key="train", message=message)
     return [(m.arc.entry_tension, m.arc.exit_tension) for m in solved]

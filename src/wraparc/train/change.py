@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from wraparc.arc import Distributed
 from wraparc.drive import Lagging
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.train.result import CaseResult, TrainResult
 from wraparc.train.solve import solve_case
 from wraparc.train.walk import held
@@ -49,13 +49,13 @@ def what_if(
     names = [p.name for p in train.pulleys]
     if pulley not in names:
         message = f"no such pulley; the pulleys are {', '.join(names)}"
-        raise InputError(Problem(key="pulley", value=pulley, message=message))
+        raise input_error(key="pulley", value=pulley, message=message)
     index = names.index(pulley)
     old = train.pulleys[index]
     new = lagging or old.lagging
     if not 0.0 <= wear <= new.thickness:
         message = f"must be between 0 and the thickness {display(new.thickness, 'length')}"
-        raise InputError(Problem(key="wear", value=display(wear, "length"), message=message))
+        raise input_error(key="wear", value=display(wear, "length"), message=message)
     changed = replace(
         old,
         diameter=old.diameter - 2.0 * wear,

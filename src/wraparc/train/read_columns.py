@@ -21,7 +21,7 @@ from wraparc.batch.columns import (
 )
 from wraparc.batch.laws import LawBank
 from wraparc.drive import Limit
-from wraparc.errors import InputError, Problem
+from wraparc.errors import Problem, input_error
 from wraparc.train.columns import (
     MAY_BE_MISSING,
     OF_DRUM,
@@ -115,7 +115,7 @@ def _division(
     if solved is not None and isinstance(case.division, Shares | Pulls):
         if not solved.status.solved:
             message = f"has no solution that the drums could keep their speeds of: {solved.reason}"
-            raise InputError(Problem(key=f"load case {case.name}", message=message))
+            raise input_error(key=f"load case {case.name}", message=message)
         train = held(TrainResult(train, (solved,)))[0]
     return train, start
 

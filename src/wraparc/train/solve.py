@@ -10,7 +10,7 @@ from wraparc.arc import ArcResult, Distributed, Status, WrapArc
 from wraparc.drive import Pulley
 from wraparc.drive.load_case import exit_behind
 from wraparc.drive.pitch import centrifugal_of, pitch_offset
-from wraparc.errors import BreakawayError, ConvergenceError, InputError, Problem
+from wraparc.errors import BreakawayError, ConvergenceError, input_error
 from wraparc.train.locate import Located, away, locate
 from wraparc.train.member import Member, Passage
 from wraparc.train.motors import Motor, TorqueFollower
@@ -81,7 +81,7 @@ def solve_train(
         worst = next(c for c in result.cases if not c.status.solved)
         where = f"load case {worst.case.name}: {worst.reason}"
         if worst.status is TrainStatus.BEYOND_MOTOR:
-            raise InputError(Problem(key="train.motor", message=where))
+            raise input_error(key="train.motor", message=where)
         if worst.status is TrainStatus.BREAKAWAY:
             raise BreakawayError(f"{where} {worst.status}", result)
         raise ConvergenceError(f"{where} {worst.status}")

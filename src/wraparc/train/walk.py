@@ -8,7 +8,7 @@ from dataclasses import replace
 from enum import StrEnum
 from math import log
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, Problem, input_error
 from wraparc.train.locate import locate
 from wraparc.train.member import SHARP, Member
 from wraparc.train.newton import Settled, settle
@@ -44,7 +44,7 @@ def held(result: TrainResult, case: str = "") -> tuple[Train, CaseResult]:
     found = result[case or result.train.case().name]
     if not found.status.solved:
         message = f"load case {found.case.name} has no solution to start from: {found.reason}"
-        raise InputError(Problem(key="load_case", message=message))
+        raise input_error(key="load_case", message=message)
     train = result.train.in_case(found.case)
     alone = replace(found.case, condition="")  # the laggings are in it
     if isinstance(found.case.division, Motors):
@@ -84,7 +84,7 @@ class Walk:
             passages = [replace(p, met=None) for p in state.passages]
             state = settle(setup.system, passages, state.level, SHARP, _TOLERANCE)
         if state is None:
-            raise InputError(Problem(message="the speeds held have no solution to start from"))
+            raise input_error(message="the speeds held have no solution to start from")
         self._start = (self.here, state)
         self._past = [self._start]  # the last solutions, newest last
         self.fallen: tuple[int, ...] = ()  # drives that broke away where the last step failed

@@ -9,7 +9,7 @@ import math
 import re
 from decimal import Decimal
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, input_error, shown
 
 #: Longest text that is looked at; nothing that is meant comes near it.
 LONGEST_TEXT = 80
@@ -131,4 +131,4 @@ def _write(readings: list[str], rest: str) -> str:
 
 
 def _refused(given: object, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, value=shown(given)))
+    return input_error(message=message, remedy=remedy, value=shown(given))

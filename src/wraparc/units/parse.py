@@ -10,7 +10,7 @@ from decimal import Decimal
 from functools import cache, lru_cache
 from typing import NamedTuple
 
-from wraparc.errors import InputError, Problem, near, placed, shown
+from wraparc.errors import InputError, input_error, near, placed, shown
 from wraparc.units.numbers import finite, split_number
 from wraparc.units.table import BASE_UNITS, DEFINITIONS, DIMENSION_TEXT, DIMENSIONS, Dimension
 
@@ -97,7 +97,7 @@ def positive_quantity(text: str, dimension: Dimension, key: str) -> float:
     with placed(key):
         value = parse_quantity(text, dimension)
     if not value > 0.0:
-        raise InputError(Problem(key=key, value=shown(text), message="must be more than 0"))
+        raise input_error(key=key, value=shown(text), message="must be more than 0")
     return value
 
 
@@ -275,4 +275,4 @@ def _no_unit(value: object, dimension: Dimension) -> InputError:
 
 
 def _refused(given: object, message: str, remedy: str) -> InputError:
-    return InputError(Problem(message=message, remedy=remedy, value=shown(given)))
+    return input_error(message=message, remedy=remedy, value=shown(given))

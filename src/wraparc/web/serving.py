@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import uvicorn
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.web.app import create_app
 from wraparc.web.connections import Connection
 from wraparc.web.private import redirecting
@@ -106,14 +106,12 @@ def listener(host: str, port: int) -> socket.socket:
         if found is not None:
             found.close()
         unknown = isinstance(error, socket.gaierror)
-        raise InputError(
-            Problem(
-                key="--host" if unknown else "--port",
-                value=shown(host) if unknown else str(port),
-                message=f"cannot listen on {host}: {error.strerror or error}",
-                remedy="Give another address."
-                if unknown
-                else "Choose another with --port, or stop the other server.",
-            )
+        raise input_error(
+            key="--host" if unknown else "--port",
+            value=shown(host) if unknown else str(port),
+            message=f"cannot listen on {host}: {error.strerror or error}",
+            remedy="Give another address."
+            if unknown
+            else "Choose another with --port, or stop the other server.",
         ) from None
     return found

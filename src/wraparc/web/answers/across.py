@@ -34,7 +34,7 @@ from wraparc.arc import Distributed, DriveResult, solve
 from wraparc.checks import judge
 from wraparc.checks.rules import ACROSS_CHECKS
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 from wraparc.files.across_keys import ACROSS
 from wraparc.train import Train, solve_train
 from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
@@ -248,7 +248,7 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
     now = solve_across(drive, pulley.name, case.name, strips=strips, raise_on_failure=False)
     if not now.status.solved:
         message = slack_words(now) or str(now.status)
-        raise InputError(Problem(key=f"pulley.{pulley.name}.across", message=message))
+        raise input_error(key=f"pulley.{pulley.name}.across", message=message)
     wide = now.wide
     worn = float(np.mean(wide.arc.thickness - wide.thickness))
     if depth is None and asked.passes is None:  # on to re-lagging
@@ -314,5 +314,5 @@ def _quantity(key: str, text: str, dimension: Dimension) -> float:
         raise InputError(replace(error.problems[0], key=key)) from None
     if not 0.0 < value < 10.0:
         message = "must be more than 0, and less than 10 m"
-        raise InputError(Problem(key=key, value=text, message=message))
+        raise input_error(key=key, value=text, message=message)
     return value

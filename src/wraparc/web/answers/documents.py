@@ -6,7 +6,7 @@ from typing import Any
 
 from wraparc.arc import Distributed
 from wraparc.drive import Drive, LoadCase, Pulley
-from wraparc.errors import InputError, Problem, placed
+from wraparc.errors import input_error, placed
 from wraparc.files import drive_from_document
 from wraparc.schema.source import Document, decoded, parse
 from wraparc.train import Train
@@ -76,13 +76,11 @@ def _check_arcs(pulleys: int, cases: int) -> None:
     if pulleys * cases <= MOST_ARCS:
         return
     several = f" on {pulleys} pulleys" if pulleys > 1 else ""
-    raise InputError(
-        Problem(
-            key="load_case",
-            message=f"{cases:,} load cases{several} are more than the {MOST_ARCS // pulleys} "
-            "that this server takes, the design case and conditions counted",
-            remedy="Leave some out, or solve the file on the command line: wraparc solve FILE.",
-        )
+    raise input_error(
+        key="load_case",
+        message=f"{cases:,} load cases{several} are more than the {MOST_ARCS // pulleys} "
+        "that this server takes, the design case and conditions counted",
+        remedy="Leave some out, or solve the file on the command line: wraparc solve FILE.",
     )
 
 

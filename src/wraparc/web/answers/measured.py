@@ -15,7 +15,7 @@ from wraparc.calibrate.file import (
     measured_from_document,
     overlays,
 )
-from wraparc.errors import InputError, MissingExtraError, Problem, shown
+from wraparc.errors import InputError, MissingExtraError, Problem, input_error, shown
 from wraparc.files import lagging_text
 from wraparc.plot.overlay import plot_overlay
 from wraparc.schema.emit import document_text
@@ -86,12 +86,10 @@ def _read(asked: MeasuredRequest, folder: str) -> Measured:
     plans = [f for f in asked.files if f.name.lower().endswith(_PLAN)]
     records = [f for f in asked.files if f not in plans]
     if len(plans) > 1:
-        raise InputError(
-            Problem(
-                message="more than one calibrate file",
-                value=", ".join(shown(p.name) for p in plans),
-                remedy="Choose one, with the records that it names.",
-            )
+        raise input_error(
+            message="more than one calibrate file",
+            value=", ".join(shown(p.name) for p in plans),
+            remedy="Choose one, with the records that it names.",
         )
     plan = _plan(plans[0]) if plans else _usual(asked, records)
     stored = {}
@@ -116,7 +114,7 @@ def _bytes(file: MeasuredFile) -> bytes:
         return b64decode(file.data, validate=True)
     except ValueError:
         message, remedy = "is not in base 64", "Send the bytes of the file in base 64."
-        raise InputError(Problem(file=file.name, message=message, remedy=remedy)) from None
+        raise input_error(file=file.name, message=message, remedy=remedy) from None
 
 
 def _plan(file: MeasuredFile) -> Data:

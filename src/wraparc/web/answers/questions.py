@@ -8,7 +8,7 @@ from wraparc.checks import judge
 from wraparc.choose.named_changes import Named, changes_of
 from wraparc.choose.what_if import what_if
 from wraparc.drive import Drive
-from wraparc.errors import InputError, Problem
+from wraparc.errors import input_error
 from wraparc.files.conditions import refuse_several
 from wraparc.train.as_drive import nearest_drive
 from wraparc.train.whole import by_pulley, solved
@@ -34,7 +34,7 @@ def changed(asked: WhatIfRequest) -> Sheet:
     )
     changes = list(changes_of(thing, drive, pulley.name, named, allow_paths=False))
     if not changes:
-        raise InputError(Problem(message="nothing is to be changed", remedy="Name a change."))
+        raise input_error(message="nothing is to be changed", remedy="Name a change.")
     found = what_if(thing, pulley.name, asked.load_case, changes, method=Distributed())
     title = drive.title or "What if"
     return Sheet(**sheet(what_if_sheet(found, title)))

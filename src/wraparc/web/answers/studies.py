@@ -11,7 +11,7 @@ from wraparc.answer.study_sheet import study_sheet
 from wraparc.answer.study_words import group_name, histogram_sentence
 from wraparc.errors import InputError, Problem, shown
 from wraparc.files.lagging_file import is_path
-from wraparc.render.study import study_page
+from wraparc.render.page import study_page
 from wraparc.schema.emit import document_text
 from wraparc.schema.problems import place_text
 from wraparc.study.executor import Threads

@@ -4,7 +4,7 @@ import re
 from dataclasses import replace
 from typing import get_args
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, Problem, input_error, shown
 from wraparc.files.lagging_file import lagging_from_document
 from wraparc.schema.emit import document_text
 from wraparc.schema.quantity_text import quantity_text
@@ -98,7 +98,7 @@ def write_toml(asked: DocumentRequest) -> WriteAnswer:
         if isinstance(error, InputError):
             raise
         message = "holds what a drive file cannot hold"
-        raise InputError(Problem(message=message, remedy="Use text, numbers, tables.")) from None
+        raise input_error(message=message, remedy="Use text, numbers, tables.") from None
     return WriteAnswer(toml=text, name=f"{file_stem(document.get('title'))}.toml", **state)
 
 

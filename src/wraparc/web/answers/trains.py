@@ -10,7 +10,7 @@ from wraparc.answer.train_sheet import matching_sheet, train_sheet
 from wraparc.answer.words import in_words
 from wraparc.arc import Distributed
 from wraparc.checks import judge
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import InputError, input_error, shown
 from wraparc.train import Matching, Train, TrainResult, match_drives, share_map, solve_train
 from wraparc.train.file import train_from_document
 from wraparc.train.matching import wet_laggings
@@ -133,14 +133,14 @@ def _drive(thing: Train, name: str | None) -> int:
     names = [p.name for p in thing.pulleys]
     if len(names) < 2:
         message = "trim needs two or more drive pulleys; this drive has one"
-        raise InputError(Problem(message=message, remedy="Add a pulley.", key="pulley"))
+        raise input_error(message=message, remedy="Add a pulley.", key="pulley")
     if name is None:
         return 1
     if name in names[1:]:
         return names.index(name)
     message = "trims are relative to the first drive" if name in names else "no such pulley"
     remedy = f"Choose one of {', '.join(map(shown, names[1:]))}."
-    raise InputError(Problem(message=message, remedy=remedy, key="drive", value=shown(name)))
+    raise input_error(message=message, remedy=remedy, key="drive", value=shown(name))
 
 
 def _trim(text: str) -> float:

@@ -18,7 +18,7 @@ from sqlalchemy import Connection, Engine, create_engine, event, make_url, text
 from sqlalchemy.exc import ArgumentError, SQLAlchemyError
 from sqlalchemy.pool import StaticPool
 
-from wraparc.errors import InputError, Problem
+from wraparc.errors import InputError, input_error
 from wraparc.saving import quoted, replacing
 from wraparc.web.private import mend_database
 
@@ -194,4 +194,4 @@ def configuration() -> Config:
 
 
 def _unusable(shown: str, message: str, remedy: str) -> InputError:
-    return InputError(Problem(key="--database", value=shown, message=message, remedy=remedy))
+    return input_error(key="--database", value=shown, message=message, remedy=remedy)

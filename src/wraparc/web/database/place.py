@@ -4,7 +4,7 @@ import os
 import sys
 from pathlib import Path
 
-from wraparc.errors import InputError, Problem, shown
+from wraparc.errors import input_error, shown
 from wraparc.web.private import close_to_others
 
 _FILE = "designs.sqlite"
@@ -29,13 +29,11 @@ def database_url(given: str | None) -> str:
         return _of_file(Path(given))
     dialect = kind.partition("+")[0]
     if dialect not in _KINDS:
-        raise InputError(
-            Problem(
-                key="--database",
-                value=shown(f"{kind}://..."),
-                message="no database that can be used",
-                remedy="Write the path of a file, or postgresql://user@host/name.",
-            )
+        raise input_error(
+            key="--database",
+            value=shown(f"{kind}://..."),
+            message="no database that can be used",
+            remedy="Write the path of a file, or postgresql://user@host/name.",
         )
     return f"postgresql+psycopg://{rest}" if dialect == "postgresql" else given
 
@@ -50,7 +48,7 @@ def user_folder() -> Path:
     except RuntimeError:
         message = "this user has no home, and the folder of his data is not named"
         remedy = "Set WRAPARC_DATA to a folder, or name a file with --database."
-        raise InputError(Problem(message=message, remedy=remedy)) from None
+        raise input_error(message=message, remedy=remedy) from None
     if sys.platform == "win32":
         base = Path(os.environ.get("LOCALAPPDATA", home / "AppData" / "Local"))
     elif sys.platform == "darwin":
@@ -65,17 +63,13 @@ def _of_file(path: Path) -> str:
     try:
         whole.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(
-            Problem(
-                key="--database",
-                value=shown(str(path)),
-                message=f"its folder cannot be made: {error.strerror}",
-                remedy="Name another file.",
-            )
+        raise input_error(
+            key="--database",
+            value=shown(str(path)),
+            message=f"its folder cannot be made: {error.strerror}",
+            remedy="Name another file.",
         ) from None
     if "?" in whole.name:
         message, remedy = "a ? begins the options of a database", "Name another file."
-        raise InputError(
-            Problem(key="--database", value=shown(str(path)), message=message, remedy=remedy)
-        )
+        raise input_error(key="--database", value=shown(str(path)), message=message, remedy=remedy)
     return f"sqlite:///{whole.as_posix()}"

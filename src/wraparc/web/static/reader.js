@@ -54,7 +54,11 @@ if (($truth(whole) && (given > 1))) {
 } else {
 ([message, remedy] = ["must be a whole number from 1", ("" + "Write format = " + $str(1) + ".")]);
 }
-throw new InputError(new Problem(message, remedy, file, "format", $shown(given)));
+throw errors__input_error(message, remedy, file, "format", $shown(given));
+}
+function errors__input_error(message, remedy = "", file = "", key = "", value = "", line = null) {
+
+return new InputError(new Problem(message, remedy, file, key, value, line));
 }
 function source__read_tables(table, document, file) {
 let report;
@@ -202,7 +206,7 @@ let by_plain, remedy, texts;
 (by_plain = $map([...(function* () { for (const k of $iter(known)) { yield [$once(loader___plain, $kept_loader___plain)(k), k]; } })()]));
 (texts = [...(function* () { for (const key of $iter(errors__near($once(loader___plain, $kept_loader___plain)(name), by_plain))) { yield $shown($at(by_plain, key)); } })()]);
 (remedy = ($truth(texts) ? ("" + "Did you mean " + $str($m.join(" or ", texts)) + "?") : ""));
-return new InputError(new Problem(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name)));
+return errors__input_error(("" + "the catalogue has no " + $str(what) + " of this name"), $m.strip(("" + $str(remedy) + " The command `" + $str(command) + "` lists them.")), undefined, undefined, $shown(name));
 }
 function conditions__build_conditions(record, report) {
 let cases, main, problem, rows;
@@ -394,7 +398,7 @@ throw numbers___refused(given, "too small to tell from zero", "Write 0, or check
 return value;
 }
 function numbers___refused(given, message, remedy) {
-return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
+return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
 function parse___no_unit(value, dimension) {
 let kind, message;
@@ -403,7 +407,7 @@ let kind, message;
 return parse___refused(value, message, ("" + "Write the unit too, for example " + $str($shown($bound(kind, "example"))) + "."));
 }
 function parse___refused(given, message, remedy) {
-return new InputError(new Problem(message, remedy, undefined, undefined, $shown(given)));
+return errors__input_error(message, remedy, undefined, undefined, $shown(given));
 }
 function parse___read(text, dimension) {
 let number, unit, unit_text;
@@ -3853,7 +3857,7 @@ throw laws___problem(missing, ("" + "missing, where " + $str(there) + " is given
 return new TestedRange($at(pressures, 0), $at(pressures, 1), slip, speed);
 }
 function laws___problem(key, message, remedy = "", value = "") {
-return new InputError(new Problem(message, remedy, undefined, key, value));
+return errors__input_error(message, remedy, undefined, key, value);
 }
 function laws___table(record) {
 let problems, rows, slips;
@@ -3998,7 +4002,7 @@ return $c91;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
-return new InputError(new Problem(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text)));
+return errors__input_error(message, "Write it over the pressure p as a polynomial (0.12 - 0.00021 p + 1.4e-7 p^2), a logarithm (-0.31 + 0.042 ln(p)), a power (-1.6 p^-0.45) or an exponential (-0.2 exp(-0.0031 p)).", undefined, undefined, $shown(text));
 }
 function trends___term(match, text) {
 let coefficient, factor, inner, power;
@@ -4143,7 +4147,7 @@ function lagging_file___catalogue_record(name, text) {
 let record;
 (record = lagging_file___record(text, ("" + "catalogue lagging " + $str(name))));
 if ((!$eq($at(record, "name"), name))) {
-throw new InputError(new Problem("is not the name of its file", ("" + "Write name = " + $str($shown(name)) + ", or rename the file."), ("" + "catalogue lagging " + $str(name)), "name", $shown($at(record, "name"))));
+throw errors__input_error("is not the name of its file", ("" + "Write name = " + $str($shown(name)) + ", or rename the file."), ("" + "catalogue lagging " + $str(name)), "name", $shown($at(record, "name")));
 }
 return record;
 }
@@ -4180,7 +4184,7 @@ if (!$truth(lagging_file__is_path(name_or_path))) {
 return [$once(lagging_file___catalogue_record, $kept_lagging_file___catalogue_record)(name_or_path, text), ("" + "catalogue lagging " + $str(name_or_path))];
 }
 if (!$truth(allow_paths)) {
-throw new InputError(new Problem("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path)));
+throw errors__input_error("the path of a file cannot be used here", ("" + "Choose one of " + $str($m.join(", ", laggingNames())) + ", or put the lagging into the drive file as a [lagging.NAME] table."), undefined, undefined, $shown(name_or_path));
 }
 (path = readText(folder, name_or_path));
 return [lagging_file___record(readText(path), path), path];
@@ -4222,7 +4226,7 @@ let band, dry, here, high, known, low, note, source, there;
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
 (known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
-throw new InputError(new Problem(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard)));
+throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
 (band = ((low < high) ? ("" + ", " + $format(low, ("" + ".3g")) + " to " + $format(high, ("" + ".3g"))) : ""));
@@ -4280,7 +4284,7 @@ let names, there;
 
 (names = $b.list(known));
 (there = ("" + "It has " + $str($m.join(", ", $b.map($shown, names))) + "."));
-return new InputError(new Problem(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name)));
+return errors__input_error(("" + $str(of) + " has no such " + $str(what)), $m.strip(("" + $str(errors__nearest(name, names)) + " " + $str(there))), undefined, undefined, $shown(name));
 }
 function drive___pull(case_) {
 return $math.fsum((function* () { for (const t of $iter($m.values(case_.tensions))) { yield t.effective; } })());
@@ -4859,7 +4863,7 @@ return ($truth(keys) ? $m.isdisjoint(self.faulty, keys) : !$truth(self.faulty));
 class Provenance extends $Object {
 __post_init__() {
 const self = this; if (((self.kind === "published") && !$truth($m.strip(self.source)))) {
-throw new InputError(new Problem("a published number without a source", "Name the publication, or call the number given or illustrative."));
+throw errors__input_error("a published number without a source", "Name the publication, or call the number given or illustrative.");
 }
 }
 __str__() {
