@@ -107,8 +107,7 @@ class Selection:
         search, best = self.search, int(self.ranking[0])
         told = _OF_LIMITS | (_OF_RATING if search.limits.rating is not None else frozenset())
         told |= _OF_THE_WHOLE if len(search.drive.pulleys) > 1 else frozenset()
-        grid = self.grid.with_slack(np.asarray(self.slack_tension, dtype=float))
-        judged = (judge(solved(grid.drive(best, k))) for k in range(len(search.conditions)))
+        judged = (judge(solved(self.grid.drive(best, k))) for k in range(len(search.conditions)))
         found = {c.said: c for one in judged for c in one.checks if c.missed}
         left = [c for c in found.values() if c.name not in told]
         return tuple(sorted(left, key=lambda c: -c.level.rank))
