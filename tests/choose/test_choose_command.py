@@ -131,3 +131,28 @@ def test_a_year_has_no_more_hours_than_that() -> None:
     ran = wraparc("choose", EXAMPLES / "choose.toml", "--set", "cost.hours.start=3000")
     assert (ran.code, ran.out) == (2, "")
     assert "cost.hours: 9000 in all, and a year has 8784" in " ".join(ran.err.split())
+
+
+def test_pulleys_beside_the_chosen_one_are_judged_as_solve_does(tmp_path: Path) -> None:
+    # expected: what `wraparc solve` says of the drive with what was recommended
+    drive = shutil.copy(EXAMPLES.parent / "tandem-fabric.toml", tmp_path)
+    file = tmp_path / "choose.toml"
+    file.write_text(
+        """format = 1
+drive = "tandem-fabric.toml"
+pulley = "first"
+candidates.laggings = ["full-ceramic"]
+candidates.slack_tensions = "least"
+cost = { currency = "AUD", years = 10, tariff = 0.2, hours.design = 6000 }
+""",
+        "utf-8",
+    )
+    chosen = wraparc("choose", file)
+    changed = ("--set", "train.exit_tension=16.32 kN", "--set", "pulley.first.lagging=full-ceramic")
+    solved = wraparc("solve", drive, *changed)
+    assert "Choose full-ceramic with a slack-side tension of 16.32 kN" in chosen.words
+    said = "Slack side 16.32 kN is below the 21.9 kN of CEMA; friction 0.35 (rubber)."
+    for ran, whose in ((chosen, "ATTENTION Choose"), (solved, "ATTENTION Pulley second")):
+        assert said in ran.words
+        assert whose in ran.words
+    assert f"Pulley second: {said}" in chosen.words

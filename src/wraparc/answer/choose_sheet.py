@@ -139,9 +139,13 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
-    missed = selection.missed
-    headline = " ".join([headline, *(c.said for c in missed[:1])])
-    sentences += [c.said for c in missed[1:]]
+    missed, own = selection.missed, selection.search.pulley
+    said = [
+        c.said if c.place.pulley in ("", own) else f"Pulley {c.place.pulley}: {c.said}"
+        for c in missed
+    ]
+    headline = " ".join([headline, *said[:1]])
+    sentences += said[1:]
     level = Level.ATTENTION if below or silent else Level.OK
     level = max([level, *(c.level for c in missed)], key=lambda of: of.rank)
     lagging = selection.search.laggings[selection.grid.places[0, best]]

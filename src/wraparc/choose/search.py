@@ -278,6 +278,22 @@ class Grid:
             conveyor=conveyor,
         )  # fmt: skip
 
+    def whole(self, design: int, condition: int = 0) -> Drive:
+        """Return one design in its drive: other pulleys as they are, and pulling as they do."""
+        alone, of = self.drive(design, condition), self.search
+        cases = []
+        for case, own in zip(of.drive.load_cases, alone.load_cases, strict=True):
+            rise = own.tensions[of.pulley].exit - case.tensions[of.pulley].exit
+            ends = {
+                name: Tensions(entry=t.entry + rise, exit=t.exit + rise)
+                for name, t in case.tensions.items()
+            }
+            cases.append(replace(own, tensions=ends))
+        pulleys = (alone.pulleys[0] if p.name == of.pulley else p for p in of.drive.pulleys)
+        return replace(
+            alone, pulleys=tuple(pulleys), load_cases=tuple(cases), criteria=of.drive.criteria
+        )
+
     def _compression_modulus(self) -> Array:
         """E_c of every design, by the shape of its blocks at its thickness [Pa]."""
         search = self.search

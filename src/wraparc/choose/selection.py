@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from wraparc.arc import solve as solve_drive
 from wraparc.arrays import Array, Flags, Integers
 from wraparc.checks import Check, judge
 from wraparc.checks.least_tension import taut
@@ -25,13 +26,10 @@ from wraparc.choose.slack_rules import (
     slack_offset,
     standard_slack,
 )
-from wraparc.train.whole import solved
 
-#: Checks that the limits of a search speak of: always, if it has a limit of the rating, and of
-#: which one pulley of several knows too little.
+#: Checks of its pulley that the limits of a search speak of: always, and if it limits the rating.
 _OF_LIMITS = frozenset({"gross_slip", "design_standard", "creep", "sag"})
 _OF_RATING = frozenset({"belt_tension", "momentary_tension"})
-_OF_THE_WHOLE = frozenset({"taut", "take_up", "sense"})
 
 Solver = Callable[..., Mapping[str, Array]]
 
@@ -99,17 +97,17 @@ class Selection:
     def missed(self) -> tuple[Check, ...]:
         """Checks that the recommended design misses in any condition, the worst first.
 
-        It is judged as every drive is. Left out is what the limits of the search speak of, and for
-        one pulley of several what the drive is held to as a whole.
+        It is judged as every drive is, with the pulleys beside it. Left out is what the limits of
+        the search speak of.
         """
         if not len(self.ranking):
             return ()
         search, best = self.search, int(self.ranking[0])
         told = _OF_LIMITS | (_OF_RATING if search.limits.rating is not None else frozenset())
-        told |= _OF_THE_WHOLE if len(search.drive.pulleys) > 1 else frozenset()
-        judged = (judge(solved(self.grid.drive(best, k))) for k in range(len(search.conditions)))
+        wholes = (self.grid.whole(best, k) for k in range(len(search.conditions)))
+        judged = (judge(solve_drive(whole, raise_on_failure=False)) for whole in wholes)
         found = {c.said: c for one in judged for c in one.checks if c.missed}
-        left = [c for c in found.values() if c.name not in told]
+        left = [c for c in found.values() if c.name not in told or c.place.pulley != search.pulley]
         return tuple(sorted(left, key=lambda c: -c.level.rank))
 
     def broken(self, design: int) -> tuple[str, ...]:
