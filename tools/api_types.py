@@ -3,9 +3,14 @@
 import json
 from typing import Any
 
+from pydantic import TypeAdapter
+
+from wraparc.units import Dimension, cell
+from wraparc.web.answers.shown import Text
 from wraparc.web.app import create_app
 from wraparc.web.settings import Settings
 
+_ALIASES: dict[str, Any] = {"Text": Text, "Dimension": Dimension, "CellForm": cell.Form}
 _PLAIN = {"integer": "number", "number": "number", "string": "string", "boolean": "boolean"}
 
 
@@ -42,5 +47,8 @@ def _interface(name: str, schema: dict[str, Any]) -> str:
 def types_of_api() -> str:
     """Return the module of all types."""
     schemas = create_app(Settings()).openapi()["components"]["schemas"]
-    head = "// Made by `make kernel` from the document of the API. No code.\n"
-    return head + "".join(_interface(name, schemas[name]) for name in sorted(schemas))
+    text = "".join(_interface(name, schemas[name]) for name in sorted(schemas))
+    for name, of in _ALIASES.items():  # what the document writes out wherever it stands
+        whole = _type(TypeAdapter(of).json_schema(ref_template="#/components/schemas/{model}"))
+        text = text.replace(whole, name) + f"export type {name} = {whole};\n"
+    return "// Made by `make kernel` from the document of the API. No code.\n" + text

@@ -35,6 +35,7 @@ from wraparc.answer.sheet import (
     weak_sources,
 )
 from wraparc.checks import Level
+from wraparc.checks.check import placed
 from wraparc.choose.across import MOST, is_uneven
 from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
@@ -112,7 +113,8 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
     below, silent = below_standard(selection, best), silent_standard(selection, best)
     name = design_name(selection, best, slack=False)
     told = f"Choose {name}"
-    if any(c.level.rank > Level.ATTENTION.rank for c in selection.missed):
+    judged = selection.verdict
+    if judged.level.rank > Level.ATTENTION.rank:
         told = f"The cheapest within the limits fails: {name}"
     elif below:
         told = f"No candidate {below}; the cheapest is {name}"
@@ -139,15 +141,12 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
             "tension "
             f"{tight} of a rated {named('belt_modulus', lighter.belt.rating or 0.0)}{allowed}."
         )
-    missed, own = selection.missed, selection.search.pulley
-    said = [
-        c.said if c.place.pulley in ("", own) else f"Pulley {c.place.pulley}: {c.said}"
-        for c in missed
-    ]
+    here = ("", selection.search.pulley)
+    said = [c.said if c.place.pulley in here else placed(c) for c in judged.missed]
     headline = " ".join([headline, *said[:1]])
     sentences += said[1:]
     level = Level.ATTENTION if below or silent else Level.OK
-    level = max([level, *(c.level for c in missed)], key=lambda of: of.rank)
+    level = max(level, judged.level, key=lambda of: of.rank)
     lagging = selection.search.laggings[selection.grid.places[0, best]]
     kind = lagging.source_of("law").kind
     ground = ""

@@ -10,7 +10,8 @@ import numpy as np
 
 from wraparc.arc import solve as solve_drive
 from wraparc.arrays import Array, Flags, Integers
-from wraparc.checks import Check, judge
+from wraparc.checks import judge
+from wraparc.checks.check import Verdict
 from wraparc.checks.least_tension import taut
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
 from wraparc.choose.answers import solve_columns
@@ -94,21 +95,18 @@ class Selection:
         return self.ranking[np.isnan(self.unevenness[self.ranking])]
 
     @cached_property
-    def missed(self) -> tuple[Check, ...]:
-        """Checks that the recommended design misses in any condition, the worst first.
+    def verdict(self) -> Verdict:
+        """What the recommended design comes to in all conditions, judged as every drive is.
 
-        It is judged as every drive is, with the pulleys beside it. Left out is what the limits of
-        the search speak of.
+        The pulleys beside it are judged too. Left out is what the limits of the search speak of.
         """
-        if not len(self.ranking):
-            return ()
         search, best = self.search, int(self.ranking[0])
         told = _OF_LIMITS | (_OF_RATING if search.limits.rating is not None else frozenset())
         wholes = (self.grid.whole(best, k) for k in range(len(search.conditions)))
         judged = (judge(solve_drive(whole, raise_on_failure=False)) for whole in wholes)
-        found = {c.said: c for one in judged for c in one.checks if c.missed}
-        left = [c for c in found.values() if c.name not in told or c.place.pulley != search.pulley]
-        return tuple(sorted(left, key=lambda c: -c.level.rank))
+        checks = (check for verdict in judged for check in verdict.checks)
+        own = search.pulley
+        return Verdict(tuple(c for c in checks if c.name not in told or c.place.pulley != own))
 
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the limits that a design breaks."""

@@ -14,14 +14,12 @@ pressures are the same. Speed, torque and power belong to the pitch radius R - d
 from __future__ import annotations
 
 from math import isnan, nan, pi
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
-from wraparc.arrays import Array
+from wraparc.arrays import Number
 from wraparc.drive.belt import COVER_SHEAR_BAND, COVER_SHEAR_MODULUS, Belt, Side
 from wraparc.friction import FrictionLaw
 from wraparc.provenance import Provenance
-
-Number = TypeVar("Number", float, Array)
 
 #: Offset of the tension member in a belt of 10 mm, for the size of what is missing without one [m].
 USUAL_OFFSET = 5e-3

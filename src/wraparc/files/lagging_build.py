@@ -27,7 +27,9 @@ _MEASURED = ("thickness", "shear_modulus", "compression_modulus")
 #: Keys of a table of their own, and keys that are fields of a lagging as they stand.
 _TABLES = ("law", "block", "cost", "provenance", "sources", "notes")
 _SAME = tuple(
-    key for key in _KEYS if key in {part.name for part in fields(Lagging)} - {*_TABLES, *_MEASURED}
+    part.name
+    for part in fields(Lagging)
+    if part.name in _KEYS and part.name not in (*_TABLES, *_MEASURED)
 )
 _ELASTIC = ("elastic_modulus", "shear_modulus", "compression_modulus", "block")
 

@@ -36,16 +36,7 @@ _LICENCES = (
     _FOLDER / "smol-toml-LICENSE.txt",
 )
 #: Parts of the form that the file has fields for.
-_SECTIONS = (
-    "drive",
-    "belt",
-    "pulley",
-    "tensions",
-    "lagging",
-    "load_case",
-    "train",
-    "conveyor",
-)
+_SECTIONS = ["drive", "belt", "pulley", "tensions", "lagging", "load_case", "train", "conveyor"]
 #: Keys of a lagging table in a pulley whose law the page was not made with.
 _OTHER_LAW = ("law", "condition_factor", "slip_speed", "temperature")
 _PLACE = re.compile(r"\{\{(\w+)\}\}")

@@ -11,9 +11,9 @@ export interface AcrossAnswer {
   load_case: string;
   even: boolean;
   solved: boolean;
-  status_text: string | Number | TextWithNumbers;
+  status_text: Text;
   verdict: Verdict;
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   bars: Bar[];
   checks: Table | null;
   tables: Table[];
@@ -79,9 +79,9 @@ export interface Bar {
   at_most: boolean;
   value: number;
   share: number;
-  found: string | Number | TextWithNumbers;
-  limit: string | Number | TextWithNumbers;
-  says: string | Number | TextWithNumbers;
+  found: Text;
+  limit: Text;
+  says: Text;
   source: string;
 }
 export interface Body_add_api_v1_tests__session__files_post {
@@ -136,9 +136,9 @@ export interface Catalogue {
 export interface CatalogueBelt {
   name: string;
   kind: string;
-  rating: string | Number | TextWithNumbers;
-  modulus: string | Number | TextWithNumbers;
-  least_pulley_diameter: string | Number | TextWithNumbers | null;
+  rating: Text;
+  modulus: Text;
+  least_pulley_diameter: Text | null;
   source: string;
 }
 export interface CatalogueExample {
@@ -152,9 +152,9 @@ export interface CatalogueLagging {
   title: string;
   surface: string;
   conditions: string[];
-  thickness: string | Number | TextWithNumbers;
-  shear_modulus: string | Number | TextWithNumbers;
-  compression_modulus: string | Number | TextWithNumbers;
+  thickness: Text;
+  shear_modulus: Text;
+  compression_modulus: Text;
   kind: Kind;
   source: string;
   tested: TestedTexts | null;
@@ -202,7 +202,7 @@ export interface CompareAnswer {
   present: string;
   columns: Column[];
   rows: Candidate[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   not_possible: Impossible[];
 }
 export interface CompareRequest {
@@ -219,7 +219,7 @@ export interface CompareRequest {
 }
 export interface Compared {
   value: number | null;
-  text: string | Number | TextWithNumbers;
+  text: Text;
 }
 export interface Curve {
   axis: string;
@@ -342,7 +342,7 @@ export interface FastAnswer {
   sequence: number;
   kind: "drive" | "train";
   verdict: Verdict;
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   prepared: Prepared | null;
 }
 export interface FastRequest {
@@ -475,9 +475,9 @@ export interface Form {
 }
 export interface FoundValue {
   value: number;
-  shown: string | Number | TextWithNumbers;
+  shown: Text;
   level: Level;
-  headline: string | Number | TextWithNumbers;
+  headline: Text;
 }
 export interface Impossible {
   name: string;
@@ -486,30 +486,7 @@ export interface Impossible {
 export interface Input {
   path: (string | number)[];
   name: string;
-  dimension:
-    | "length"
-    | "force"
-    | "force_per_width"
-    | "spring_rate"
-    | "pressure"
-    | "pressure_per_length"
-    | "speed"
-    | "angle"
-    | "power"
-    | "torque"
-    | "area"
-    | "time"
-    | "temperature"
-    | "per_length"
-    | "wear_coefficient"
-    | "energy_per_area"
-    | "power_per_area"
-    | "rotation_speed"
-    | "mass"
-    | "mass_per_length"
-    | "mass_flow"
-    | "moment_of_inertia"
-    | "number";
+  dimension: Dimension;
   least: number | "NaN" | "Infinity" | "-Infinity";
   most: number | "NaN" | "Infinity" | "-Infinity";
   open: boolean;
@@ -536,11 +513,11 @@ export interface Judging {
 }
 export type Kind = "measured" | "published" | "calibrated" | "illustrative" | "given";
 export interface LaggingAnswer {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   name: string;
   condition: string;
@@ -564,8 +541,8 @@ export interface LeastTension {
   governing: string;
   level: Level;
   raise_to: number | null;
-  shown: string | Number | TextWithNumbers;
-  sentence: string | Number | TextWithNumbers;
+  shown: Text;
+  sentence: Text;
   table: Table;
 }
 export type Level = "NOT CHECKED" | "OK" | "ATTENTION" | "FAILS" | "FAULT OF THE PROGRAM";
@@ -589,11 +566,11 @@ export interface Marks {
   outside_tested: boolean;
 }
 export interface MatchingPart {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   format: number;
   program: Record<string, string>;
@@ -606,11 +583,11 @@ export interface MatchingPart {
   map?: Map | null;
 }
 export interface MeasuredAnswer {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   picture: string;
   lagging: Record<string, any> | null;
@@ -635,44 +612,9 @@ export interface Number {
   apart?: number;
   unit: string;
   name?: string;
-  dimension?:
-    | "length"
-    | "force"
-    | "force_per_width"
-    | "spring_rate"
-    | "pressure"
-    | "pressure_per_length"
-    | "speed"
-    | "angle"
-    | "power"
-    | "torque"
-    | "area"
-    | "time"
-    | "temperature"
-    | "per_length"
-    | "wear_coefficient"
-    | "energy_per_area"
-    | "power_per_area"
-    | "rotation_speed"
-    | "mass"
-    | "mass_per_length"
-    | "mass_flow"
-    | "moment_of_inertia"
-    | "number";
+  dimension?: Dimension;
   digits?: number;
-  form?:
-    | ""
-    | "bare"
-    | "unit"
-    | "percent"
-    | "up"
-    | "bare up"
-    | "down"
-    | "slip"
-    | "apart"
-    | "slip apart"
-    | "to"
-    | "-";
+  form?: CellForm;
   text: string;
 }
 export interface NumberInText {
@@ -681,44 +623,9 @@ export interface NumberInText {
   apart?: number;
   unit: string;
   name?: string;
-  dimension?:
-    | "length"
-    | "force"
-    | "force_per_width"
-    | "spring_rate"
-    | "pressure"
-    | "pressure_per_length"
-    | "speed"
-    | "angle"
-    | "power"
-    | "torque"
-    | "area"
-    | "time"
-    | "temperature"
-    | "per_length"
-    | "wear_coefficient"
-    | "energy_per_area"
-    | "power_per_area"
-    | "rotation_speed"
-    | "mass"
-    | "mass_per_length"
-    | "mass_flow"
-    | "moment_of_inertia"
-    | "number";
+  dimension?: Dimension;
   digits?: number;
-  form?:
-    | ""
-    | "bare"
-    | "unit"
-    | "percent"
-    | "up"
-    | "bare up"
-    | "down"
-    | "slip"
-    | "apart"
-    | "slip apart"
-    | "to"
-    | "-";
+  form?: CellForm;
   at: [number, number];
 }
 export interface OnSiteRequest {
@@ -799,7 +706,7 @@ export interface ProfileAnswer {
   key: string;
   profile: string[][] | Record<string, any>;
   readings: number;
-  told: (string | Number | TextWithNumbers)[];
+  told: Text[];
 }
 export interface QuantitiesAnswer {
   items: Quantity[];
@@ -809,8 +716,8 @@ export interface QuantitiesRequest {
 }
 export interface Quantity {
   value?: number | null;
-  text?: string | Number | TextWithNumbers | null;
-  exact?: string | Number | TextWithNumbers | null;
+  text?: Text | null;
+  exact?: Text | null;
   problem?: ToldProblem | null;
 }
 export interface QuantityItem {
@@ -850,10 +757,10 @@ export interface ReportRequest {
 }
 export interface Row {
   name: string;
-  title: string | Number | TextWithNumbers;
+  title: Text;
   symbol: string;
-  values: (string | Number | TextWithNumbers)[];
-  note: string | Number | TextWithNumbers;
+  values: Text[];
+  note: Text;
   level: Level | null;
 }
 export interface RunAnswer {
@@ -881,7 +788,7 @@ export interface Section {
   fields: Field[];
 }
 export interface SeekAnswer {
-  sentence: string | Number | TextWithNumbers;
+  sentence: Text;
   found: FoundValue[];
   tried: (number | null)[];
   results: (number | null)[];
@@ -914,19 +821,19 @@ export interface SessionFiles {
   expires_in: number;
 }
 export interface Sheet {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
 }
 export interface SheetAnswer {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   kind: "drive" | "train";
 }
@@ -945,7 +852,7 @@ export interface SolveAnswer {
   within_creep_limit: boolean;
   governing: Place;
   verdict: Verdict;
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   conditions: Table | null;
   checks: Table;
   least_tension: LeastTension | null;
@@ -976,14 +883,14 @@ export interface Source {
 }
 export interface Spread {
   result: string;
-  where: string | Number | TextWithNumbers;
+  where: Text;
   edges: number[];
   counts: number[];
   limit: number | null;
   at_most: boolean;
   beyond: number;
   without: number;
-  told: string | Number | TextWithNumbers;
+  told: Text;
 }
 export interface StartAnswer {
   name: string;
@@ -1006,10 +913,10 @@ export interface StudyAnswer {
   problems: ToldProblem[];
   study?: Record<string, any> | null;
   document?: Record<string, any> | null;
-  subtitle?: string | Number | TextWithNumbers | null;
+  subtitle?: Text | null;
   verdict?: Verdict | null;
   tables?: Table[] | null;
-  remarks?: (string | Number | TextWithNumbers)[] | null;
+  remarks?: Text[] | null;
   table_sources?: string[] | null;
   summary?: Record<string, any> | null;
   spreads?: Spread[] | null;
@@ -1025,9 +932,9 @@ export interface StudyRequest {
 export interface Table {
   key?: string;
   name: string;
-  title: string | Number | TextWithNumbers;
-  heads: (string | Number | TextWithNumbers)[];
-  note: string | Number | TextWithNumbers;
+  title: Text;
+  heads: Text[];
+  note: Text;
   rows: Row[];
 }
 export interface Term {
@@ -1057,8 +964,8 @@ export interface Tested {
   slip_max: number;
 }
 export interface TestedTexts {
-  pressure: string | Number | TextWithNumbers;
-  slip: string | Number | TextWithNumbers;
+  pressure: Text;
+  slip: Text;
 }
 export interface TextWithNumbers {
   text: string;
@@ -1079,11 +986,11 @@ export interface TomlRequest {
   name?: string;
 }
 export interface TrainAnswer {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   solved: boolean;
   least_tension: Record<string, any> | null;
@@ -1093,11 +1000,11 @@ export interface TrainAnswer {
   matching: MatchingPart | null;
 }
 export interface TrainPart {
-  title: string | Number | TextWithNumbers;
-  subtitle: string | Number | TextWithNumbers;
+  title: Text;
+  subtitle: Text;
   verdict: Verdict | null;
   tables: Table[];
-  remarks: (string | Number | TextWithNumbers)[];
+  remarks: Text[];
   table_sources: string[];
   solved: boolean;
   least_tension: Record<string, any> | null;
@@ -1137,9 +1044,9 @@ export interface Units {
 export interface Verdict {
   level: Level;
   word: string;
-  headline: string | Number | TextWithNumbers;
-  action: string | Number | TextWithNumbers;
-  sentences: (string | Number | TextWithNumbers)[];
+  headline: Text;
+  action: Text;
+  sentences: Text[];
 }
 export interface VersionAnswer {
   version: number;
@@ -1227,3 +1134,41 @@ export interface WriteAnswer {
   toml: string;
   name: string;
 }
+export type Text = string | Number | TextWithNumbers;
+export type Dimension =
+  | "length"
+  | "force"
+  | "force_per_width"
+  | "spring_rate"
+  | "pressure"
+  | "pressure_per_length"
+  | "speed"
+  | "angle"
+  | "power"
+  | "torque"
+  | "area"
+  | "time"
+  | "temperature"
+  | "per_length"
+  | "wear_coefficient"
+  | "energy_per_area"
+  | "power_per_area"
+  | "rotation_speed"
+  | "mass"
+  | "mass_per_length"
+  | "mass_flow"
+  | "moment_of_inertia"
+  | "number";
+export type CellForm =
+  | ""
+  | "bare"
+  | "unit"
+  | "percent"
+  | "up"
+  | "bare up"
+  | "down"
+  | "slip"
+  | "apart"
+  | "slip apart"
+  | "to"
+  | "-";
