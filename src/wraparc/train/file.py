@@ -73,7 +73,7 @@ def load_drive_or_train(
         if conditions:
             with placed("--conditions", str(more.get("file", ""))):
                 document = asking(document, conditions)
-        reader = train_from_document if "train" in document else drive_from_document
+        reader = drive_or_train_from_document
         if also is None:
             return reader(document, **more)
         problems: list[Problem] = []
@@ -90,6 +90,12 @@ def load_drive_or_train(
         return found
 
     return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
+
+
+def drive_or_train_from_document(document: Document, **more: Any) -> Drive | Train:
+    """Return what a drive file describes that is already parsed, see `load_drive_or_train`."""
+    reader = train_from_document if "train" in document else drive_from_document
+    return reader(document, **more)
 
 
 def load_drive(
