@@ -152,12 +152,16 @@ def _worst_place(
     """Check pressure, shear and creep of the strip that comes off worst."""
     lagging, tested = pulley.lagging, pulley.lagging.law.tested
     strip = "The worst strip"
-    even = "Even out the pulley, or choose a larger pulley or less tension."
     plain = "Even out the pulley, or choose a larger pulley."
-    slips = (
-        "Even out the pulley, raise the slack-side tension, or choose a lagging with more friction."
-    )
-    no_tension = "Even out the pulley, or choose a lagging with more friction."
+    advice = {
+        "": (plain, plain),
+        "lower": (f"{plain[:-1]} or less tension.", plain),
+        "raise": (
+            "Even out the pulley, raise the slack-side tension, or choose a lagging with more "
+            "friction.",
+            "Even out the pulley, or choose a lagging with more friction.",
+        ),
+    }
     limits = [
         ("uneven_pressure", "Largest wrap pressure across the width, tested",
          result.largest_pressure, None if tested is None else tested.pressure_max,
@@ -185,13 +189,14 @@ def _worst_place(
     ]  # fmt: skip
     for name, title, value, limit, source, says, short in limits:
         if limit is not None:
+            remedy, otherwise = advice[ACROSS_RULES[name].tension]
             words = Words(
                 title=title,
                 source=source,
                 says=says,
                 short=short,
-                remedy=slips if name == "uneven_creep" else even,
-                otherwise=no_tension if name == "uneven_creep" else plain,
+                remedy=remedy,
+                otherwise=otherwise,
             )
             yield ACROSS_RULES[name].judged(value, limit, place, words)
     yield from _crown(drive, pulley)
