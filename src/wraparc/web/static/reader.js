@@ -1324,9 +1324,9 @@ yield $b.str($bound(source, "kind"));
 }
 function in_page_checks__idle_in(drive) {
 
-return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })());
+return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rule__idle(arc); } })());
 }
-function rules__idle(arc) {
+function rule__idle(arc) {
 
 return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
@@ -1366,50 +1366,50 @@ yield check;
 function* judge___of_members(result) {
 let adrift, case_, check, title;
 for (case_ of $iter(result)) {
-yield* $iter(judge___of_train($bound(result, "train"), case_));
+yield* $iter(of_train__of_case($bound(result, "train"), case_));
 if ($truth($b.isinstance(case_.case.division, Pulls))) {
-yield* $iter(judge___meeting(case_));
+yield* $iter(of_train__meetings(case_));
 }
 }
 (adrift = new Set((function* () { for (const case_ of $iter(result)) { if (!($truth(case_.adrift))) continue; yield case_.case.name; } })()));
-for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__of_train($bound(result, "train")))))) {
+for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__owners_of($bound(result, "train")))))) {
 if ((($eq(check.name, "gross_slip")) && ($in(check.place.load_case, adrift)))) {
 (title = $m.format("Safety against gross slip, {}", [$bound(result.train.case($bound(check.place, "load_case")), "kind")], $map([])));
-yield of_drive__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
+yield rule__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
 } else {
 yield check;
 }
 }
 }
-function* judge___of_train(train, case_) {
+function* of_train__of_case(train, case_) {
 let driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
-(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), judge___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
-yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
+(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
+yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($c40, case_.status, "solved"))) {
-yield* $iter(($truth(several) ? judge__not_working(place) : []));
+yield* $iter(($truth(several) ? of_train__not_working(place) : []));
 return null;
 }
 if ($truth(several)) {
 (lost = numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]));
-yield judge__fight(lost, place, $bound(case_.case, "division"));
-(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
+yield of_train__fight(lost, place, $bound(case_.case, "division"));
+(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rule__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
 yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
 }
-yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
-(motors = judge___motors($bound(case_, "case")));
+yield of_train__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
+(motors = of_train___motors($bound(case_, "case")));
 (driven_by = [...$iter($b.zip($bound(case_, "members"), motors, $k({strict: false})))]);
-(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
-yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), helps); } })());
+(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield of_train___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
+yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield of_train___motor(m, motor, $bound(case_, "case"), helps); } })());
 }
-function judge___motors(case_) {
+function of_train___motors(case_) {
 return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
-function judge__operating_point(status, reason, place, overrun = false) {
+function of_train__operating_point(status, reason, place, overrun = false) {
 let _, fault, remedy, says, shorts;
 
 ([says, _, remedy] = $m.partition($b.str(status), ". "));
@@ -1424,14 +1424,14 @@ function check__escaped(text) {
 
 return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
 }
-function* judge__not_working(place) {
+function* of_train__not_working(place) {
 let name, title;
 
 for ([name, title] of $iter([["fight", "Drives work together"], ["train_balance", "Tensions, speeds and torques of the train agree"]])) {
-yield of_drive__not_checked(name, title, "the drives do not carry the load", place);
+yield rule__not_checked(name, title, "the drives do not carry the load", place);
 }
 }
-function of_drive__not_checked(name, title, why, place) {
+function rule__not_checked(name, title, why, place) {
 
 return new Check(name, title, "NOT CHECKED", place, undefined, undefined, undefined, undefined, undefined, why, check__escaped(("" + $str(title) + ": not checked, " + $str(why) + ".")));
 }
@@ -1444,7 +1444,7 @@ return 0.0;
 }
 return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
 }
-function judge__fight(lost, place, division) {
+function of_train__fight(lost, place, division) {
 let fights, remedy;
 
 (fights = (lost > 0.0));
@@ -1495,56 +1495,30 @@ if ($truth(opposite)) {
 }
 return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give the pulley cover, carry cover and carcass of the belt.", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
 }
-function judge__train_balance(error, place) {
+function of_train__train_balance(error, place) {
+let words;
 
-return of_drive__judged($at($c44, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+(words = new Words("Tensions, speeds and torques of the train agree", "tolerance of the program", "out of balance", "Tensions, speeds and torques of the train miss each other by {value}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
+return $c44.judged(error, 1e-05, place, words);
 }
-function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
-let kept, level, miss;
-
-(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, rule.at_most)));
-(miss = new Miss($bound(rule, "missed"), short, says, remedy, $bound(rule, "fails_beyond"), because, $bound(rule, "tolerates"), allows, otherwise));
-([level, says] = miss.at(value, $bound(rule, "at_most")));
-return new Check(rule.name, title, ($truth(kept) ? "OK" : level), place, value, limit, dimension, rule.at_most, source, ($truth(kept) ? "" : short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : remedy), ($truth(kept) ? "" : otherwise), $or(more, () => $map([])), binding, miss);
-}
-function check__keeps(value, limit, at_most = true) {
-
-return numbers__kept(value, limit, at_most);
-}
-function numbers__kept(value, limit, at_most) {
-let within;
-
-if ($truth($math.isnan(value))) {
-return false;
-}
-(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
-return $or(within, () => numbers__same_shown(value, limit));
-}
-function numbers__same_shown(value, limit) {
-
-if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
-return ($eq(value, limit));
-}
-return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
-}
-function judge___motor(member, motor, case_, helps) {
+function of_train___motor(member, motor, case_, helps) {
 let at, momentary;
 
 ([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
 if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
-return judge__unrated(momentary, at);
+return of_train__unrated(momentary, at);
 }
-return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
+return of_train__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
 }
-function judge__unrated(momentary, place) {
+function of_train__unrated(momentary, place) {
 let name, why;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
 (why = "a drive that follows another gives no rating of its motors");
-return of_drive__not_checked(name, $at($c45, momentary), why, place);
+return rule__not_checked(name, $at($c45, momentary), why, place);
 }
-function judge__motor_load(load, most, momentary, place, helps) {
-let other, remedy, title;
+function of_train__motor_load(load, most, momentary, place, helps) {
+let other, remedy, title, words;
 
 (title = $at($c45, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
@@ -1555,9 +1529,10 @@ if ($truth(momentary)) {
 (other = ($truth(helps) ? "divide the load otherwise, " : ""));
 (remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
 }
-return of_drive__judged($at($c44, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
+(words = new Words(title, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "motor overloaded", "The motors work at {percent} % of their rated torque, and may at {most} %.", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, remedy, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])));
+return ($truth(momentary) ? $c46 : $c47).judged($b.abs(load), most, place, words);
 }
-function* judge___meeting(case_) {
+function* of_train__meetings(case_) {
 let ends, one, other, place;
 
 for ([one, other] of $iter($b.pairwise((function* () { for (const m of $iter(case_.members)) { yield m.arc.arc; } })()))) {
@@ -1573,17 +1548,17 @@ return null;
 }
 yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, give what the run before pulley " + $str(check__escaped(after)) + " adds."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
 }
-function* usual__of_train(train) {
+function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
 
 (division = $at(train.cases, 0).division);
 if (($truth($b.isinstance(division, Speeds)) && $truth(division.absolute))) {
 for ([pulley, turns] of $iter($b.zip($bound(train, "pulleys"), $bound(division, "rotation_speeds"), $k({strict: true})))) {
-yield new Owner(turns, $c46, "", new Place($bound(pulley, "name")));
+yield new Owner(turns, $c48, "", new Place($bound(pulley, "name")));
 }
 }
 for ([pulley, motor] of $iter($b.zip($bound(train, "pulleys"), ($truth($b.isinstance(division, Motors)) ? division.motors : []), $k({strict: false})))) {
-(kinds = ($truth($b.isinstance(motor, Motor)) ? $c47 : ["TorqueFollower"]));
+(kinds = ($truth($b.isinstance(motor, Motor)) ? $c49 : ["TorqueFollower"]));
 yield new Owner(motor, kinds, ("" + "of the motor of pulley " + $str(pulley.name)), new Place($bound(pulley, "name")));
 }
 }
@@ -1602,50 +1577,37 @@ if ($truth($b.any((function* () { for (const pulley of $iter(drive.pulleys)) { y
 yield* $iter(in_page_checks__across(result));
 }
 yield* $iter(of_drive__take_up(drive));
-for (pulley of $iter(drive.pulleys)) {
-yield of_drive__pulley_diameter(drive, pulley);
-}
+yield* $iter(judge__diameters(drive));
 yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
 }
 function* judge___case(drive, case_, arcs) {
-let balanced, found, index, pulley, result, sag;
+let index, pulley, result, rule, spot;
 for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
-(found = [of_arc__grip(drive, case_, arcs, index), of_arc__standard(drive, case_, result), of_arc__creep(drive, result), of_arc__cover_creep(result), in_page_checks__creep_interval(drive, result)]);
-yield* $iter((function* () { for (const check of $iter(found)) { if (!((check != null))) continue; yield check; } })());
-yield* $iter(of_drive__of_belt(drive, case_, pulley));
-yield* $iter(of_arc__lagging_stress(pulley, result));
-yield* $iter(of_drive__tested_pressure(drive, case_, pulley));
-yield* $iter(of_data__condition(case_, pulley));
-yield* $iter(of_data__fit(case_, pulley));
-yield* $iter(of_arc__tested_slip(pulley, result));
-if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rules__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rules__idle($bound(result, "arc")))))) {
+yield of_arc__grip(drive, case_, arcs, index);
+(spot = of_arc__spot_of(drive, case_, pulley, result));
+for (rule of $iter($c52)) {
+yield* $iter(rule.checks(spot));
+}
+if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rule__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rule__idle($bound(result, "arc")))))) {
 yield of_drive__sense(case_, pulley);
 }
-(balanced = of_arc__balance(result));
-if ((balanced != null)) {
-yield balanced;
-}
-}
-(sag = of_drive__sag(drive, case_));
-if ((sag != null)) {
-yield sag;
 }
 }
 function of_arc__grip(drive, case_, arcs, index) {
 let name, place, result, rise, take_up, title;
 
 (result = $at(arcs, index));
-([take_up, name] = [drive.criteria.take_up, $at($c44, "gross_slip").name]);
+([take_up, name] = [drive.criteria.take_up, "gross_slip"]);
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
 return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefined, undefined, undefined, undefined, "not solved", check__escaped($b.str($bound(result, "status"))));
 }
-if ($truth(rules__idle($bound(result, "arc")))) {
+if ($truth(rule__idle($bound(result, "arc")))) {
 return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
 (rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
@@ -1656,15 +1618,15 @@ function in_page_checks__sliding(result, _rise) {
 return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
 }
 function of_arc__of_sliding(drive, case_, result, found) {
-let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
+let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title, value, words;
 
 ([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
-([rule, factor, gone] = [$at($c44, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
-([by, first] = $at($c48, found.cause));
+([rule, factor, gone] = [$c50, safety.of($bound(case_, "kind")), !$truth($told($c40, result.status, "solved"))]);
+([by, first] = $at($c51, found.cause));
 (title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
-return of_drive__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
+return rule__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
 }
 if (($eq(found.cause, 1))) {
 (rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
@@ -1672,7 +1634,9 @@ if (($eq(found.cause, 1))) {
 (first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
 (says = ("" + $str(first) + " at {value} times the pull, below {limit}; safety factor " + $str(case_.kind) + ", "));
 (says = $add(says, ("" + $str(of_arc__held_words(take_up)) + ".")));
-(check = of_drive__judged(rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number", place, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), says, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), "So it slides.", undefined, undefined, $map([["slides", [0.0635, "length"]]])));
+(words = new Words(title, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), says, "So it slides.", undefined, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["slides", [0.0635, "length"]]])));
+(value = ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place));
+(check = rule.judged(value, factor, place, words));
 if (!$truth(gone)) {
 return check;
 }
@@ -1688,421 +1652,20 @@ return "T1 + T2 held (fixed take-up)";
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
-function of_arc__standard(drive, case_, result) {
-let _, chosen, criteria, found, how, lagging, limit, place, rule, slack, start, title;
+function of_arc__spot_of(drive, case_, pulley, result = null) {
+let belt, creep, driving, first, known, last, shear, slack, slip, speed, tensions;
 
-([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
-(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
-if (((found == null) || $truth(rules__idle($bound(result, "arc"))))) {
-return null;
-}
-(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
-if ($truth($math.isnan($bound(found, "wrap_factor")))) {
-(title = ("" + "Slack side by " + $str(found.rule)));
-if (!$truth(criteria.standard.name)) {
-return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
-}
-return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, criteria.standard.binding);
-}
-(slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
-(limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
-(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
-([start, [rule, _, how]] = ["", $m.partition(found.rule, ", ")]);
-if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
-(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
-}
-return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(rule) + "; " + $str(how) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or choose the design standard.", "Choose the design standard.", "below standard", undefined, undefined, criteria.standard.binding);
-}
-function design_standard__asked(standard, take_up, lagging, wrap_angle) {
-let factor, found, friction;
-
-if (($eq(standard.name, "none"))) {
-return null;
-}
-if ($truth(design_standard__by_table(standard, take_up, lagging))) {
-return design_standard___manual(lagging, wrap_angle);
-}
-([friction, found] = design_standard___friction(standard, lagging));
-if ((friction == null)) {
-return found;
-}
-(factor = constant_friction__wrap_factor(friction, wrap_angle));
-return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
-}
-function design_standard__by_table(standard, take_up, lagging) {
-
-return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
-}
-function design_standard___cema(standard) {
-return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
-}
-function design_standard___manual(lagging, wrap_angle) {
-let angle, ends, factor, rows;
-(rows = design_standard___rows(lagging));
-(angle = $math.degrees(wrap_angle));
-if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
-(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
-return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
-}
-(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
-return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
-}
-function design_standard___rows(lagging) {
-return $at($c49, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
-}
-function design_standard___silent(name, why) {
-return new Asked(name, NaN, "", why);
-}
-function design_standard___friction(standard, lagging) {
-let condition, found, friction, name, rule, stated, value;
-
-(name = $or(standard.name, () => "CEMA"));
-if ((standard.friction != null)) {
-(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
-return [standard.friction, new Asked(rule, NaN, "given")];
-}
-if (!$truth(lagging.surface)) {
-return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
-}
-(condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
-(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
-if ((value == null)) {
-return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
-}
-(friction = $at(value.friction, 0));
-(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
-(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
-return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
-}
-function constant_friction__wrap_factor(friction, wrap_angle) {
-
-return (1.0 / $math.expm1($mul(friction, wrap_angle)));
-}
-function design_standard__prints(standard, surface) {
-
-return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
-}
-function numbers__as_printed(factor) {
-
-return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
-}
-function of_arc__design_slack(drive, case_, result, factor) {
-let start;
-
-(start = rules__start_factor($bound(drive, "criteria"), $bound(case_, "kind")));
-return numbers__asked_slack(factor, start, $bound(result.arc, "effective_tension"));
-}
-function rules__start_factor(criteria, kind) {
-
-return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
-}
-function numbers__asked_slack(factor, start, pull) {
-
-return $mul($mul(factor, start), $b.abs(pull));
-}
-function rules__standard_rule(criteria) {
-let rule;
-
-(rule = $at($c44, "design_standard"));
-return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
-}
-function of_arc__creep(drive, result) {
-let limit, place, title;
-
-([title, place] = ["Creep at exit", new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case"))]);
-if (!$truth($told($c40, result.status, "solved"))) {
-return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
-}
-(limit = result.arc.creep_limit);
-return of_drive__judged($at($c44, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c51, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c44, "creep").tolerates, "length"]]]));
-}
-function of_arc__no_state(result) {
-
-if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return "the arc was not solved";
-}
-return "in gross slip the belt has no state at rest";
-}
-function of_arc___qualifies(drive, limit) {
-let belt, least, over, rating, steel, strong;
-
-(belt = drive.belt);
-if ((!$eq(limit, 0.00635))) {
-return "";
-}
-(least = $m.get($c51, $bound(belt, "kind")));
-([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
-if (((least == null) || ((rating == null) && !$truth(steel)))) {
-return "Whether this belt may creep more is not known: its carcass or rating is not given.";
-}
-(strong = $or(belt.breaking_strength, () => 0.0));
-(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
-if ($truth(over)) {
-return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
-}
-if (($truth(steel) && !$truth(strong))) {
-return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
-}
-return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
-}
-function of_arc__cover_creep(result) {
-let found, place, title, told;
-
-([place, found] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.covered_creep]);
-(title = "Creep at exit, with the cover of the belt in series");
-if (($eq(result.arc.cover_left_out, 0.0))) {
-return null;
-}
-if (!$truth($told($c40, result.status, "solved"))) {
-return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
-}
-(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-return of_drive__judged($at($c44, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
-}
-function in_page_checks__creep_interval(_drive, result) {
-let fit, place;
-
-([place, fit] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.arc.fit]);
-if (((fit == null) || !$truth(fit.knots))) {
-return null;
-}
-return new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
-}
-function* of_drive__of_belt(drive, case_, pulley) {
-
-yield of_drive__belt_tension(drive, case_, pulley);
-yield of_drive__belt_safety(drive, case_, pulley);
-yield of_drive__face_pressure(drive, case_, pulley);
-}
-function of_drive__belt_tension(drive, case_, pulley) {
-let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
-
-([belt, tensions] = [drive.belt, $at(case_.tensions, pulley.name)]);
-(momentary = (!$eq(case_.kind, "running")));
-(title = ($truth(momentary) ? "Belt tension, momentary" : "Belt tension, running"));
-(rule = rules__tension_rule($bound(case_, "kind")));
-(value = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((belt.rating == null)) {
-return of_drive__not_checked($bound(rule, "name"), title, "the rating of the belt is not given", place);
-}
-(factor = rules__tension_factor(belt, $bound(case_, "kind")));
-(limit = $mul($mul(factor, belt.rating), belt.width));
-(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
-(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
-([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
-if (($truth(momentary) && (belt.momentary_factor == null))) {
-(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
-(otherwise = "");
-}
-(share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
-return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
-}
-function rules__tension_rule(kind) {
-
-return $at($c44, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
-}
-function rules__tension_factor(belt, kind) {
-
-return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
-}
-function of_drive__origin(provenance) {
-
-return $b.str(provenance);
-}
-function of_drive__belt_safety(drive, case_, pulley) {
-let largest, tensions;
-
-(tensions = $at(case_.tensions, pulley.name));
-(largest = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), largest, new Place($bound(pulley, "name"), $bound(case_, "name")));
-}
-function of_drive__safety_factor(belt, kind, tension, place) {
-let asked, factor, momentary, rule, source, strength, title, why;
-
-([rule, momentary] = [$at($c44, "belt_safety"), (!$eq(kind, "running"))]);
-(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
-([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
-if ((strength == null)) {
-return of_drive__not_checked($bound(rule, "name"), title, "the strength of the belt is not given", place);
-}
-if ($truth($math.isnan(asked))) {
-(why = "neither rating nor kind of the belt tells what it is to be");
-return of_drive__not_checked($bound(rule, "name"), title, why, place);
-}
-if (($truth(momentary) && (belt.momentary_factor != null))) {
-(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
-}
-(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((!$in(belt.kind, $c52))) {
-(source = ("" + "the least that any belt is rated with" + $str(factor)));
-}
-if ($truth(rules__rated(belt))) {
-(rule = $replaced(rule, new Map([["missed", "FAILS"]])));
-(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
-}
-return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, below {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
-}
-function rules__asked_safety(belt, kind) {
-let asked, rating, strength;
-
-([strength, rating] = [belt.breaking_strength, belt.rating]);
-if ((strength == null)) {
-return NaN;
-}
-(asked = $m.get($c52, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
-if (((rating != null) && $truth(rules__rated(belt)))) {
-(asked = (strength / rating));
-}
-(asked = (asked / rules__tension_factor(belt, kind)));
-return $b.max(asked, 1.0);
-}
-function rules__rated(belt) {
-let rating, strength;
-
-([strength, rating] = [belt.breaking_strength, belt.rating]);
-return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
-}
-function numbers__safety_of(strength, tension, asked) {
-let safety;
-
-(safety = (strength / tension));
-return (((safety < asked) && $truth(numbers__same_shown(tension, (strength / asked)))) ? asked : safety);
-}
-function of_drive__face_pressure(drive, case_, pulley) {
-let belt, place, tensions, tight, title, value, why;
-
-([belt, title] = [drive.belt, "Pressure on the pulley face"]);
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((belt.largest_wrap_pressure == null)) {
-(why = "the largest wrap pressure of the belt is not given");
-return of_drive__not_checked("face_pressure", title, why, place);
-}
-(tensions = $at(case_.tensions, pulley.name));
-(tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-(value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return of_drive__judged($at($c44, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than {limit}.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
-}
-function rules__wrap_pressure(tension, width, diameter, centrifugal) {
-
-return ($mul(2.0, $sub(tension, centrifugal)) / $mul(width, diameter));
-}
-function* of_arc__lagging_stress(pulley, result) {
-let fatigue, more, often, pitch, place;
-
-(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
-yield of_arc___known(of_arc__bond(pulley, $bound(result, "peak_shear_stress"), place), result);
-(often = "");
-(more = $map([]));
-if ((result.arc.belt_speed != null)) {
-(often = "; the belt passes {passes} times an hour");
-(pitch = $add(result.arc.radius, result.arc.offset));
-$put(more, "passes", [pitch__turns_an_hour($bound(result.arc, "belt_speed"), pitch), "number"]);
-}
-(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass the shear stress reaches {value}, above the fatigue limit {limit}" + $str(often) + "."), more));
-yield of_arc___known(fatigue, result);
-}
-function of_arc__bond(pulley, stress, place) {
-let title;
-
-(title = "Shear stress of lagging and bond, steady");
-if ($truth(place.event)) {
-(title = "Largest shear stress of lagging and bond");
-}
-return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is above their {limit}.");
-}
-function of_arc___stress(pulley, stress, place, name, key, title, short, says, more = null) {
-let lagging, limit, why;
-(lagging = pulley.lagging);
-(limit = $b.getattr(lagging, key));
-if ((limit == null)) {
-(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
-return of_drive__not_checked(name, title, why, place);
-}
-return of_drive__judged($at($c44, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
-}
-function of_arc___known(check, result) {
-
-if (($truth($told($c40, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
-return check;
-}
-return of_drive__not_checked($bound(check, "name"), $bound(check, "title"), of_arc__no_state(result), $bound(check, "place"));
-}
-function pitch__turns_an_hour(speed, pitch) {
-
-return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
-}
-function* of_drive__tested_pressure(drive, case_, pulley) {
-let limit, more, name, of_tension, otherwise, place, tension, tensions, tested, title, why;
-
-(tested = pulley.lagging.law.tested);
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((tested == null)) {
-(why = "the friction law states no tests");
-yield of_drive__not_checked("tested_pressure", "Wrap pressure within the tests", why, place);
-return null;
-}
-(tensions = $at(case_.tensions, pulley.name));
-for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
-(more = ($truth($at($c44, name).at_most) ? "above" : "below"));
-yield of_drive__judged($at($c44, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} tested on lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + ": there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
-}
-}
-function of_drive__tests_of(pulley) {
-
-return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(of_drive__origin(pulley.lagging.source_of("law"))));
-}
-function* of_data__condition(case_, pulley) {
-let _, grounds, lagging, of, says;
-
-(lagging = pulley.lagging);
-if (($in("condition", lagging.sources))) {
-([grounds, _] = of_data__law_words(lagging));
-(of = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
-(of = (($in("illustrative", grounds)) ? "an illustrative one" : of));
-(says = ("" + "its law is " + $str(of) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
-yield of_data___untested(case_, pulley, $bound(lagging, "condition"), "condition", says);
-}
-if (($in("worn", lagging.sources))) {
-(says = "its law is that of before, and what wear takes off the friction is not known");
-yield of_data___untested(case_, pulley, "worn", "worn", says);
-}
-}
-function of_data___untested(case_, pulley, state, part, says) {
-let lagging;
-(lagging = pulley.lagging);
-return new Check($at($c44, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
-}
-function* of_data__fit(case_, pulley) {
-let first, lagging, more, others;
-
-(lagging = pulley.lagging);
-if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
-return null;
-}
-([first, ...more] = lagging.fit.misfit);
-(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check($at($c44, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
-}
-function of_data___accepted(reason) {
-return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
-}
-function* of_arc__tested_slip(pulley, result) {
-let check, place, slip, speed;
-
-(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
-(slip = Infinity); (speed = slip);
-if ($truth($told($c40, result.status, "solved"))) {
+([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
+(known = $and((result != null), () => $told($c40, result.status, "solved")));
+(creep = NaN); (slip = creep); (speed = slip); (shear = speed);
+if (((result != null) && $truth(known))) {
+([creep, shear] = [$b.abs($bound(result, "exit_creep")), result.peak_shear_stress]);
 ([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
-} else {
-if ((result.arc.belt_speed == null)) {
-(speed = NaN);
 }
-}
-for (check of $iter(of_arc__slip_in_tests(pulley, slip, speed, place))) {
-yield of_arc___known(check, result);
-}
+([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
+(driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
+(slack = ($truth(driving) ? last : first));
+return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), creep, slip, speed, shear, NaN), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
 }
 function in_page_checks__largest_slip(result) {
 
@@ -2112,27 +1675,12 @@ function in_page_checks__slip_speed(result) {
 
 return result.found.slip_speed;
 }
-function* of_arc__slip_in_tests(pulley, slip, speed, place) {
-let found, tested, title, unchecked, why;
+function of_arc__no_state(result) {
 
-(tested = pulley.lagging.law.tested);
-if ((tested == null)) {
-return null;
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return "the arc was not solved";
 }
-yield of_drive__judged($at($c44, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
-(title = "Slip speed, tested");
-if ((tested.slip_speed == null)) {
-(why = "the friction law does not say at which speed it was tested");
-(unchecked = of_drive__not_checked("tested_slip_speed", title, why, place));
-(found = ($truth($math.isfinite(speed)) ? speed : NaN));
-yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
-} else {
-if ($truth($math.isnan(speed))) {
-yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
-} else {
-yield of_drive__judged($at($c44, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
-}
-}
+return "in gross slip the belt has no state at rest";
 }
 function of_drive__sense(case_, pulley) {
 let none, tensions, told;
@@ -2141,43 +1689,6 @@ let none, tensions, told;
 (none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 (told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
 return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
-}
-function of_arc__balance(result) {
-let arc, error, g, pull, value;
-
-(error = result.energy.identity_error);
-if ((!$truth($told($c40, result.status, "solved")) || $truth($math.isnan(error)))) {
-return null;
-}
-(arc = result.arc);
-([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
-(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-return of_drive__judged($at($c44, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
-}
-function numbers__balance_miss(error, pull, g, entry, compliance) {
-let exact, scale, told;
-
-(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
-(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
-(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
-return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
-}
-function of_drive__sag(drive, case_) {
-let driving, first, last, tension;
-
-([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
-(driving = (first.entry >= last.exit));
-(tension = ($truth(driving) ? last.exit : first.entry));
-return of_drive__sags(drive, tension, new Place($bound($at(drive.pulleys, ($truth(driving) ? $neg(1) : 0)), "name"), $bound(case_, "name")));
-}
-function of_drive__sags(drive, tension, place) {
-let limits, title;
-
-([title, limits] = ["Slack-side tension, for sag", drive.criteria.sag]);
-if ((limits == null)) {
-return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
-}
-return of_drive__judged($at($c44, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2232,23 +1743,13 @@ return pulley.name;
 }
 return "";
 }
-function of_drive__pulley_diameter(drive, pulley) {
-let belt, ends, least, title, why;
+function* judge__diameters(drive) {
+let pulley, spot;
 
-([belt, title, why] = [drive.belt, "Pulley diameter, least for the belt", ""]);
-(ends = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
-(least = belt.least_pulley_diameter);
-if ((least == null)) {
-(why = "the least pulley of the belt is not given");
-} else {
-if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
-(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+for (pulley of $iter(drive.pulleys)) {
+(spot = of_arc__spot_of(drive, $at(drive.load_cases, 0), pulley));
+yield* $iter($c53.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
 }
-}
-if (($truth(why) || (least == null))) {
-return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
-}
-return of_drive__judged($at($c44, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."), undefined, undefined, "pulley too small");
 }
 function* usual__usual_sizes(drive, ...others) {
 let odd, parts, title;
@@ -2265,11 +1766,11 @@ function* usual___others(drive, others) {
 let ends, fabric, lagging, owner, place, pulley, rating, solid, stiff, width;
 for (owner of $iter([...$iter(usual___owners(drive)), ...$iter(others)])) {
 yield* $iter(usual___of_owner(owner));
-if (($in(owner.kinds, [$c47, $c46]))) {
+if (($in(owner.kinds, [$c49, $c48]))) {
 yield* $iter(usual___turning(drive, owner));
 }
 }
-yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c47)))) continue; yield o.of; } })()]));
+yield* $iter(usual___motor_sizes(drive, [...(function* () { for (const o of $iter(others)) { if (!(($eq(o.kinds, $c49)))) continue; yield o.of; } })()]));
 if ((drive.conveyor != null)) {
 yield* $iter(usual___conveyor_sizes($bound(drive, "conveyor"), $bound(drive.belt, "width")));
 }
@@ -2285,9 +1786,9 @@ yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place
 }
 }
 ([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
-(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c63, 11))))));
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c64, 11))))));
 if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
-yield usual__unusual("modulus over the rating of the belt", "number", $c56, (stiff / rating), [15.0, 250.0]);
+yield usual__unusual("modulus over the rating of the belt", "number", $c57, (stiff / rating), [15.0, 250.0]);
 }
 for (lagging of $iter(drive.laggings)) {
 yield* $iter(usual___law_sizes(lagging));
@@ -2316,8 +1817,8 @@ for (pulley of $iter(drive.pulleys)) {
 ([place, of] = [new Place($bound(pulley, "name")), ("" + "of pulley " + $str(pulley.name))]);
 if ((pulley.across != null)) {
 yield new Owner($bound(pulley, "across"), ["Across"], of, place);
-yield new Owner($bound(pulley.across, "before"), $c53, ("" + "before pulley " + $str(pulley.name)), place);
-yield new Owner($bound(pulley.across, "after"), $c53, ("" + "behind pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "before"), $c54, ("" + "before pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "after"), $c54, ("" + "behind pulley " + $str(pulley.name)), place);
 }
 }
 }
@@ -2325,7 +1826,7 @@ function* usual___of_owner(owner) {
 let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
 
 ([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
-(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c54, kind, $map([])); } })())]);
+(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c55, kind, $map([])); } })())]);
 for ([key, limit] of $iter($m.items(limits))) {
 ([ends, value] = [$b.next((function* () { for (const t of $iter(tables)) { if (!(($in(key, t)))) continue; yield $at(t, key); } })(), null), $b.getattr(of, key)]);
 if (($truth(ends) && $truth(value) && !$truth(numbers__usual(value, ...$iter(ends))))) {
@@ -2336,12 +1837,12 @@ yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), v
 for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
 if ((happening.at >= of.duration)) {
 (name = ("" + "begin (at) of what happens " + $str(owner.words)));
-(check = usual__unusual(name, "time", $c56, $bound(happening, "at"), [0.0, of.duration]));
+(check = usual__unusual(name, "time", $c57, $bound(happening, "at"), [0.0, of.duration]));
 yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
 }
 }
 if (($in("Across", owner.kinds))) {
-for ([key, most] of $iter($m.items($c57))) {
+for ([key, most] of $iter($m.items($c58))) {
 (profile = $b.getattr(of, key));
 (heights = ((profile == null) ? [] : [profile.largest, $neg($b.min([...$iter(profile.value), 0.0]))]));
 if (($b.max(heights, $k({default: 0.0})) > most)) {
@@ -2382,13 +1883,13 @@ if (($in(name, ["strength over the rating of the belt", "modulus over the rating
 if ((($eq(name, "mass of the belt")) && (value > most))) {
 (remedy = "Is it that of the whole belt? Give the mass of a metre.");
 }
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c44, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), "ATTENTION", place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
 
 (found = []);
-(units = $m.get($c55, dimension, []));
+(units = $m.get($c56, dimension, []));
 for (written of $iter(units)) {
 (number = (value / parse__unit_factor(written, dimension)));
 (short = $b.float(("" + $format(number, ("" + ".3g")))));
@@ -2435,7 +1936,7 @@ if ($truth($b.isinstance(motor, Motor))) {
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
 (radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
 (values = numbers__compared_motor(power, speed, turns, radius, belt));
-for ([[name, dimension], value, ends] of $iter($b.zip($c58, values, $c59, $k({strict: true})))) {
+for ([[name, dimension], value, ends] of $iter($b.zip($c59, values, $c60, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
 if (($eq(name, "speed of the drum over that of the belt"))) {
@@ -2461,30 +1962,30 @@ let needed, pulls, rated, told;
 (rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
 if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
 (told = "rated power of the motors over that of the largest pull");
-yield usual__unusual(told, "number", $c56, (rated / needed), [0.0, 6.0]);
+yield usual__unusual(told, "number", $c57, (rated / needed), [0.0, 6.0]);
 }
 }
 function* usual___conveyor_sizes(of, width) {
 let dimension, ends, key, least, load, most, name, odd, slope, value;
 
 (odd = false);
-for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c60, $k({strict: true})))) {
-([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c61)) ? width : 1.0)); } })());
+for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c61, $k({strict: true})))) {
+([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c62)) ? width : 1.0)); } })());
 if (!$truth(numbers__usual(value, least, most))) {
 (odd = true);
 (name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
-(dimension = $at($c62, key).dimension);
-yield usual__unusual(name, dimension, $c56, value, [least, most]);
+(dimension = $at($c63, key).dimension);
+yield usual__unusual(name, dimension, $c57, value, [least, most]);
 }
 }
 ([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
 if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
 (name = "load per length of the full belt (capacity, speed and width)");
-yield usual__unusual(name, "mass_per_length", $c56, $bound(of, "material"), load);
+yield usual__unusual(name, "mass_per_length", $c57, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
 (name = "lift over length of the conveyor");
-yield usual__unusual(name, "number", $c56, slope, [$neg(0.5), 0.5]);
+yield usual__unusual(name, "number", $c57, slope, [$neg(0.5), 0.5]);
 }
 }
 function* usual___law_sizes(lagging) {
@@ -2495,11 +1996,11 @@ if ((!$eq(lagging.condition, "dry"))) {
 (of = $add(of, ("" + ", " + $str(lagging.condition))));
 }
 (odd = false);
-for ([key, [name, dimension, ends]] of $iter($m.items($c64))) {
+for ([key, [name, dimension, ends]] of $iter($m.items($c65))) {
 (value = $b.getattr(tested, key, null));
 if (((value != null) && !$truth(numbers__usual(value, ...$iter(ends))))) {
 (odd = true);
-yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c56, value, ends);
+yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c57, value, ends);
 }
 }
 if ($truth(odd)) {
@@ -2511,8 +2012,8 @@ if ((tested != null)) {
 }
 (law = lagging.law.compact());
 for (friction of $iter([...(function* () { for (const pressure of $iter(pressures)) { yield summary__available(law, slip, pressure); } })()])) {
-if (!$truth(numbers__usual(friction, ...$iter($c65)))) {
-yield usual__unusual(("" + "friction of " + $str(of)), "number", $c56, friction, $c65);
+if (!$truth(numbers__usual(friction, ...$iter($c66)))) {
+yield usual__unusual(("" + "friction of " + $str(of)), "number", $c57, friction, $c66);
 return null;
 }
 }
@@ -2523,11 +2024,11 @@ let case_, dimension, least, made, most, name, names, place, pulley, size, value
 for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
-(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c63, $k({strict: true})))) {
+(values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c64, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
-(size = (($in(dimension, $c66)) ? drive.belt.width : 1.0));
+(size = (($in(dimension, $c67)) ? drive.belt.width : 1.0));
 (odd = true);
 yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
 }
@@ -2542,8 +2043,9 @@ let at, belt, drum, lagging, of;
 ([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
 return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["strength over the rating of the belt", "number", belt], ["modulus over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
 }
-function usual___sizes(drive, case_, pulley) {
+function usual__sizes_of(drive, case_, pulley) {
 let belt, idle, lagging, sag, tensions;
+
 ([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
 (tensions = $at(case_.tensions, pulley.name));
 (idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
@@ -2567,7 +2069,7 @@ $m.append($m.setdefault(found, kind, []), what);
 }
 ([grounds, words] = of_data__law_words(lagging));
 (words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c67))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c68))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
@@ -2577,10 +2079,10 @@ if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
 return null;
 }
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-if ((!$in(one, $c68))) {
-$put($c68, one, least_tension__least_of(one, $bound(one, "drive")));
+if ((!$in(one, $c69))) {
+$put($c69, one, least_tension__least_of(one, $bound(one, "drive")));
 }
-return $at($c68, one);
+return $at($c69, one);
 }
 function least_tension__least_of(result, drive) {
 let either, figure, found, given, held, weight, worst;
@@ -2607,7 +2109,7 @@ if ((drive.conveyor != null)) {
 return new LeastTension($bound(found, "figures"), given, weight, $b.bool($bound(drive, "take_up_place")));
 }
 function least_tension___pulls(result) {
-return !$truth(rules__idle($bound(result, "arc")));
+return !$truth(rule__idle($bound(result, "arc")));
 }
 function* least_tension__figures(result, drive) {
 let arcs, case_, end, name;
@@ -2630,26 +2132,21 @@ $m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
 return by_case;
 }
 function* least_tension___figures(drive, case_, arcs, end) {
-let arc, index, least, lift, offset, place, result, slack, tight;
+let index, least, offset, place, result, rule, spot;
 
 for ([index, result] of $iter($b.enumerate(arcs))) {
-([arc, place] = [result.arc, new Place($bound(result.arc, "pulley"), $bound(case_, "name"))]);
-(tight = $b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
-(slack = $b.min($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
-(offset = $sub(end, slack));
+(spot = of_arc__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
+([place, offset] = [spot.place, $sub(end, spot.state.slack)]);
 if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
 yield new Figure("creep", "Creep", $add(offset, ($truth($math.isnan(least)) ? Infinity : least)), place);
 yield* $iter(least_tension___slip(result, offset, place));
-yield* $iter(least_tension___standard(drive, case_, result, offset, place));
+yield* $iter(least_tension___standard(spot, offset));
 yield least_tension___gross_slip(drive, case_, arcs, index, end);
 }
-yield* $iter(least_tension___pressures(drive, case_, arc, $sub(end, slack), $sub(end, tight), place));
+for (rule of $iter($c52)) {
+yield* $iter(least_tension___of_tension(rule, spot, end));
 }
-if ((drive.criteria.sag != null)) {
-(place = new Place("", $bound(case_, "name")));
-(lift = $sub(end, drive.slack_end(case_)));
-yield new Figure("sag", "Belt sag", $add(drive.criteria.sag.tension, lift), place);
 }
 }
 function* least_tension___slip(result, offset, place) {
@@ -2665,22 +2162,110 @@ function in_page_checks__least_with_slip(result, _limit) {
 
 return result.found.least_for_slip;
 }
-function* least_tension___standard(drive, case_, result, offset, place) {
-let binding, criteria, lagging, rule, tension;
-([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
-(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+function* least_tension___standard(of, offset) {
+let binding, criteria, pulley, rule, tension;
+([criteria, pulley] = [of.drive.criteria, of.pulley]);
+(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
 if ((rule == null)) {
 return null;
 }
 ([binding, tension] = [criteria.standard.binding, Infinity]);
 if (!$truth($math.isnan($bound(rule, "wrap_factor")))) {
-(tension = $add(offset, of_arc__design_slack(drive, case_, result, $bound(rule, "wrap_factor"))));
+(tension = $add(offset, of_arc__design_slack(of, $bound(rule, "wrap_factor"))));
 } else {
 if (!($truth(binding) && $truth(criteria.standard.name))) {
 return null;
 }
 }
-yield new Figure("design_standard", $bound(rule, "rule"), tension, place, binding);
+yield new Figure("design_standard", $bound(rule, "rule"), tension, $bound(of, "place"), binding);
+}
+function design_standard__asked(standard, take_up, lagging, wrap_angle) {
+let factor, found, friction;
+
+if (($eq(standard.name, "none"))) {
+return null;
+}
+if ($truth(design_standard__by_table(standard, take_up, lagging))) {
+return design_standard___manual(lagging, wrap_angle);
+}
+([friction, found] = design_standard___friction(standard, lagging));
+if ((friction == null)) {
+return found;
+}
+(factor = constant_friction__wrap_factor(friction, wrap_angle));
+return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
+}
+function design_standard__by_table(standard, take_up, lagging) {
+
+return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
+}
+function design_standard___cema(standard) {
+return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
+}
+function design_standard___manual(lagging, wrap_angle) {
+let angle, ends, factor, rows;
+(rows = design_standard___rows(lagging));
+(angle = $math.degrees(wrap_angle));
+if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
+(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
+return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
+}
+(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
+return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
+}
+function design_standard___rows(lagging) {
+return $at($c70, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+}
+function design_standard___silent(name, why) {
+return new Asked(name, NaN, "", why);
+}
+function design_standard___friction(standard, lagging) {
+let condition, found, friction, name, rule, stated, value;
+
+(name = $or(standard.name, () => "CEMA"));
+if ((standard.friction != null)) {
+(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
+return [standard.friction, new Asked(rule, NaN, "given")];
+}
+if (!$truth(lagging.surface)) {
+return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
+}
+(condition = $or(standard.condition, () => lagging.condition));
+(found = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
+if ((value == null)) {
+return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
+}
+(friction = $at(value.friction, 0));
+(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
+(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
+return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
+}
+function constant_friction__wrap_factor(friction, wrap_angle) {
+
+return (1.0 / $math.expm1($mul(friction, wrap_angle)));
+}
+function design_standard__prints(standard, surface) {
+
+return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
+}
+function numbers__as_printed(factor) {
+
+return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
+}
+function of_arc__design_slack(of, factor) {
+let start;
+
+(start = of_arc__start_factor($bound(of.drive, "criteria"), $bound(of.case, "kind")));
+return numbers__asked_slack(factor, start, $bound($at(of.case.tensions, of.pulley.name), "effective"));
+}
+function of_arc__start_factor(criteria, kind) {
+
+return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
+}
+function numbers__asked_slack(factor, start, pull) {
+
+return $mul($mul(factor, start), $b.abs(pull));
 }
 function least_tension___gross_slip(drive, case_, arcs, index, end) {
 let arc, factor, raised, rise, title;
@@ -2696,23 +2281,20 @@ function in_page_checks__lift(result, _factor, _tight_rise) {
 
 return result.found.lift;
 }
-function* least_tension___pressures(drive, case_, arc, of_slack, of_tight, place) {
-let area, belt, high, low, most, tested, title;
-([belt, tested, area] = [drive.belt, arc.law.tested, $mul(arc.width, arc.radius)]);
-if ((tested != null)) {
-([low, high] = (function* () { for (const p of $iter([tested.pressure_min, tested.pressure_max])) { yield $add($mul(p, area), arc.centrifugal); } })());
-yield new Figure("tested_pressure_min", "Least wrap pressure, tested", $add(of_slack, low), place);
-(title = "Largest wrap pressure, tested");
-yield new Figure("tested_pressure_max", title, $add(of_tight, high), place, undefined, false);
+function* least_tension___of_tension(rule, of, end) {
+let allowed, asks, least, limit, more, now, rise, value, words;
+
+([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
+(asks = $and(rule.tension, () => $and((rule.firm == null), () => !$truth(rule.of_solution))));
+if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
+return null;
 }
-if ((belt.largest_wrap_pressure != null)) {
-([title, most] = ["Pressure on the pulley face", $add($mul(belt.largest_wrap_pressure, area), arc.centrifugal)]);
-yield new Figure("face_pressure", title, $add(of_tight, most), place, undefined, false);
-}
-if ((belt.rating != null)) {
-(most = $add(of_tight, $mul($mul(rules__tension_factor(belt, $bound(case_, "kind")), belt.rating), belt.width)));
-yield new Figure("belt_tension", "Belt tension", most, place, undefined, false);
-}
+([more, least] = [$mul(of.state.width, 1000.0), ($eq(rule.tension, "raise"))]);
+(allowed = ($truth(rule.allowed) ? rule.allowed(of) : null));
+(limit = rule.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
+(now = value($bound(of, "state")));
+(rise = $mul(($sub(limit, now) / $sub(value(of.state.raised(more)), now)), more));
+yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, least);
 }
 function least_tension__taut(conveyor) {
 let ends, slackest, tension;
@@ -2749,9 +2331,9 @@ let both, missed, names;
 
 (missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
 (names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c69)), () => $b.bool($common(names, $c70))));
+(both = $and($b.bool($common(names, $c72)), () => $b.bool($common(names, $c73))));
 function advised(check) {
-if (($in([$m.get($c71, $bound(check, "name"), ""), check.place], missed))) {
+if (($in([$m.get($c74, $bound(check, "name"), ""), check.place], missed))) {
 return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
 }
 if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
@@ -2786,7 +2368,7 @@ for (arc of $iter(result)) {
 if (($eq(factor, 0.0))) {
 return [$neg(1.0), false];
 }
-if (!$truth(rules__idle($bound(arc, "arc")))) {
+if (!$truth(rule__idle($bound(arc, "arc")))) {
 (creep = in_page_checks__wet(arc, factor));
 (most = ($truth($math.isnan(creep)) ? creep : $b.max(most, creep)));
 (over = $or(over, () => !($truth($math.isnan(creep)) || $truth(numbers__kept(creep, $bound(arc.arc, "creep_limit"), true)))));
@@ -2798,6 +2380,22 @@ function in_page_checks__wet(result, _factor) {
 
 return result.found.wet;
 }
+function numbers__kept(value, limit, at_most) {
+let within;
+
+if ($truth($math.isnan(value))) {
+return false;
+}
+(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
+return $or(within, () => numbers__same_shown(value, limit));
+}
+function numbers__same_shown(value, limit) {
+
+if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
+return ($eq(value, limit));
+}
+return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
+}
 function least_tension__least_sentence(result) {
 let as_now, asked, described, found, given, governs, least, standard, text, what, why;
 
@@ -2807,7 +2405,7 @@ return "";
 }
 ([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
 (governs = found.governing);
-(why = $at($c44, governs.name).what);
+(why = $at($c75, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
@@ -2840,10 +2438,10 @@ if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "desi
 return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
 }
 if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c44, governs.name).what) + " (" + $str(governs.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c75, governs.name).what) + " (" + $str(governs.place) + ").");
 }
 ([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c44, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c44, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c75, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c75, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
 }
 function least_tension__least_name(result) {
 
@@ -2979,7 +2577,7 @@ return "breaks away";
 if (((worst != null) && $truth(worst.missed))) {
 return worst.short;
 }
-return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
+return ($truth(rule__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 }
 function drive_sheet__summary_table(results) {
 let arc, brakes, heads, method, result, rows, title;
@@ -2989,7 +2587,7 @@ let arc, brakes, heads, method, result, rows, title;
 (rows = []);
 for (result of $iter(results)) {
 for (arc of $iter(result)) {
-(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c72, arc.method))) : ""));
+(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c76, arc.method))) : ""));
 (title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
 $m.append(rows, new Row(title, drive_sheet___summary_values(result, arc), undefined, undefined, undefined, words__level_of(result, arc)));
 }
@@ -3038,7 +2636,7 @@ return cellOf($bound(found, "tension"), "force", 3, "bare up", undefined, "tensi
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c73, result, $map([])));
+(known = $m.setdefault($c77, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -3171,7 +2769,7 @@ function arc_tables__heads(results) {
 if ((($eq($b.len(results), 1)) && ($eq($at(results, 0).method, "distributed")))) {
 return [""];
 }
-return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c72, $bound(r, "method"), $bound(r, "method")); } })());
+return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c76, $bound(r, "method"), $bound(r, "method")); } })());
 }
 function arc_tables__creep_table(results) {
 let name, note, row, rows, texts;
@@ -3276,7 +2874,7 @@ return constant_friction__classical_drives($bound(result, "arc"), lagging);
 function constant_friction__classical_drives(arc, lagging) {
 let known;
 
-(known = [...(function* () { for (const value of $iter((() => $c50)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
+(known = [...(function* () { for (const value of $iter((() => $c71)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
 known.splice(0, Infinity, ...$b.sorted(known, $k({key: ((value) => (!$in(value.condition, ["", lagging.condition])))})));
 return $b.tuple((function* () { for (const value of $iter(known)) { yield constant_friction___classical(arc, value); } })());
 }
@@ -3395,6 +2993,10 @@ return null;
 (k = lagging.wear_coefficient);
 return $map([["passes_per_hour", passes], ["frictional_energy", energy], ["belt_energy_share", lagging.belt_energy_share], ["depth", depth], ["coefficient", k], ["life_hours", ((k == null) ? null : wear__wear_life(depth, k, energy, passes))], ["vendors", $b.list(wear_table___vendors(lagging, depth, energy, passes))]]);
 }
+function pitch__turns_an_hour(speed, pitch) {
+
+return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
+}
 function wear__wear_life(depth, coefficient, energy, passes) {
 let worn;
 
@@ -3403,7 +3005,7 @@ return ((worn > 0.0) ? (depth / worn) : Infinity);
 }
 function* wear_table___vendors(lagging, depth, energy, passes) {
 let ends, high, low, row;
-for (row of $iter((() => $c74)())) {
+for (row of $iter((() => $c78)())) {
 if (($eq(row.surface, lagging.surface))) {
 ([low, high] = row.life_years);
 (ends = (function* () { for (const y of $iter([high, low])) { yield wear__coefficient_of_life(depth, $mul(6000.0, y), energy, passes); } })());
@@ -3485,7 +3087,7 @@ yield inputs___named(group, name, $b.getattr(belt, key), origin(key));
 }
 }
 if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
-yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c75);
+yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c79);
 }
 }
 function inputs___named(group, name, value, origin, remark = "") {
@@ -3498,7 +3100,7 @@ let by_formula, conditions, group, known, lagging, limit, offset, side, title;
 
 (group = ("" + "Pulley " + $str(pulley.name)));
 function origin(key) {
-return $m.get(pulley.sources, key, $c76);
+return $m.get(pulley.sources, key, $c80);
 }
 $sig(origin, ["key"], false);
 yield inputs___named(group, "diameter", $bound(pulley, "diameter"), origin("diameter"));
@@ -3524,7 +3126,7 @@ if (!$truth(pulley.recovery)) {
 yield new Input(group, "Recovery of the lagging", "not counted", undefined, undefined, origin("recovery"));
 }
 (limit = drive.creep_limit_of(pulley));
-(known = (($eq(limit, 0.00635)) ? $c77 : $c76));
+(known = (($eq(limit, 0.00635)) ? $c81 : $c80));
 yield inputs___named(group, "creep_limit", limit, $m.get(pulley.sources, "creep_limit", known));
 (conditions = (function* () { for (const lagging of $iter($or(pulley.conditions, () => [pulley.lagging]))) { yield lagging.condition; } })());
 ([lagging, title] = [("" + $str(pulley.lagging.name) + " (" + $str($m.join(", ", conditions)) + ")"), pulley.lagging.title]);
@@ -3617,10 +3219,10 @@ if ((($eq(name, tight)) && (drive.belt.rating != null))) {
 (share = cell__percent((value / $mul(drive.belt.rating, drive.belt.width))));
 (used = ("" + $str(share) + " of the belt's rating"));
 }
-(origin = $m.get(pulley.sources, name, $c76));
+(origin = $m.get(pulley.sources, name, $c80));
 (why = inputs___computed(drive, arc, $m.removesuffix(name, "_tension")));
 if ($truth(why)) {
-([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c78, name)) + " " + $str(why)), used])), null]);
+([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c82, name)) + " " + $str(why)), used])), null]);
 }
 yield inputs___named(group, name, value, origin, used);
 }
@@ -3649,7 +3251,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c79, key))) {
+for ([name, position] of $iter($m.findall($c83, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -3679,10 +3281,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c80, report));
-(common = $map([...(function* () { for (const key of $iter($c81)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c84, report));
+(common = $map([...(function* () { for (const key of $iter($c85)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c82.built($m.get(record, "cost"), report));
+$put(common, "cost", $c86.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -3701,8 +3303,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c83)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c83)))) {
+(given = [...(function* () { for (const key of $iter($c87)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c87)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -3724,7 +3326,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c84)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c88)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -3746,14 +3348,14 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(least = $at($c85, "height").least);
+(least = $at($c89, "height").least);
 if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
 (message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
 }
-(block = $method($c86, "built", [shape, report], [...height]));
+(block = $method($c90, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -3779,7 +3381,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c87, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c91, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -3797,7 +3399,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c94.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c98.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -3806,7 +3408,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c88, $map([["pressure", $m.get($c89, kind, "tested_pressure")]])));
+(names = $merged($c92, $map([["pressure", $m.get($c93, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -3815,7 +3417,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c90, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c94, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3998,7 +3600,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c91;
+return $c95;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -4099,7 +3701,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c92], ["temperature", $c93]])) {
+for ([key, table] of $iter([["slip_speed", $c96], ["temperature", $c97]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -4158,7 +3760,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c95, document, file));
+([record, report] = source__read_tables($c99, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -4194,7 +3796,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c97)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c101)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -4221,11 +3823,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -4242,7 +3844,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c50)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function criteria__choice_problems(thing, choices) {
@@ -4492,16 +4094,12 @@ return cell__quantity(value, dimension);
 (form = ($truth($math.isnan(against)) ? "slip" : "slip apart"));
 return cellOf(value, dimension, undefined, form, against);
 }
-function numbers__beyond(value, fails, at_most) {
-
-return ($truth(at_most) ? (value > fails) : (value < fails));
-}
 function check___badness(check) {
 let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c105, "OK", "rank"), 0.5) : $told($c105, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c109, "OK", "rank"), 0.5) : $told($c109, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -4543,6 +4141,315 @@ throw new InputError(failed);
 }
 function simple___edges(tested) {
 return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
+}
+function of_train___motor_torque(state) {
+return state.motor;
+}
+function of_arc___binds(drive) {
+return drive.criteria.standard.binding;
+}
+function of_arc___creep(state) {
+return state.creep;
+}
+function of_arc___creep_limit(_, state) {
+return state.creep_limit;
+}
+function of_arc___creeps(of) {
+let limit;
+
+(limit = of.state.creep_limit);
+return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c592, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
+}
+function of_arc___qualifies(drive, limit) {
+let belt, least, over, rating, steel, strong;
+
+(belt = drive.belt);
+if ((!$eq(limit, 0.00635))) {
+return "";
+}
+(least = $m.get($c592, $bound(belt, "kind")));
+([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
+if (((least == null) || ((rating == null) && !$truth(steel)))) {
+return "Whether this belt may creep more is not known: its carcass or rating is not given.";
+}
+(strong = $or(belt.breaking_strength, () => 0.0));
+(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
+if ($truth(over)) {
+return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
+}
+if (($truth(steel) && !$truth(strong))) {
+return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
+}
+return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
+}
+function of_drive___tight(state) {
+return state.tight;
+}
+function of_drive___running_tension(of) {
+return (($eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive__allowed_tension(belt, kind) {
+
+return ((belt.rating == null) ? null : $mul(of_drive__tension_factor(belt, kind), belt.rating));
+}
+function of_drive__tension_factor(belt, kind) {
+
+return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
+}
+function of_drive___over_width(allowed, state) {
+return $mul(allowed, state.width);
+}
+function of_drive___running(of) {
+return (($eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, running") : null);
+}
+function of_drive___of_tension(of, title) {
+let belt, factor, momentary, otherwise, remedy, said;
+([belt, momentary] = [of.drive.belt, (!$eq(of.case.kind, "running"))]);
+if ((belt.rating == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the rating of the belt is not given");
+}
+(factor = of_drive__tension_factor(belt, $bound(of.case, "kind")));
+(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
+(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
+([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
+if (($truth(momentary) && (belt.momentary_factor == null))) {
+(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
+(otherwise = "");
+}
+return new Words(title, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), "over belt rating", ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), undefined, undefined, remedy, otherwise, $map([["share", [($mul(100.0, of.state.tight) / $mul(belt.rating, belt.width)), "number"]]]));
+}
+function rule__origin(provenance) {
+
+return $b.str(provenance);
+}
+function of_drive___momentary_tension(of) {
+return ((!$eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive___momentary(of) {
+return ((!$eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, momentary") : null);
+}
+function of_drive___rated(drive) {
+return of_drive__rated($bound(drive, "belt"));
+}
+function of_drive__rated(belt) {
+let rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
+}
+function of_drive___belt_safety(state) {
+return ($mul(state.strength, state.width) / state.tight);
+}
+function of_drive___asked_safety(of) {
+return of_drive__asked_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
+}
+function of_drive__asked_safety(belt, kind) {
+let asked, rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+if ((strength == null)) {
+return NaN;
+}
+(asked = $m.get($c593, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+if (((rating != null) && $truth(of_drive__rated(belt)))) {
+(asked = (strength / rating));
+}
+(asked = (asked / of_drive__tension_factor(belt, kind)));
+return $b.max(asked, 1.0);
+}
+function of_drive___safety(of) {
+let belt, factor, momentary, source, title, why;
+
+([belt, momentary, factor] = [of.drive.belt, (!$eq(of.case.kind, "running")), ""]);
+(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
+if ((belt.breaking_strength == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the strength of the belt is not given");
+}
+if ($truth($math.isnan(of_drive__asked_safety(belt, $bound(of.case, "kind"))))) {
+(why = "neither rating nor kind of the belt tells what it is to be");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+if (($truth(momentary) && (belt.momentary_factor != null))) {
+(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
+}
+(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
+if ((!$in(belt.kind, $c593))) {
+(source = ("" + "the least that any belt is rated with" + $str(factor)));
+}
+if ($truth(of_drive__rated(belt))) {
+(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(rule__origin(belt.source_of("rating")))));
+}
+return new Words(title, source, "belt safety factor", "The strength of the belt is {value} times its tension, below {limit} times.", "No belt is rated at more than a third of its strength.", undefined, "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.");
+}
+function of_drive___tight_pressure(state) {
+return of_drive__wrap_pressure($bound(state, "tight"), state);
+}
+function of_drive__wrap_pressure(tension, state) {
+
+return ($mul(2.0, $sub(tension, state.centrifugal)) / $mul(state.width, state.diameter));
+}
+function of_drive___face_pressure(of) {
+return of.drive.belt.largest_wrap_pressure;
+}
+function of_drive___on_face(of) {
+let belt, title;
+([belt, title] = [of.drive.belt, "Pressure on the pulley face"]);
+if ((belt.largest_wrap_pressure == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
+}
+return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
+}
+function of_arc___shear(state) {
+return state.shear;
+}
+function of_arc___bond_strength(of) {
+return of.pulley.lagging.bond_strength;
+}
+function of_arc___bond(of) {
+let says, title;
+(title = "Shear stress of lagging and bond, steady");
+if ($truth(of.place.event)) {
+(title = "Largest shear stress of lagging and bond");
+}
+(says = "The shear stress of lagging and bond, {value}, is above their {limit}.");
+return of_arc___of_stress(of, "bond_strength", title, "bond overstressed", says);
+}
+function of_arc___of_stress(of, key, title, short, says) {
+let lagging, why;
+(lagging = of.pulley.lagging);
+if (($b.getattr(lagging, key) == null)) {
+(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+return new Words(title, rule__origin(lagging.source_of(key)), short, says, undefined, undefined, "Choose a lagging with a stronger bond, a larger pulley, or less pull.");
+}
+function of_arc___fatigue_limit(of) {
+return of.pulley.lagging.fatigue_limit;
+}
+function of_arc___tires(of) {
+let found, more, often, pitch, says, speed, title;
+([often, speed, more] = ["", of.drive.belt.speed, $b.dict()]);
+if (((speed != null) && (of.result != null))) {
+(often = "; the belt passes {passes} times an hour");
+(pitch = $add(of.result.arc.radius, of.result.arc.offset));
+$put(more, "passes", [pitch__turns_an_hour(speed, pitch), "number"]);
+}
+(title = "Shear stress of lagging and bond, at every pass");
+(says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}");
+(found = of_arc___of_stress(of, "fatigue_limit", title, "lagging tires", ("" + $str(says) + $str(often) + ".")));
+return $replaced(found, new Map([["more", more]]));
+}
+function of_drive___pressure_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_max);
+}
+function of_drive___tested_max(of) {
+let otherwise, why;
+if ((of.pulley.lagging.law.tested == null)) {
+(why = "the friction law states no tests");
+return new Words("Wrap pressure within the tests", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+(otherwise = "Take a larger or wider pulley, or test the lagging at this pressure.");
+return of_drive___of_pressure(of, "Largest", "above", "Lower the tension, t", otherwise);
+}
+function of_drive___of_pressure(of, end, beyond, tension, otherwise) {
+return new Words(("" + $str(end) + " wrap pressure, tested"), of_drive__tests_of($bound(of, "pulley")), ("" + "pressure " + $str(beyond) + " tests"), ("" + "The wrap pressure {value} is " + $str(beyond) + " the {limit} tested on lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + ": there the friction is an extrapolation."), undefined, undefined, ("" + $str(tension) + $str($slice(otherwise, 1, null))), otherwise);
+}
+function of_drive__tests_of(pulley) {
+
+return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(rule__origin(pulley.lagging.source_of("law"))));
+}
+function of_drive___slack_pressure(state) {
+return of_drive__wrap_pressure($bound(state, "slack"), state);
+}
+function of_drive___pressure_min(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_min);
+}
+function of_drive___tested_min(of) {
+let otherwise;
+if ((of.pulley.lagging.law.tested == null)) {
+return null;
+}
+(otherwise = "Test the lagging at this pressure.");
+return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
+}
+function of_arc___slip(state) {
+return state.slip;
+}
+function of_arc___slip_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_max);
+}
+function of_arc___slips(of) {
+if ((of.pulley.lagging.law.tested == null)) {
+return null;
+}
+return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
+}
+function of_arc___slip_speed(state) {
+return state.slip_speed;
+}
+function of_arc___tested_speed(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_speed);
+}
+function of_arc___slips_fast(of) {
+let tested, title, why;
+([tested, title] = [of.pulley.lagging.law.tested, "Slip speed, tested"]);
+if ((tested == null)) {
+return null;
+}
+if ((tested.slip_speed == null)) {
+(why = "the friction law does not say at which speed it was tested");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
+}
+if (((of.drive.belt.speed == null) || ($truth($math.isnan($bound(of.state, "slip_speed"))) && !$truth(of.unknown)))) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
+}
+return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
+}
+function of_drive___slack_end(state) {
+return state.slack_end;
+}
+function of_drive___sag_tension(of) {
+return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
+}
+function of_drive___sags(of) {
+let limits, title;
+
+([title, limits] = ["Slack-side tension, for sag", of.drive.criteria.sag]);
+if ($truth($math.isnan($bound(of.state, "slack_end")))) {
+return null;
+}
+if ((limits == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "idler spacing and mass are not given");
+}
+return new Words(title, limits.SOURCE, "sags", ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), undefined, undefined, "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.");
+}
+function of_drive___diameter(state) {
+return state.diameter;
+}
+function of_drive___least_diameter(of) {
+return of.drive.belt.least_pulley_diameter;
+}
+function of_drive___bends(of) {
+let belt, ends, pulley, title, why;
+
+([belt, title, pulley] = [of.drive.belt, "Pulley diameter, least for the belt", of.pulley]);
+(ends = [...(function* () { for (const case_ of $iter(of.drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
+if ((belt.least_pulley_diameter == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the least pulley of the belt is not given");
+}
+if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
+(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+return new Words(title, rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), "pulley too small", ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."));
 }
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
@@ -4633,7 +4540,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c863, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c864, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -4643,14 +4550,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c868, 0), 0));
+(least = $at($at($c869, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c868, 0), 0)) ? NaN : $at($at($c868, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c868))) {
+(found = ((length < $at($at($c869, 0), 0)) ? NaN : $at($at($c869, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c869))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -4682,6 +4589,10 @@ function resistance__inertia(acceleration, length, moving) {
 
 return $mul($mul(acceleration, length), moving);
 }
+function check__keeps(value, limit, at_most = true) {
+
+return numbers__kept(value, limit, at_most);
+}
 function fit___has_no_negative(covariance, rounding) {
 let before, given, i, j, lower, rest, row, scale;
 
@@ -4704,6 +4615,124 @@ return true;
 }
 function motors___rpm(speed) {
 return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
+}
+function* of_arc___standard(of) {
+let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions, title, words;
+
+([criteria, pulley] = [of.drive.criteria, of.pulley]);
+(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
+([tensions, rule] = [$at(of.case.tensions, pulley.name), $c574.held($bound(of, "drive"))]);
+if (((found == null) || $truth(numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
+return null;
+}
+if ($truth($math.isnan($bound(found, "wrap_factor")))) {
+(title = ("" + "Slack side by " + $str(found.rule)));
+if (!$truth(criteria.standard.name)) {
+yield rule__not_checked($bound(rule, "name"), title, $bound(found, "why_not"), $bound(of, "place"));
+return null;
+}
+yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, rule.binding);
+return null;
+}
+(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
+([start, [name, _, how]] = ["", $m.partition(found.rule, ", ")]);
+if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(of.case.kind, "running")))) {
+(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
+}
+(limit = of_arc__design_slack(of, $bound(found, "wrap_factor")));
+(words = new Words(("" + "Slack side by " + $str(found.rule)), found.source, "below standard", ("" + "Slack side {value} is below the {limit} of " + $str(name) + "; " + $str(how) + $str(start) + "." + $str(chosen)), undefined, undefined, "Raise the slack-side tension, or choose the design standard.", "Choose the design standard."));
+yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
+}
+function* of_arc___cover_creep(of) {
+let found, rule, title, told, words;
+
+([rule, title] = [$c576, "Creep at exit, with the cover of the belt in series"]);
+if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
+return null;
+}
+if ($truth(of.unknown)) {
+yield rule__not_checked($bound(rule, "name"), title, $bound(of, "unknown"), $bound(of, "place"));
+return null;
+}
+(found = of.result.covered_creep);
+(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
+(words = new Words(title, "shear of the cover of the belt", "limit within belt cover", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), undefined, undefined, "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests."));
+yield rule.judged($b.abs(found), $bound(of.state, "creep_limit"), $bound(of, "place"), words);
+}
+function* in_page_checks__creep_interval(of) {
+let fit;
+
+(fit = ((of.result == null) ? null : of.result.arc.fit));
+if (((fit == null) || !$truth(fit.knots))) {
+return null;
+}
+yield new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", of.place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+}
+function of_drive___rounded_safety(safety, asked, state) {
+let allowed;
+
+(allowed = ($mul(state.strength, state.width) / asked));
+return (((safety < asked) && $truth(numbers__same_shown($bound(state, "tight"), allowed))) ? asked : safety);
+}
+function* of_data___condition(of) {
+let _, grounds, lagging, law, says;
+
+(lagging = of.pulley.lagging);
+if (($in("condition", lagging.sources))) {
+([grounds, _] = of_data__law_words(lagging));
+(law = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
+(law = (($in("illustrative", grounds)) ? "an illustrative one" : law));
+(says = ("" + "its law is " + $str(law) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
+yield of_data___untested(of, $bound(lagging, "condition"), "condition", says);
+}
+if (($in("worn", lagging.sources))) {
+(says = "its law is that of before, and what wear takes off the friction is not known");
+yield of_data___untested(of, "worn", "worn", says);
+}
+}
+function of_data___untested(of, state, part, says) {
+let lagging;
+(lagging = of.pulley.lagging);
+return new Check("condition", ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
+}
+function* of_data___fit(of) {
+let first, lagging, more, others;
+
+(lagging = of.pulley.lagging);
+if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
+return null;
+}
+([first, ...more] = lagging.fit.misfit);
+(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
+yield new Check("fit", ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
+}
+function of_data___accepted(reason) {
+return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
+}
+function* of_arc___balance(of) {
+let arc, error, g, pull, result, value, words;
+
+(result = of.result);
+if (((result == null) || $truth(of.unknown) || $truth($math.isnan($bound(result.energy, "identity_error"))))) {
+return null;
+}
+([error, arc] = [result.energy.identity_error, result.arc]);
+([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
+(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
+(words = new Words("Energy balance of the solution", "tolerance of the program", "out of balance", "The energy balance of the solution misses by {value}, more than {limit}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
+yield $c590.judged(value, 0.0001, $bound(of, "place"), words);
+}
+function numbers__balance_miss(error, pull, g, entry, compliance) {
+let exact, scale, told;
+
+(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
+(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
+(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
+return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
+}
+function numbers__beyond(value, fails, at_most) {
+
+return ($truth(at_most) ? (value > fails) : (value < fails));
 }
 function kinds__table_labels(rows) {
 let names;
@@ -4937,7 +4966,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c96)) {
+for (group of $iter($c100)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -5014,7 +5043,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c50)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -5063,7 +5092,7 @@ const self = this; super.$init(message);
 }
 class Unit extends $Tuple {
 }
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c106});
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c110});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -5121,7 +5150,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c98) {
+overridden(record, fixed = false, speed = null, runs = $c102) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -5157,7 +5186,7 @@ $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()}
 class LoadCase extends $Object {
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c99]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c103]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -5458,7 +5487,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c98, self._take_up.fixed]);
+([runs, fixed] = [$c102, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -5471,7 +5500,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c100), ...$iter($c101), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c104), ...$iter($c105), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -5515,10 +5544,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c101)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c105)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c101)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c105)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -5594,7 +5623,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c102))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c106))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -5606,7 +5635,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c103.built(record, $bound(self, "_report")));
+(motor = $c107.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -5717,10 +5746,6 @@ get slip_with_shear() {
 const self = this; 
 return (pitch__counts_shear($bound(self, "law"), "lagging shear") === true);
 }
-get compliance() {
-const self = this; 
-return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
-}
 get entry_overrun() {
 const self = this; let found, pressure;
 
@@ -5735,10 +5760,6 @@ geometry() {
 const self = this; 
 return summary__geometry_of(self.described());
 }
-get recovery_compliance() {
-const self = this; 
-return summary__recovery_compliance(self.described());
-}
 load() {
 const self = this; let ends, tested;
 
@@ -5748,6 +5769,14 @@ if ((tested != null)) {
 (ends = [tested.pressure_min, tested.pressure_max, tested.slip_max]);
 }
 return new Load($sub(self.entry_tension, self.centrifugal), $sub(self.exit_tension, self.centrifugal), $bound(self, "creep_limit"), ...$iter(ends), self.law.steepest_fall());
+}
+get compliance() {
+const self = this; 
+return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
+}
+get recovery_compliance() {
+const self = this; 
+return summary__recovery_compliance(self.described());
 }
 }
 $sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, pulley: () => "", load_case: () => ""});
@@ -5774,6 +5803,18 @@ const self = this; let length;
 return summary__spring_rate($bound(self.arc, "axial_stiffness"), length, $bound(self, "exit_creep"));
 }
 
+get sticks() {
+const self = this; 
+return (self.stuck_arc > 1e-09);
+}
+get extrapolates() {
+const self = this; 
+return (self.outside_tested_share > 1e-09);
+}
+get within_creep_limit() {
+const self = this; 
+return $and($told($c40, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
+}
 $find_covered_creep() {
 const self = this; let arc, found, geometry, load, series;
 
@@ -5789,28 +5830,16 @@ return $math.copysign(Infinity, $bound(arc, "side"));
 }
 return $at(found.met.course.creep, $neg(1));
 }
-get sticks() {
-const self = this; 
-return (self.stuck_arc > 1e-09);
-}
-get extrapolates() {
-const self = this; 
-return (self.outside_tested_share > 1e-09);
-}
-get within_creep_limit() {
-const self = this; 
-return $and($told($c40, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
-}
 }
 $sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
 class FoundArc extends ArcResult {
-get covered_creep() {
-const self = this; 
-return self.found.covered_creep;
-}
 get creep_interval() {
 const self = this; 
 return [NaN, NaN];
+}
+get covered_creep() {
+const self = this; 
+return self.found.covered_creep;
 }
 }
 $sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
@@ -5964,7 +5993,7 @@ return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bo
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c104)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c108)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -5987,7 +6016,7 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c105, self.level, "rank") >= $told($c105, "ATTENTION", "rank"));
+return ($told($c109, self.level, "rank") >= $told($c109, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
@@ -6022,15 +6051,15 @@ return $m.join(" ", (function* () { for (const part of $iter([self.says, self.re
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c854));
+return ($in(self.name, $c855));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c855)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c856)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c856)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c857)));
 }
 _beside(name) {
 const self = this; let dimension, others, value;
@@ -6040,37 +6069,40 @@ const self = this; let dimension, others, value;
 return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
 }
 }
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c56, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c57, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
 class Shares extends $Object {
 }
 $sig(Shares, ["fractions"], false, {});
-class Miss extends $Tuple {
-at(value, at_most) {
-const self = this; let says;
-
-if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
-return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+class Words extends $Object {
 }
-(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
-return [self.level, $m.rstrip(says)];
-}
-}
-$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
+$sig(Words, ["title", "source", "short", "says", "because", "allows", "remedy", "otherwise", "more", "missing", "told"], false, {source: () => "", short: () => "", says: () => "", because: () => "", allows: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), missing: () => "", told: () => false});
 class Speeds extends $Object {
 }
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
 class Owner extends $Tuple {
 }
-$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c56, more: () => []});
+$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c57, more: () => []});
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
-class Asked extends $Object {
+class At extends $Object {
 }
-$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+$sig(At, ["drive", "case", "pulley"], false, {});
+class Spot extends At {
+}
+$sig(Spot, ["drive", "case", "pulley", "place", "state", "result", "unknown"], false, {result: () => null, unknown: () => ""});
+class State extends $Object {
+raised(by) {
+const self = this; let end, slack, tight;
+
+([tight, slack, end] = [$add(self.tight, by), $add(self.slack, by), $add(self.slack_end, by)]);
+return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end", end]]));
+}
+}
+$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "creep", "slip", "slip_speed", "shear", "motor"], false, {});
 class VariableSpeed extends Motor {
 largest_load() {
 const self = this; let stall;
@@ -6090,6 +6122,9 @@ $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle",
 class Figure extends $Object {
 }
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
+class Asked extends $Object {
+}
+$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
 class LeastTension extends $Object {
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get highest() { return $kept(this, "highest", this.$find_highest()); }
@@ -6286,7 +6321,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c105, self.level, "rank") > $told($c105, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c109, self.level, "rank") > $told($c109, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -6304,7 +6339,7 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c857)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c858)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 $sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
@@ -6313,7 +6348,7 @@ class Row extends $Object {
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
 }
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c107, note: () => "", name: () => "", short: () => null, brief: () => ""});
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c111, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class FrictionLaw extends $Object {
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
@@ -6386,7 +6421,7 @@ const self = this; let origin;
 return $m.join("; ", (function* () { for (const part of $iter([origin, self.remark])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
-$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c76, remark: () => "", name: () => ""});
+$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c80, remark: () => "", name: () => ""});
 class Sources extends $Object {
 $init() {
 const self = this; (self._numbers = $map([]));
@@ -6445,12 +6480,12 @@ class Trend extends $Object {
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c858)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c858)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c859)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c859)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c858, self.form));
+([logarithmic, exponential] = $at($c859, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -6469,7 +6504,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c858, self.form));
+([logarithmic, exponential] = $at($c859, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
@@ -6477,7 +6512,7 @@ return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bou
 $sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
 }
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c108, residual_friction: () => $c109});
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c112, residual_friction: () => $c113});
 class CoefficientPieces extends $Object {
 __post_init__() {
 const self = this; let n, problems;
@@ -6635,8 +6670,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c859)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c859))));
+if (($truth(self.surface) && (!$in(self.surface, $c860)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c860))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -6705,7 +6740,7 @@ class TakeUp extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c860)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c861)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -6738,7 +6773,7 @@ $sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_r
 class DesignStandard extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c861)]], ["condition", ["", ...$iter($c862)]]]));
+(words = $map([["name", ["", ...$iter($c862)]], ["condition", ["", ...$iter($c863)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -6778,7 +6813,7 @@ get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, ...entries) {
 const self = this; const {of: of = null, on_one_line: on_one_line = false} = $named(entries);
 ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c863) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c864) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -6852,7 +6887,7 @@ const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c863, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c864, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
 read(raw, place, report) {
 const self = this; let value;
@@ -6875,7 +6910,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c864) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c865) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -7005,7 +7040,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let bare, found, told;
 
-(found = $m.search($c865, $m.upper($m.strip(self.name))));
+(found = $m.search($c866, $m.upper($m.strip(self.name))));
 if (((self.strength != null) || (found == null))) {
 return self.strength;
 }
@@ -7095,7 +7130,7 @@ class DimensionText extends $Tuple {
 $sig(DimensionText, ["si_unit", "name", "example"], false, {});
 class Definition extends $Tuple {
 }
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c872});
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c873});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -7129,7 +7164,7 @@ class Pulley extends $Object {
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c866]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c867]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -7174,8 +7209,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c867))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c867))));
+if ((!$in(self.drive_at, $c868))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c868))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -7287,7 +7322,7 @@ const self = this; let at_head, carrying, entry, head, leaving, resistances, ret
 (at_head = ($eq(self.drive_at, "head")));
 (entry = ($truth(at_head) ? $add(tail, carrying) : tail));
 (leaving = ($truth(at_head) ? head : $sub(head, carrying)));
-return new State(name, kind, resistances, head, tail, entry, leaving);
+return new conveyor$State(name, kind, resistances, head, tail, entry, leaving);
 }
 *_resistances(material, acceleration) {
 const self = this; let belt, carrying, coefficient, down, factor, length, lift, loaded, main, returning, secondary, share, source, special, up;
@@ -7313,7 +7348,7 @@ yield new Resistance("inertia", carrying, returning, "force to accelerate belt, 
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1594);
+([least, most] = $c1596);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -7322,8 +7357,55 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 }
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
+*checks(of) {
+const self = this; let allowed, check, limit, missing, told, value, words;
+
+if ((self.asked != null)) {
+yield* $iter(self.asked(of));
+return null;
 }
-$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"], false, {missed: () => "ATTENTION", at_most: () => true, fails_beyond: () => NaN, tolerates: () => NaN});
+(words = ($truth(self.words) ? self.words(of) : null));
+if (((words == null) || (self.value == null))) {
+return null;
+}
+([value, missing] = [self.value($bound(of, "state")), words.missing]);
+(missing = $or(missing, () => ($truth(self.of_solution) ? of.unknown : "")));
+if ($truth(missing)) {
+(check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
+(told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
+yield ($truth(words.told) ? told : check);
+return null;
+}
+(allowed = ($truth(self.allowed) ? self.allowed(of) : null));
+(limit = self.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
+if ((self.rounded != null)) {
+(value = self.rounded(value, limit, $bound(of, "state")));
+}
+yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+}
+limited(allowed, state) {
+const self = this; 
+return ((self.limit == null) ? allowed : self.limit(allowed, state));
+}
+held(drive) {
+const self = this; let firm;
+
+if ((self.firm == null)) {
+return self;
+}
+(firm = self.firm(drive));
+return $replaced(self, new Map([["missed", ($truth(firm) ? "FAILS" : self.missed)], ["binding", firm]]));
+}
+judged(value, limit, place, words) {
+const self = this; let kept, level, miss, says;
+
+(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, self.at_most)));
+(miss = new Miss($bound(self, "missed"), $bound(words, "short"), $bound(words, "says"), $bound(words, "remedy"), $bound(self, "fails_beyond"), $bound(words, "because"), $bound(self, "tolerates"), $bound(words, "allows"), $bound(words, "otherwise")));
+([level, says] = miss.at(value, $bound(self, "at_most")));
+return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
+}
+}
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, value: () => null, allowed: () => null, limit: () => null, rounded: () => null, of_solution: () => false, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -7347,8 +7429,8 @@ class Block extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c869))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c869))));
+if ((!$in(self.shape, $c870))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c870))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -7409,7 +7491,7 @@ get log_covariance() { return $kept(this, "log_covariance", this.$find_log_covar
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c870));
+(problems = limits__limit_problems(self, $c871));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -7448,7 +7530,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c871, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c872, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -7555,21 +7637,21 @@ class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1310))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1310))));
+if ((!$in(self.depth, $c1311))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1311))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
 }
 }
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"], false, {depth: () => "full"});
-class State extends $Object {
+class conveyor$State extends $Object {
 get pull() {
 const self = this; 
 return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
 }
 }
-$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
+$sig(conveyor$State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
 class Resistance extends $Object {
 get total() {
 const self = this; 
@@ -7577,6 +7659,18 @@ return $add(self.carrying, self.returning);
 }
 }
 $sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
+class Miss extends $Tuple {
+at(value, at_most) {
+const self = this; let says;
+
+if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
+return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+}
+(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
+return [self.level, $m.rstrip(says)];
+}
+}
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class OneOrMore extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -7759,800 +7853,800 @@ const self = this;
 throw $TypeError;
 }
 }
-const $c880 = ["of", "entries", "_known"];
-const $c895 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c149 = ["dimension", "limit"];
-const $c896 = $made(Quantity, $c149, ["number", null]);
-const $c883 = $made(Entry, $c895, ["format", $c896, true, "", "format = 1", "format", ""]);
-const $c898 = ["longest", "lines"];
-const $c897 = $made(Text, $c898, [200, false]);
-const $c884 = $made(Entry, $c895, ["title", $c897, false, "", "", "title", ""]);
-const $c899 = $made(Text, $c898, [5000, true]);
-const $c885 = $made(Entry, $c895, ["description", $c899, false, "", "", "description", ""]);
-const $c901 = ["dimension", "least", "most", "open", "rigid"];
-const $c831 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
-const $c900 = $made(Quantity, $c149, ["length", $c831]);
-const $c886 = $made(Entry, $c895, ["creep_limit", $c900, false, "", "", "creep_limit", ""]);
-const $c903 = ["kind", "most"];
-const $c904 = ["text", "table"];
-const $c905 = ["longest"];
-const $c213 = $made(Name, $c905, [60]);
-const $c913 = $made(Name, $c905, [60]);
-const $c908 = $made(Entry, $c895, ["name", $c913, true, "", "", "name", ""]);
-const $c827 = $made(Limit, $c901, ["number", 0.0, 2.0, true, false]);
-const $c914 = $made(Quantity, $c149, ["number", $c827]);
-const $c909 = $made(Entry, $c895, ["friction_factor", $c914, false, "", "", "factor", ""]);
-const $c915 = $made(ByName, $c903, [$c914, 200]);
-const $c910 = $made(Entry, $c895, ["friction_factors", $c915, false, "", "", "friction_factors", ""]);
-const $c917 = ["options"];
-const $c918 = ["DIN 22101", "practice"];
-const $c916 = $made(Choice, $c917, [$c918]);
-const $c911 = $made(Entry, $c895, ["standard", $c916, false, "", "", "standard", ""]);
-const $c926 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c925 = $made(Choice, $c917, [$c926]);
-const $c921 = $made(Entry, $c895, ["kind", $c925, true, "", "", "kind", ""]);
-const $c927 = $made(Text, $c898, [500, false]);
-const $c922 = $made(Entry, $c895, ["source", $c927, false, "", "", "source", ""]);
-const $c928 = $made(Text, $c898, [60, false]);
-const $c923 = $made(Entry, $c895, ["date", $c928, false, "", "", "date", ""]);
-const $c929 = $made(Text, $c898, [1000, false]);
-const $c924 = $made(Entry, $c895, ["note", $c929, false, "", "", "note", ""]);
-const $c919 = [$c921, $c922, $c923, $c924];
-const $c920 = new Map([["kind", $c921], ["source", $c922], ["date", $c923], ["note", $c924]]);
-const $c2 = $made(tables$Table, $c880, [Provenance, $c919, $c920]);
-const $c912 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c906 = [$c908, $c909, $c910, $c911, $c912];
-const $c907 = new Map([["name", $c908], ["friction_factor", $c909], ["friction_factors", $c910], ["standard", $c911], ["provenance", $c912]]);
-const $c8 = $made(tables$Table, $c880, [Condition, $c906, $c907]);
-const $c212 = $made(TextOr, $c904, [$c213, $c8]);
-const $c902 = $made(OneOrMore, $c903, [$c212, 8]);
-const $c887 = $made(Entry, $c895, ["condition", $c902, false, "", "", "condition", ""]);
-const $c145 = $made(Name, $c905, [60]);
-const $c124 = $made(Entry, $c895, ["preset", $c145, false, "", "", "preset", ""]);
-const $c146 = $made(Name, $c905, [60]);
-const $c125 = $made(Entry, $c895, ["name", $c146, false, "", "", "name", ""]);
-const $c147 = $made(Text, $c898, [60, false]);
-const $c126 = $made(Entry, $c895, ["kind", $c147, false, "", "", "kind", ""]);
-const $c150 = $made(Limit, $c901, ["length", 0.001, 1000.0, false, false]);
-const $c148 = $made(Quantity, $c149, ["length", $c150]);
-const $c127 = $made(Entry, $c895, ["width", $c148, true, "", "", "width", ""]);
-const $c931 = ["word", "kind", "meaning"];
-const $c155 = $made(Limit, $c901, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c154 = $made(Quantity, $c149, ["force_per_width", $c155]);
-const $c152 = $made(WordOr, $c931, ["rigid", $c154, Infinity]);
-const $c128 = $made(Entry, $c895, ["modulus", $c152, false, "", "", "modulus", ""]);
-const $c157 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, true, false]);
-const $c156 = $made(Quantity, $c149, ["force_per_width", $c157]);
-const $c129 = $made(Entry, $c895, ["rating", $c156, false, "", "", "rating", ""]);
-const $c159 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, true, false]);
-const $c158 = $made(Quantity, $c149, ["force_per_width", $c159]);
-const $c130 = $made(Entry, $c895, ["strength", $c158, false, "", "", "strength", ""]);
-const $c161 = $made(Limit, $c901, ["speed", 0.0, 1000.0, true, false]);
-const $c160 = $made(Quantity, $c149, ["speed", $c161]);
-const $c131 = $made(Entry, $c895, ["speed", $c160, false, "", "", "speed", ""]);
-const $c163 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
-const $c162 = $made(Quantity, $c149, ["number", $c163]);
-const $c132 = $made(Entry, $c895, ["momentary_factor", $c162, false, "", "", "momentary_factor", ""]);
-const $c165 = $made(Limit, $c901, ["length", 0.0, Infinity, true, false]);
-const $c164 = $made(Quantity, $c149, ["length", $c165]);
-const $c133 = $made(Entry, $c895, ["least_pulley_diameter", $c164, false, "", "", "least_pulley_diameter", ""]);
-const $c167 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
-const $c166 = $made(Quantity, $c149, ["pressure", $c167]);
-const $c134 = $made(Entry, $c895, ["largest_wrap_pressure", $c166, false, "", "", "largest_wrap_pressure", ""]);
-const $c169 = $made(Limit, $c901, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c168 = $made(Quantity, $c149, ["force_per_width", $c169]);
-const $c135 = $made(Entry, $c895, ["in_plane_shear_stiffness", $c168, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c171 = $made(Limit, $c901, ["length", 0.0, 0.06, false, false]);
-const $c170 = $made(Quantity, $c149, ["length", $c171]);
-const $c136 = $made(Entry, $c895, ["pulley_cover", $c170, false, "", "", "pulley_cover", ""]);
-const $c173 = $made(Limit, $c901, ["length", 0.0, 0.06, false, false]);
-const $c172 = $made(Quantity, $c149, ["length", $c173]);
-const $c137 = $made(Entry, $c895, ["carry_cover", $c172, false, "", "", "carry_cover", ""]);
-const $c175 = $made(Limit, $c901, ["length", 0.0, 0.06, true, false]);
-const $c174 = $made(Quantity, $c149, ["length", $c175]);
-const $c138 = $made(Entry, $c895, ["carcass", $c174, false, "", "", "carcass", ""]);
-const $c177 = $made(Limit, $c901, ["length", 0.0, 0.06, true, false]);
-const $c176 = $made(Quantity, $c149, ["length", $c177]);
-const $c139 = $made(Entry, $c895, ["thickness", $c176, false, "", "", "thickness", ""]);
-const $c180 = $made(Limit, $c901, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c179 = $made(Quantity, $c149, ["pressure", $c180]);
-const $c178 = $made(WordOr, $c931, ["rigid", $c179, Infinity]);
-const $c140 = $made(Entry, $c895, ["cover_shear_modulus", $c178, false, "", "", "cover_shear_modulus", ""]);
-const $c182 = $made(Limit, $c901, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c181 = $made(Quantity, $c149, ["mass_per_length", $c182]);
-const $c141 = $made(Entry, $c895, ["mass", $c181, false, "", "", "mass", ""]);
-const $c142 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c183 = $made(ByName, $c903, [$c2, 200]);
-const $c143 = $made(Entry, $c895, ["sources", $c183, false, "", "", "sources", ""]);
-const $c1 = [$c124, $c125, $c126, $c127, $c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143];
-const $c930 = new Map([["preset", $c124], ["name", $c125], ["kind", $c126], ["width", $c127], ["modulus", $c128], ["rating", $c129], ["strength", $c130], ["speed", $c131], ["momentary_factor", $c132], ["least_pulley_diameter", $c133], ["largest_wrap_pressure", $c134], ["in_plane_shear_stiffness", $c135], ["pulley_cover", $c136], ["carry_cover", $c137], ["carcass", $c138], ["thickness", $c139], ["cover_shear_modulus", $c140], ["mass", $c141], ["provenance", $c142], ["sources", $c143]]);
-const $c5 = $made(tables$Table, $c880, [Belt, $c1, $c930]);
-const $c888 = $made(Entry, $c895, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c933 = ["kind", "least", "most"];
-const $c203 = $made(Name, $c905, [60]);
-const $c185 = $made(Entry, $c895, ["name", $c203, true, "", "name = \"head\"", "name", ""]);
-const $c205 = $made(Limit, $c901, ["length", 0.001, 1000.0, false, false]);
-const $c204 = $made(Quantity, $c149, ["length", $c205]);
-const $c186 = $made(Entry, $c895, ["diameter", $c204, true, "", "", "diameter", ""]);
-const $c207 = $made(Limit, $c901, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c206 = $made(Quantity, $c149, ["angle", $c207]);
-const $c187 = $made(Entry, $c895, ["wrap_angle", $c206, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c828 = $made(Limit, $c901, ["length", -100000.0, 100000.0, false, false]);
-const $c942 = $made(Quantity, $c149, ["length", $c828]);
-const $c937 = $made(Entry, $c895, ["x", $c942, true, "", "", "x", ""]);
-const $c943 = $made(Quantity, $c149, ["length", $c828]);
-const $c938 = $made(Entry, $c895, ["y", $c943, true, "", "", "y", ""]);
-const $c945 = ["clockwise", "counterclockwise"];
-const $c944 = $made(Choice, $c917, [$c945]);
-const $c939 = $made(Entry, $c895, ["turn", $c944, false, "", "", "turn", ""]);
-const $c952 = $made(Quantity, $c149, ["length", $c828]);
-const $c949 = $made(Entry, $c895, ["x", $c952, true, "", "", "x", ""]);
-const $c953 = $made(Quantity, $c149, ["length", $c828]);
-const $c950 = $made(Entry, $c895, ["y", $c953, true, "", "", "y", ""]);
-const $c829 = $made(Limit, $c901, ["length", 0.0, 1000.0, false, false]);
-const $c954 = $made(Quantity, $c149, ["length", $c829]);
-const $c951 = $made(Entry, $c895, ["diameter", $c954, false, "", "", "diameter", ""]);
-const $c947 = [$c949, $c950, $c951, $c939];
-const $c948 = new Map([["x", $c949], ["y", $c950], ["diameter", $c951], ["turn", $c939]]);
-const $c946 = $made(tables$Table, $c880, [Point, $c947, $c948]);
-const $c940 = $made(Entry, $c895, ["before", $c946, true, "", "a table with x and y", "before", ""]);
-const $c941 = $made(Entry, $c895, ["after", $c946, true, "", "a table with x and y", "after", ""]);
-const $c935 = [$c937, $c938, $c939, $c940, $c941];
-const $c936 = new Map([["x", $c937], ["y", $c938], ["turn", $c939], ["before", $c940], ["after", $c941]]);
-const $c208 = $made(tables$Table, $c880, [Point, $c935, $c936]);
-const $c188 = $made(Entry, $c895, ["belt_path", $c208, false, "", "", "belt_path", ""]);
-const $c211 = $made(Name, $c905, [500]);
-const $c978 = $made(Name, $c905, [500]);
-const $c958 = $made(Entry, $c895, ["preset", $c978, false, "", "", "preset", ""]);
-const $c979 = $made(Name, $c905, [60]);
-const $c959 = $made(Entry, $c895, ["name", $c979, false, "", "", "name", ""]);
-const $c980 = $made(Text, $c898, [200, false]);
-const $c960 = $made(Entry, $c895, ["title", $c980, false, "", "", "title", ""]);
-const $c981 = $made(Text, $c898, [5000, true]);
-const $c961 = $made(Entry, $c895, ["description", $c981, false, "", "", "description", ""]);
-const $c859 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c982 = $made(Choice, $c917, [$c859]);
-const $c962 = $made(Entry, $c895, ["surface", $c982, false, "", "", "surface", ""]);
-const $c842 = $made(Limit, $c901, ["length", 0.0, 1.0, false, false]);
-const $c983 = $made(Quantity, $c149, ["length", $c842]);
-const $c963 = $made(Entry, $c895, ["thickness", $c983, false, "", "", "thickness", ""]);
-const $c845 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, false]);
-const $c984 = $made(Quantity, $c149, ["pressure", $c845]);
-const $c964 = $made(Entry, $c895, ["elastic_modulus", $c984, false, "", "", "elastic_modulus", ""]);
-const $c843 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, true]);
-const $c986 = $made(Quantity, $c149, ["pressure", $c843]);
-const $c985 = $made(WordOr, $c931, ["rigid", $c986, Infinity]);
-const $c965 = $made(Entry, $c895, ["shear_modulus", $c985, false, "", "", "shear_modulus", ""]);
-const $c844 = $made(Limit, $c901, ["pressure", 1000.0, Infinity, false, true]);
-const $c988 = $made(Quantity, $c149, ["pressure", $c844]);
-const $c987 = $made(WordOr, $c931, ["rigid", $c988, Infinity]);
-const $c966 = $made(Entry, $c895, ["compression_modulus", $c987, false, "", "", "compression_modulus", ""]);
-const $c869 = ["square", "strip"];
-const $c996 = $made(Choice, $c917, [$c869]);
-const $c991 = $made(Entry, $c895, ["shape", $c996, false, "", "", "shape", ""]);
-const $c815 = $made(Limit, $c901, ["length", 0.0001, 10.0, false, false]);
-const $c997 = $made(Quantity, $c149, ["length", $c815]);
-const $c992 = $made(Entry, $c895, ["width", $c997, true, "", "", "width", ""]);
-const $c816 = $made(Limit, $c901, ["length", 0.0001, 1.0, false, false]);
-const $c998 = $made(Quantity, $c149, ["length", $c816]);
-const $c993 = $made(Entry, $c895, ["height", $c998, false, "", "", "height", ""]);
-const $c817 = $made(Limit, $c901, ["number", 0.0, 10.0, false, false]);
-const $c999 = $made(Quantity, $c149, ["number", $c817]);
-const $c994 = $made(Entry, $c895, ["stiffening", $c999, false, "", "", "stiffening", ""]);
-const $c818 = $made(Limit, $c901, ["number", 0.01, 1.0, false, false]);
-const $c1000 = $made(Quantity, $c149, ["number", $c818]);
-const $c995 = $made(Entry, $c895, ["contact_fraction", $c1000, false, "", "", "contact_fraction", ""]);
-const $c989 = [$c991, $c992, $c993, $c994, $c995];
-const $c990 = new Map([["shape", $c991], ["width", $c992], ["height", $c993], ["stiffening", $c994], ["contact_fraction", $c995]]);
-const $c86 = $made(tables$Table, $c880, [Block, $c989, $c990]);
-const $c967 = $made(Entry, $c895, ["block", $c86, false, "", "", "block", ""]);
-const $c846 = $made(Limit, $c901, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c1001 = $made(Quantity, $c149, ["wear_coefficient", $c846]);
-const $c968 = $made(Entry, $c895, ["wear_coefficient", $c1001, false, "", "", "wear_coefficient", ""]);
-const $c847 = $made(Limit, $c901, ["number", 0.0, 1.0, false, false]);
-const $c1002 = $made(Quantity, $c149, ["number", $c847]);
-const $c969 = $made(Entry, $c895, ["belt_energy_share", $c1002, false, "", "", "belt_energy_share", ""]);
-const $c848 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
-const $c1003 = $made(Quantity, $c149, ["pressure", $c848]);
-const $c970 = $made(Entry, $c895, ["bond_strength", $c1003, false, "", "", "bond_strength", ""]);
-const $c849 = $made(Limit, $c901, ["pressure", 0.0, Infinity, true, false]);
-const $c1004 = $made(Quantity, $c149, ["pressure", $c849]);
-const $c971 = $made(Entry, $c895, ["fatigue_limit", $c1004, false, "", "", "fatigue_limit", ""]);
-const $c1013 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
-const $c1012 = $made(Quantity, $c149, ["number", $c1013]);
-const $c1007 = $made(Entry, $c895, ["material", $c1012, true, "", "", "material", ""]);
-const $c1015 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
-const $c1014 = $made(Quantity, $c149, ["number", $c1015]);
-const $c1008 = $made(Entry, $c895, ["installation", $c1014, true, "", "", "installation", ""]);
-const $c1016 = $made(Name, $c905, [12]);
-const $c1009 = $made(Entry, $c895, ["currency", $c1016, true, "", "", "currency", ""]);
-const $c1018 = $made(Limit, $c901, ["area", 0.0, Infinity, true, false]);
-const $c1017 = $made(Quantity, $c149, ["area", $c1018]);
-const $c1010 = $made(Entry, $c895, ["area", $c1017, true, "", "", "area", ""]);
-const $c1020 = $made(Quantity, $c149, ["number", null]);
-const $c1019 = $made(Rows, $c933, [$c1020, 2, 2]);
-const $c1011 = $made(Entry, $c895, ["life_years", $c1019, true, "", "", "life_years", ""]);
-const $c1005 = [$c1007, $c1008, $c1009, $c1010, $c1011];
-const $c1006 = new Map([["material", $c1007], ["installation", $c1008], ["currency", $c1009], ["area", $c1010], ["life_years", $c1011]]);
-const $c82 = $made(tables$Table, $c880, [Cost, $c1005, $c1006]);
-const $c972 = $made(Entry, $c895, ["cost", $c82, false, "", "", "cost", ""]);
-const $c1022 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
-const $c1021 = $made(Quantity, $c149, ["speed", $c1022]);
-const $c973 = $made(Entry, $c895, ["slip_speed", $c1021, false, "", "", "slip_speed", ""]);
-const $c1024 = $made(Limit, $c901, ["temperature", 0.0, Infinity, false, false]);
-const $c1023 = $made(Quantity, $c149, ["temperature", $c1024]);
-const $c974 = $made(Entry, $c895, ["temperature", $c1023, false, "", "", "temperature", ""]);
-const $c1031 = $made(Name, $c905, [60]);
-const $c1028 = $made(Entry, $c895, ["condition", $c1031, true, "", "", "condition", ""]);
-const $c1033 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
-const $c1032 = $made(Quantity, $c149, ["number", $c1033]);
-const $c1029 = $made(Entry, $c895, ["factor", $c1032, true, "", "", "factor", ""]);
-const $c1030 = $made(Entry, $c895, ["provenance", $c2, true, "", "", "provenance", ""]);
-const $c1026 = [$c1028, $c1029, $c1030];
-const $c1027 = new Map([["condition", $c1028], ["factor", $c1029], ["provenance", $c1030]]);
-const $c87 = $made(tables$Table, $c880, [ConditionFactor, $c1026, $c1027]);
-const $c1025 = $made(Rows, $c933, [$c87, 0, 20]);
-const $c975 = $made(Entry, $c895, ["condition_factor", $c1025, false, "", "", "condition_factor", ""]);
-const $c1035 = ["tag", "tables"];
-const $c1062 = ["integral-log"];
-const $c1061 = $made(Choice, $c917, [$c1062]);
-const $c1044 = $made(Entry, $c895, ["kind", $c1061, true, "", "", "kind", ""]);
-const $c1063 = $made(Name, $c905, [60]);
-const $c1045 = $made(Entry, $c895, ["condition", $c1063, false, "", "", "condition", ""]);
-const $c1046 = $made(Entry, $c895, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c1047 = $made(Entry, $c895, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c1076 = $made(Name, $c905, [120]);
-const $c1075 = $made(Rows, $c933, [$c1076, 1, 1000]);
-const $c1066 = $made(Entry, $c895, ["parameters", $c1075, true, "", "", "parameters", ""]);
-const $c1077 = $made(Rows, $c933, [$c1020, 1, 1000]);
-const $c1067 = $made(Entry, $c895, ["values", $c1077, true, "", "", "values", ""]);
-const $c1079 = $made(Rows, $c933, [$c1020, 1, 1000]);
-const $c1078 = $made(Rows, $c933, [$c1079, 1, 1000]);
-const $c1068 = $made(Entry, $c895, ["covariance", $c1078, true, "", "", "covariance", ""]);
-const $c1081 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
-const $c1080 = $made(Quantity, $c149, ["number", $c1081]);
-const $c1069 = $made(Entry, $c895, ["residual_noise", $c1080, false, "", "", "residual_noise", ""]);
-const $c1083 = $made(Limit, $c901, ["number", 1.0, Infinity, false, false]);
-const $c1082 = $made(Quantity, $c149, ["number", $c1083]);
-const $c1070 = $made(Entry, $c895, ["coverage_factor", $c1082, false, "", "", "coverage_factor", ""]);
-const $c1084 = $made(Text, $c898, [60, false]);
-const $c1071 = $made(Entry, $c895, ["date", $c1084, false, "", "", "date", ""]);
-const $c1085 = $made(Text, $c898, [500, false]);
-const $c1072 = $made(Entry, $c895, ["method", $c1085, false, "", "", "method", ""]);
-const $c1087 = $made(Text, $c898, [2000, true]);
-const $c1086 = $made(Rows, $c933, [$c1087, 0, 50]);
-const $c1073 = $made(Entry, $c895, ["misfit", $c1086, false, "", "", "misfit", ""]);
-const $c1088 = $made(Text, $c898, [500, false]);
-const $c1074 = $made(Entry, $c895, ["misfit_accepted", $c1088, false, "", "", "misfit_accepted", ""]);
-const $c1064 = [$c1066, $c1067, $c1068, $c1069, $c1070, $c1071, $c1072, $c1073, $c1074];
-const $c1065 = new Map([["parameters", $c1066], ["values", $c1067], ["covariance", $c1068], ["residual_noise", $c1069], ["coverage_factor", $c1070], ["date", $c1071], ["method", $c1072], ["misfit", $c1073], ["misfit_accepted", $c1074]]);
-const $c94 = $made(tables$Table, $c880, [Fit, $c1064, $c1065]);
-const $c1048 = $made(Entry, $c895, ["fit", $c94, false, "", "", "fit", ""]);
-const $c1091 = ["lagging shear", "cover shear"];
-const $c1090 = $made(Choice, $c917, [$c1091]);
-const $c1089 = $made(Rows, $c933, [$c1090, 0, 2]);
-const $c1049 = $made(Entry, $c895, ["slip_includes", $c1089, false, "", "", "slip_includes", ""]);
-const $c1098 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
-const $c1097 = $made(Quantity, $c149, ["speed", $c1098]);
-const $c1096 = $made(Rows, $c933, [$c1097, 2, 100]);
-const $c1094 = $made(Entry, $c895, ["slip_speed", $c1096, true, "", "", "at", ""]);
-const $c1099 = $made(Rows, $c933, [$c1032, 2, 100]);
-const $c1095 = $made(Entry, $c895, ["factor", $c1099, true, "", "", "factor", ""]);
-const $c1092 = [$c1094, $c1095, $c1030];
-const $c1093 = new Map([["slip_speed", $c1094], ["factor", $c1095], ["provenance", $c1030]]);
-const $c92 = $made(tables$Table, $c880, [FrictionFactor, $c1092, $c1093]);
-const $c1050 = $made(Entry, $c895, ["slip_speed_factor", $c92, false, "", "", "slip_speed_factor", ""]);
-const $c1105 = $made(Limit, $c901, ["temperature", 0.0, Infinity, false, false]);
-const $c1104 = $made(Quantity, $c149, ["temperature", $c1105]);
-const $c1103 = $made(Rows, $c933, [$c1104, 2, 100]);
-const $c1102 = $made(Entry, $c895, ["temperature", $c1103, true, "", "", "at", ""]);
-const $c1100 = [$c1102, $c1095, $c1030];
-const $c1101 = new Map([["temperature", $c1102], ["factor", $c1095], ["provenance", $c1030]]);
-const $c93 = $made(tables$Table, $c880, [FrictionFactor, $c1100, $c1101]);
-const $c1051 = $made(Entry, $c895, ["temperature_factor", $c93, false, "", "", "temperature_factor", ""]);
-const $c1052 = $made(Entry, $c895, ["notes", $c1086, false, "", "", "notes", ""]);
-const $c1108 = $made(Limit, $c901, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c1107 = $made(Quantity, $c149, ["pressure", $c1108]);
-const $c1106 = $made(Rows, $c933, [$c1107, 2, 2]);
-const $c1053 = $made(Entry, $c895, ["tested_pressure", $c1106, false, "", "", "tested_pressure", ""]);
-const $c1110 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
-const $c1109 = $made(Quantity, $c149, ["length", $c1110]);
-const $c1054 = $made(Entry, $c895, ["tested_slip", $c1109, false, "", "", "tested_slip", ""]);
-const $c1112 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
-const $c1111 = $made(Quantity, $c149, ["speed", $c1112]);
-const $c1055 = $made(Entry, $c895, ["tested_slip_speed", $c1111, false, "", "", "tested_slip_speed", ""]);
-const $c1117 = $made(Entry, $c895, ["pressure", $c1107, true, "", "", "pressure", ""]);
-const $c1123 = $made(Limit, $c901, ["number", 0.0, 5.0, true, false]);
-const $c1122 = $made(Quantity, $c149, ["number", $c1123]);
-const $c1118 = $made(Entry, $c895, ["peak_friction", $c1122, true, "", "", "peak_friction", ""]);
-const $c1119 = $made(Entry, $c895, ["peak_slip", $c1109, true, "", "", "peak_slip", ""]);
-const $c1125 = $made(Limit, $c901, ["per_length", -1000000.0, 0.0, false, false]);
-const $c1124 = $made(Quantity, $c149, ["per_length", $c1125]);
-const $c1120 = $made(Entry, $c895, ["post_peak_slope", $c1124, false, "", "", "post_peak_slope", ""]);
-const $c1121 = $made(Entry, $c895, ["residual_friction", $c1122, false, "", "", "residual_friction", ""]);
-const $c1115 = [$c1117, $c1118, $c1119, $c1120, $c1121];
-const $c1116 = new Map([["pressure", $c1117], ["peak_friction", $c1118], ["peak_slip", $c1119], ["post_peak_slope", $c1120], ["residual_friction", $c1121]]);
-const $c1114 = $made(tables$Table, $c880, [null, $c1115, $c1116]);
-const $c1113 = $made(Rows, $c933, [$c1114, 1, 200]);
-const $c1056 = $made(Entry, $c895, ["knots", $c1113, false, "", "", "knots", ""]);
-const $c1130 = $made(Entry, $c895, ["from", $c1107, true, "", "", "from", ""]);
-const $c1131 = $made(Entry, $c895, ["to", $c1107, true, "", "", "to", ""]);
-const $c1136 = $made(Text, $c898, [300, false]);
-const $c1132 = $made(Entry, $c895, ["A", $c1136, true, "", "", "A", ""]);
-const $c1133 = $made(Entry, $c895, ["b", $c1136, true, "", "", "b", ""]);
-const $c1134 = $made(Entry, $c895, ["post_peak_slope", $c1136, false, "", "", "post_peak_slope", ""]);
-const $c1135 = $made(Entry, $c895, ["residual_friction", $c1136, false, "", "", "residual_friction", ""]);
-const $c1128 = [$c1130, $c1131, $c1132, $c1133, $c1134, $c1135];
-const $c1129 = new Map([["from", $c1130], ["to", $c1131], ["A", $c1132], ["b", $c1133], ["post_peak_slope", $c1134], ["residual_friction", $c1135]]);
-const $c1127 = $made(tables$Table, $c880, [null, $c1128, $c1129]);
-const $c1126 = $made(Rows, $c933, [$c1127, 1, 50]);
-const $c1057 = $made(Entry, $c895, ["pieces", $c1126, false, "", "", "pieces", ""]);
-const $c1137 = $made(Text, $c898, [20, false]);
-const $c1058 = $made(Entry, $c895, ["slip_unit", $c1137, false, "", "", "slip_unit", ""]);
-const $c1138 = $made(Text, $c898, [20, false]);
-const $c1059 = $made(Entry, $c895, ["pressure_unit", $c1138, false, "", "", "pressure_unit", ""]);
-const $c1140 = $made(Limit, $c901, ["number", 0.0, 0.5, false, false]);
-const $c1139 = $made(Quantity, $c149, ["number", $c1140]);
-const $c1060 = $made(Entry, $c895, ["continuity", $c1139, false, "", "", "continuity", ""]);
-const $c1042 = [$c1044, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060];
-const $c1043 = new Map([["kind", $c1044], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["knots", $c1056], ["pieces", $c1057], ["slip_unit", $c1058], ["pressure_unit", $c1059], ["continuity", $c1060]]);
-const $c1037 = $made(tables$Table, $c880, [IntegralLog, $c1042, $c1043]);
-const $c1146 = ["constant"];
-const $c1145 = $made(Choice, $c917, [$c1146]);
-const $c1143 = $made(Entry, $c895, ["kind", $c1145, true, "", "", "kind", ""]);
-const $c1144 = $made(Entry, $c895, ["friction", $c1122, true, "", "", "friction_coefficient", ""]);
-const $c1141 = [$c1143, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1144];
-const $c1142 = new Map([["kind", $c1143], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["friction", $c1144]]);
-const $c1038 = $made(tables$Table, $c880, [Constant, $c1141, $c1142]);
-const $c1152 = ["elastic-plastic"];
-const $c1151 = $made(Choice, $c917, [$c1152]);
-const $c1149 = $made(Entry, $c895, ["kind", $c1151, true, "", "", "kind", ""]);
-const $c1154 = $made(Limit, $c901, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1153 = $made(Quantity, $c149, ["pressure_per_length", $c1154]);
-const $c1150 = $made(Entry, $c895, ["stiffness", $c1153, true, "", "", "stiffness", ""]);
-const $c1147 = [$c1149, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1150, $c1144];
-const $c1148 = new Map([["kind", $c1149], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["stiffness", $c1150], ["friction", $c1144]]);
-const $c1039 = $made(tables$Table, $c880, [ElasticPlastic, $c1147, $c1148]);
-const $c1162 = ["power"];
-const $c1161 = $made(Choice, $c917, [$c1162]);
-const $c1157 = $made(Entry, $c895, ["kind", $c1161, true, "", "", "kind", ""]);
-const $c1158 = $made(Entry, $c895, ["friction", $c1122, true, "", "", "friction_coefficient", ""]);
-const $c1159 = $made(Entry, $c895, ["reference_pressure", $c1107, true, "", "", "reference_pressure", ""]);
-const $c1160 = $made(Entry, $c895, ["exponent", $c1020, true, "", "", "exponent", ""]);
-const $c1155 = [$c1157, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1158, $c1159, $c1160];
-const $c1156 = new Map([["kind", $c1157], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["tested_pressure", $c1053], ["tested_slip", $c1054], ["tested_slip_speed", $c1055], ["friction", $c1158], ["reference_pressure", $c1159], ["exponent", $c1160]]);
-const $c1040 = $made(tables$Table, $c880, [PressurePower, $c1155, $c1156]);
-const $c1169 = ["table"];
-const $c1168 = $made(Choice, $c917, [$c1169]);
-const $c1165 = $made(Entry, $c895, ["kind", $c1168, true, "", "", "kind", ""]);
-const $c1172 = $made(Limit, $c901, ["length", 0.0, 1.0, false, false]);
-const $c1171 = $made(Quantity, $c149, ["length", $c1172]);
-const $c1170 = $made(Rows, $c933, [$c1171, 2, 1000]);
-const $c1166 = $made(Entry, $c895, ["slip", $c1170, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
-const $c1177 = $made(Entry, $c895, ["pressure", $c1107, true, "", "", "pressure", ""]);
-const $c1181 = $made(Limit, $c901, ["number", 0.0, 5.0, false, false]);
-const $c1180 = $made(Quantity, $c149, ["number", $c1181]);
-const $c1179 = $made(Rows, $c933, [$c1180, 2, 1000]);
-const $c1178 = $made(Entry, $c895, ["friction", $c1179, true, "", "", "values", ""]);
-const $c1175 = [$c1177, $c1178];
-const $c1176 = new Map([["pressure", $c1177], ["friction", $c1178]]);
-const $c1174 = $made(tables$Table, $c880, [null, $c1175, $c1176]);
-const $c1173 = $made(Rows, $c933, [$c1174, 1, 200]);
-const $c1167 = $made(Entry, $c895, ["rows", $c1173, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
-const $c1163 = [$c1165, $c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1166, $c1167];
-const $c1164 = new Map([["kind", $c1165], ["condition", $c1045], ["provenance", $c1046], ["condition_source", $c1047], ["fit", $c1048], ["slip_includes", $c1049], ["slip_speed_factor", $c1050], ["temperature_factor", $c1051], ["notes", $c1052], ["slip", $c1166], ["rows", $c1167]]);
-const $c1041 = $made(tables$Table, $c880, [MeasuredTable, $c1163, $c1164]);
-const $c1036 = new Map([["integral-log", $c1037], ["constant", $c1038], ["elastic-plastic", $c1039], ["power", $c1040], ["table", $c1041]]);
-const $c90 = $made(Variant, $c1035, ["kind", $c1036]);
-const $c1034 = $made(OneOrMore, $c903, [$c90, 50]);
-const $c976 = $made(Entry, $c895, ["law", $c1034, false, "", "", "law", ""]);
-const $c977 = $made(Entry, $c895, ["notes", $c1086, false, "", "", "notes", ""]);
-const $c956 = [$c958, $c959, $c960, $c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c142, $c143, $c977];
-const $c957 = new Map([["preset", $c958], ["name", $c959], ["title", $c960], ["description", $c961], ["surface", $c962], ["thickness", $c963], ["elastic_modulus", $c964], ["shear_modulus", $c965], ["compression_modulus", $c966], ["block", $c967], ["wear_coefficient", $c968], ["belt_energy_share", $c969], ["bond_strength", $c970], ["fatigue_limit", $c971], ["cost", $c972], ["slip_speed", $c973], ["temperature", $c974], ["condition_factor", $c975], ["law", $c976], ["provenance", $c142], ["sources", $c143], ["notes", $c977]]);
-const $c955 = $made(tables$Table, $c880, [Lagging, $c956, $c957]);
-const $c209 = $made(TextOr, $c904, [$c211, $c955]);
-const $c189 = $made(Entry, $c895, ["lagging", $c209, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c190 = $made(Entry, $c895, ["condition", $c212, false, "", "", "condition", ""]);
-const $c215 = $made(Limit, $c901, ["force", 0.1, 1000000000.0, false, false]);
-const $c214 = $made(Quantity, $c149, ["force", $c215]);
-const $c191 = $made(Entry, $c895, ["entry_tension", $c214, false, "", "", "entry_tension", ""]);
-const $c192 = $made(Entry, $c895, ["exit_tension", $c214, false, "", "", "exit_tension", ""]);
-const $c216 = $made(Quantity, $c149, ["force", null]);
-const $c193 = $made(Entry, $c895, ["effective_tension", $c216, false, "", "", "effective_tension", ""]);
-const $c217 = $made(Quantity, $c149, ["torque", null]);
-const $c194 = $made(Entry, $c895, ["torque", $c217, false, "", "", "torque", ""]);
-const $c218 = $made(Quantity, $c149, ["power", null]);
-const $c195 = $made(Entry, $c895, ["power", $c218, false, "", "", "power", ""]);
-const $c221 = $made(Limit, $c901, ["length", -1.0, 1.0, false, false]);
-const $c220 = $made(Quantity, $c149, ["length", $c221]);
-const $c219 = $made(WordOr, $c931, ["formula", $c220, null]);
-const $c196 = $made(Entry, $c895, ["overrun", $c219, false, "", "", "overrun", ""]);
-const $c222 = $made(Flag, [], []);
-const $c197 = $made(Entry, $c895, ["recovery", $c222, false, "", "", "recovery", ""]);
-const $c224 = $made(Limit, $c901, ["length", 0.0, 1.0, true, false]);
-const $c223 = $made(Quantity, $c149, ["length", $c224]);
-const $c198 = $made(Entry, $c895, ["creep_limit", $c223, false, "", "", "creep_limit", ""]);
-const $c866 = ["pulley", "carry"];
-const $c225 = $made(Choice, $c917, [$c866]);
-const $c199 = $made(Entry, $c895, ["side", $c225, false, "", "", "side", ""]);
-const $c227 = $made(Limit, $c901, ["mass", 0.0, 1000000.0, true, false]);
-const $c226 = $made(Quantity, $c149, ["mass", $c227]);
-const $c200 = $made(Entry, $c895, ["mass", $c226, false, "", "", "mass", ""]);
-const $c1597 = ["dimension", "diameters", "rows", "within"];
-const $c1199 = ["kinds"];
-const $c1201 = $made(Quantity, $c149, ["length", null]);
-const $c1202 = $made(Quantity, $c149, ["length", null]);
-const $c1200 = [$c1201, $c1202];
-const $c1198 = $made(_Pair, $c1199, [$c1200]);
-const $c1196 = $made(Rows, $c933, [$c1198, 0, 500]);
-const $c1205 = $made(Entry, $c895, ["rows", $c1196, false, "", "", "rows", ""]);
-const $c1210 = $made(Quantity, $c149, ["length", null]);
-const $c1206 = $made(Entry, $c895, ["crown", $c1210, false, "", "", "crown", ""]);
-const $c1212 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
-const $c1211 = $made(Quantity, $c149, ["number", $c1212]);
-const $c1207 = $made(Entry, $c895, ["factor", $c1211, false, "", "", "factor", ""]);
-const $c1214 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
-const $c1213 = $made(Quantity, $c149, ["length", $c1214]);
-const $c1208 = $made(Entry, $c895, ["uncertainty", $c1213, false, "", "", "uncertainty", ""]);
-const $c1216 = ["radius", "diameter"];
-const $c1215 = $made(Choice, $c917, [$c1216]);
-const $c1209 = $made(Entry, $c895, ["on", $c1215, false, "", "", "on", ""]);
-const $c1203 = [$c1205, $c1206, $c1207, $c1208, $c1209];
-const $c1204 = new Map([["rows", $c1205], ["crown", $c1206], ["factor", $c1207], ["uncertainty", $c1208], ["on", $c1209]]);
-const $c1197 = $made(tables$Table, $c880, [null, $c1203, $c1204]);
-const $c1195 = $made(TextOr, $c904, [$c1196, $c1197]);
-const $c1193 = $made(Profile, $c1597, ["length", true, $c1196, $c1195]);
-const $c1184 = $made(Entry, $c895, ["shell_profile", $c1193, false, "", "", "shell_profile", ""]);
-const $c1223 = $made(Quantity, $c149, ["length", null]);
-const $c1224 = $made(Quantity, $c149, ["length", null]);
-const $c1222 = [$c1223, $c1224];
-const $c1221 = $made(_Pair, $c1199, [$c1222]);
-const $c1219 = $made(Rows, $c933, [$c1221, 0, 500]);
-const $c1227 = $made(Entry, $c895, ["rows", $c1219, false, "", "", "rows", ""]);
-const $c1232 = $made(Quantity, $c149, ["length", null]);
-const $c1228 = $made(Entry, $c895, ["crown", $c1232, false, "", "", "crown", ""]);
-const $c1234 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
-const $c1233 = $made(Quantity, $c149, ["number", $c1234]);
-const $c1229 = $made(Entry, $c895, ["factor", $c1233, false, "", "", "factor", ""]);
-const $c1236 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
-const $c1235 = $made(Quantity, $c149, ["length", $c1236]);
-const $c1230 = $made(Entry, $c895, ["uncertainty", $c1235, false, "", "", "uncertainty", ""]);
-const $c1237 = $made(Choice, $c917, [$c1216]);
-const $c1231 = $made(Entry, $c895, ["on", $c1237, false, "", "", "on", ""]);
-const $c1225 = [$c1227, $c1228, $c1229, $c1230, $c1231];
-const $c1226 = new Map([["rows", $c1227], ["crown", $c1228], ["factor", $c1229], ["uncertainty", $c1230], ["on", $c1231]]);
-const $c1220 = $made(tables$Table, $c880, [null, $c1225, $c1226]);
-const $c1218 = $made(TextOr, $c904, [$c1219, $c1220]);
-const $c1217 = $made(Profile, $c1597, ["length", true, $c1219, $c1218]);
-const $c1185 = $made(Entry, $c895, ["worn_depth", $c1217, false, "", "", "worn_depth", ""]);
-const $c1244 = $made(Quantity, $c149, ["length", null]);
-const $c1245 = $made(Quantity, $c149, ["length", null]);
-const $c1243 = [$c1244, $c1245];
-const $c1242 = $made(_Pair, $c1199, [$c1243]);
-const $c1240 = $made(Rows, $c933, [$c1242, 0, 500]);
-const $c1248 = $made(Entry, $c895, ["rows", $c1240, false, "", "", "rows", ""]);
-const $c1253 = $made(Quantity, $c149, ["length", null]);
-const $c1249 = $made(Entry, $c895, ["crown", $c1253, false, "", "", "crown", ""]);
-const $c1255 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
-const $c1254 = $made(Quantity, $c149, ["number", $c1255]);
-const $c1250 = $made(Entry, $c895, ["factor", $c1254, false, "", "", "factor", ""]);
-const $c1257 = $made(Limit, $c901, ["length", 0.0, Infinity, false, false]);
-const $c1256 = $made(Quantity, $c149, ["length", $c1257]);
-const $c1251 = $made(Entry, $c895, ["uncertainty", $c1256, false, "", "", "uncertainty", ""]);
-const $c1258 = $made(Choice, $c917, [$c1216]);
-const $c1252 = $made(Entry, $c895, ["on", $c1258, false, "", "", "on", ""]);
-const $c1246 = [$c1248, $c1249, $c1250, $c1251, $c1252];
-const $c1247 = new Map([["rows", $c1248], ["crown", $c1249], ["factor", $c1250], ["uncertainty", $c1251], ["on", $c1252]]);
-const $c1241 = $made(tables$Table, $c880, [null, $c1246, $c1247]);
-const $c1239 = $made(TextOr, $c904, [$c1240, $c1241]);
-const $c1238 = $made(Profile, $c1597, ["length", true, $c1240, $c1239]);
-const $c1186 = $made(Entry, $c895, ["build_up", $c1238, false, "", "", "build_up", ""]);
-const $c1260 = $made(Limit, $c901, ["number", -0.1, 0.1, false, false]);
-const $c1259 = $made(Quantity, $c149, ["number", $c1260]);
-const $c1187 = $made(Entry, $c895, ["misalignment", $c1259, false, "", "", "misalignment", ""]);
-const $c1262 = $made(Limit, $c901, ["length", -0.1, 0.1, false, false]);
-const $c1261 = $made(Quantity, $c149, ["length", $c1262]);
-const $c1188 = $made(Entry, $c895, ["deflection", $c1261, false, "", "", "deflection", ""]);
-const $c1269 = $made(Quantity, $c149, ["length", null]);
-const $c1270 = $made(Quantity, $c149, ["force_per_width", null]);
-const $c1268 = [$c1269, $c1270];
-const $c1267 = $made(_Pair, $c1199, [$c1268]);
-const $c1265 = $made(Rows, $c933, [$c1267, 0, 500]);
-const $c1273 = $made(Entry, $c895, ["rows", $c1265, false, "", "", "rows", ""]);
-const $c1277 = $made(Quantity, $c149, ["force_per_width", null]);
-const $c1274 = $made(Entry, $c895, ["crown", $c1277, false, "", "", "crown", ""]);
-const $c1279 = $made(Limit, $c901, ["number", 0.0, 100.0, false, false]);
-const $c1278 = $made(Quantity, $c149, ["number", $c1279]);
-const $c1275 = $made(Entry, $c895, ["factor", $c1278, false, "", "", "factor", ""]);
-const $c1281 = $made(Limit, $c901, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1280 = $made(Quantity, $c149, ["force_per_width", $c1281]);
-const $c1276 = $made(Entry, $c895, ["uncertainty", $c1280, false, "", "", "uncertainty", ""]);
-const $c1271 = [$c1273, $c1274, $c1275, $c1276];
-const $c1272 = new Map([["rows", $c1273], ["crown", $c1274], ["factor", $c1275], ["uncertainty", $c1276]]);
-const $c1266 = $made(tables$Table, $c880, [null, $c1271, $c1272]);
-const $c1264 = $made(TextOr, $c904, [$c1265, $c1266]);
-const $c1263 = $made(Profile, $c1597, ["force_per_width", false, $c1265, $c1264]);
-const $c1189 = $made(Entry, $c895, ["entry_profile", $c1263, false, "", "", "entry_profile", ""]);
-const $c1291 = ["pulley"];
-const $c1290 = $made(Choice, $c917, [$c1291]);
-const $c1288 = $made(Entry, $c895, ["kind", $c1290, true, "", "", "kind", ""]);
-const $c1293 = $made(Limit, $c901, ["length", 0.0, 100000.0, true, false]);
-const $c1292 = $made(Quantity, $c149, ["length", $c1293]);
-const $c1289 = $made(Entry, $c895, ["distance", $c1292, true, "", "", "distance", ""]);
-const $c1286 = [$c1288, $c1289];
-const $c1287 = new Map([["kind", $c1288], ["distance", $c1289]]);
-const $c1284 = $made(tables$Table, $c880, [GrippingPulley, $c1286, $c1287]);
-const $c1302 = ["transition"];
-const $c1301 = $made(Choice, $c917, [$c1302]);
-const $c1296 = $made(Entry, $c895, ["kind", $c1301, true, "", "", "kind", ""]);
-const $c1304 = $made(Limit, $c901, ["length", 0.0, 1000.0, true, false]);
-const $c1303 = $made(Quantity, $c149, ["length", $c1304]);
-const $c1297 = $made(Entry, $c895, ["length", $c1303, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1306 = $made(Limit, $c901, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1305 = $made(Quantity, $c149, ["angle", $c1306]);
-const $c1298 = $made(Entry, $c895, ["trough_angle", $c1305, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1308 = $made(Limit, $c901, ["length", 0.0, 100.0, false, false]);
-const $c1307 = $made(Quantity, $c149, ["length", $c1308]);
-const $c1299 = $made(Entry, $c895, ["centre_roll", $c1307, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1310 = ["full", "half"];
-const $c1309 = $made(Choice, $c917, [$c1310]);
-const $c1300 = $made(Entry, $c895, ["depth", $c1309, false, "", "", "depth", ""]);
-const $c1294 = [$c1296, $c1297, $c1298, $c1299, $c1300];
-const $c1295 = new Map([["kind", $c1296], ["length", $c1297], ["trough_angle", $c1298], ["centre_roll", $c1299], ["depth", $c1300]]);
-const $c1285 = $made(tables$Table, $c880, [Transition, $c1294, $c1295]);
-const $c1283 = new Map([["pulley", $c1284], ["transition", $c1285]]);
-const $c28 = $made(Variant, $c1035, ["kind", $c1283]);
-const $c1282 = $made(WordOr, $c931, ["far", $c28, null]);
-const $c1190 = $made(Entry, $c895, ["before", $c1282, false, "", "", "before", ""]);
-const $c1318 = ["pulley"];
-const $c1317 = $made(Choice, $c917, [$c1318]);
-const $c1316 = $made(Entry, $c895, ["kind", $c1317, true, "", "", "kind", ""]);
-const $c1314 = [$c1316, $c1289];
-const $c1315 = new Map([["kind", $c1316], ["distance", $c1289]]);
-const $c1313 = $made(tables$Table, $c880, [GrippingPulley, $c1314, $c1315]);
-const $c1312 = new Map([["pulley", $c1313]]);
-const $c29 = $made(Variant, $c1035, ["kind", $c1312]);
-const $c1311 = $made(WordOr, $c931, ["far", $c29, null]);
-const $c1191 = $made(Entry, $c895, ["after", $c1311, false, "", "", "after", ""]);
-const $c1320 = ["least", "most"];
-const $c1319 = $made(Count, $c1320, [4, 128]);
-const $c1192 = $made(Entry, $c895, ["strips", $c1319, false, "", "", "strips", ""]);
-const $c1182 = [$c1184, $c1185, $c1186, $c1187, $c1188, $c1189, $c1190, $c1191, $c1192];
-const $c1183 = new Map([["shell_profile", $c1184], ["worn_depth", $c1185], ["build_up", $c1186], ["misalignment", $c1187], ["deflection", $c1188], ["entry_profile", $c1189], ["before", $c1190], ["after", $c1191], ["strips", $c1192]]);
-const $c30 = $made(tables$Table, $c880, [Across, $c1182, $c1183]);
-const $c201 = $made(Entry, $c895, ["across", $c30, false, "", "", "across", ""]);
-const $c228 = $made(ByName, $c903, [$c2, 200]);
-const $c202 = $made(Entry, $c895, ["sources", $c228, false, "", "", "sources", ""]);
-const $c9 = [$c185, $c186, $c187, $c188, $c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202];
-const $c934 = new Map([["name", $c185], ["diameter", $c186], ["wrap_angle", $c187], ["belt_path", $c188], ["lagging", $c189], ["condition", $c190], ["entry_tension", $c191], ["exit_tension", $c192], ["effective_tension", $c193], ["torque", $c194], ["power", $c195], ["overrun", $c196], ["recovery", $c197], ["creep_limit", $c198], ["side", $c199], ["mass", $c200], ["across", $c201], ["sources", $c202]]);
-const $c31 = $made(tables$Table, $c880, [Pulley, $c9, $c934]);
-const $c932 = $made(Rows, $c933, [$c31, 1, 10]);
-const $c889 = $made(Entry, $c895, ["pulley", $c932, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1321 = $made(ByName, $c903, [$c955, 200]);
-const $c890 = $made(Entry, $c895, ["lagging", $c1321, false, "", "", "lagging", ""]);
-const $c1332 = $made(Name, $c905, [60]);
-const $c1326 = $made(Entry, $c895, ["name", $c1332, true, "", "name = \"start\"", "name", ""]);
-const $c1333 = $made(Text, $c898, [1000, true]);
-const $c1327 = $made(Entry, $c895, ["description", $c1333, false, "", "", "description", ""]);
-const $c99 = ["running", "starting", "braking"];
-const $c1334 = $made(Choice, $c917, [$c99]);
-const $c1328 = $made(Entry, $c895, ["kind", $c1334, false, "", "", "kind", ""]);
-const $c1329 = $made(Entry, $c895, ["condition", $c212, false, "", "", "condition", ""]);
-const $c1337 = [$c191, $c192, $c193, $c194, $c195];
-const $c1338 = new Map([["entry_tension", $c191], ["exit_tension", $c192], ["effective_tension", $c193], ["torque", $c194], ["power", $c195]]);
-const $c1336 = $made(tables$Table, $c880, [null, $c1337, $c1338]);
-const $c1335 = $made(ByName, $c903, [$c1336, 200]);
-const $c1330 = $made(Entry, $c895, ["pulley", $c1335, false, "", "", "pulley", ""]);
-const $c1339 = $made(Elsewhere, [], []);
-const $c1331 = $made(Entry, $c895, ["train", $c1339, false, "", "", "train", ""]);
-const $c1324 = [$c1326, $c1327, $c1328, $c1329, $c1330, $c1331];
-const $c1325 = new Map([["name", $c1326], ["description", $c1327], ["kind", $c1328], ["condition", $c1329], ["pulley", $c1330], ["train", $c1331]]);
-const $c1323 = $made(tables$Table, $c880, [null, $c1324, $c1325]);
-const $c1322 = $made(Rows, $c933, [$c1323, 1, 1000]);
-const $c891 = $made(Entry, $c895, ["load_case", $c1322, false, "", "", "load_case", ""]);
-const $c760 = $made(Limit, $c901, ["length", 0.0, 100000.0, true, false]);
-const $c1361 = $made(Quantity, $c149, ["length", $c760]);
-const $c1342 = $made(Entry, $c895, ["length", $c1361, true, "", "length = \"600 m\"", "length", ""]);
-const $c761 = $made(Limit, $c901, ["length", -5000.0, 5000.0, false, false]);
-const $c1362 = $made(Quantity, $c149, ["length", $c761]);
-const $c1343 = $made(Entry, $c895, ["lift", $c1362, false, "", "", "lift", ""]);
-const $c762 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1363 = $made(Quantity, $c149, ["mass_per_length", $c762]);
-const $c1344 = $made(Entry, $c895, ["belt_mass", $c1363, true, "", "", "belt_mass", ""]);
-const $c763 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1364 = $made(Quantity, $c149, ["mass_per_length", $c763]);
-const $c1345 = $made(Entry, $c895, ["carry_idler_mass", $c1364, true, "", "", "carry_idler_mass", ""]);
-const $c764 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1365 = $made(Quantity, $c149, ["mass_per_length", $c764]);
-const $c1346 = $made(Entry, $c895, ["return_idler_mass", $c1365, true, "", "", "return_idler_mass", ""]);
-const $c1366 = $made(Quantity, $c149, ["mass_per_length", $c762]);
-const $c1347 = $made(Entry, $c895, ["material_mass", $c1366, false, "", "", "material_mass", ""]);
-const $c765 = $made(Limit, $c901, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1367 = $made(Quantity, $c149, ["mass_flow", $c765]);
-const $c1348 = $made(Entry, $c895, ["capacity", $c1367, false, "", "", "capacity", ""]);
-const $c766 = $made(Limit, $c901, ["number", 0.005, 0.1, false, false]);
-const $c1368 = $made(Quantity, $c149, ["number", $c766]);
-const $c1349 = $made(Entry, $c895, ["friction_factor", $c1368, false, "", "", "friction_factor", ""]);
-const $c767 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
-const $c1369 = $made(Quantity, $c149, ["number", $c767]);
-const $c1350 = $made(Entry, $c895, ["length_coefficient", $c1369, false, "", "", "length_coefficient", ""]);
-const $c768 = $made(Limit, $c901, ["force", 0.0, 100000000.0, false, false]);
-const $c1370 = $made(Quantity, $c149, ["force", $c768]);
-const $c1351 = $made(Entry, $c895, ["secondary_resistance", $c1370, false, "", "", "secondary_resistance", ""]);
-const $c1371 = $made(Quantity, $c149, ["force", $c768]);
-const $c1352 = $made(Entry, $c895, ["special_resistance", $c1371, false, "", "", "special_resistance", ""]);
-const $c769 = $made(Limit, $c901, ["number", 0.0, 1.0, false, false]);
-const $c1372 = $made(Quantity, $c149, ["number", $c769]);
-const $c1353 = $made(Entry, $c895, ["return_share", $c1372, false, "", "", "return_share", ""]);
-const $c770 = $made(Limit, $c901, ["number", 1.0, 5.0, false, false]);
-const $c1373 = $made(Quantity, $c149, ["number", $c770]);
-const $c1354 = $made(Entry, $c895, ["start_factor", $c1373, false, "", "", "start_factor", ""]);
-const $c771 = $made(Limit, $c901, ["time", 0.0, 3600.0, true, false]);
-const $c1374 = $made(Quantity, $c149, ["time", $c771]);
-const $c1355 = $made(Entry, $c895, ["start_time", $c1374, false, "", "", "start_time", ""]);
-const $c1375 = $made(Quantity, $c149, ["time", $c771]);
-const $c1356 = $made(Entry, $c895, ["stop_time", $c1375, false, "", "", "stop_time", ""]);
-const $c772 = $made(Limit, $c901, ["force", 0.0, 100000000.0, true, false]);
-const $c1376 = $made(Quantity, $c149, ["force", $c772]);
-const $c1357 = $made(Entry, $c895, ["take_up_tension", $c1376, false, "", "", "take_up_tension", ""]);
-const $c773 = $made(Limit, $c901, ["mass", 0.0, 10000000.0, true, false]);
-const $c1377 = $made(Quantity, $c149, ["mass", $c773]);
-const $c1358 = $made(Entry, $c895, ["counterweight", $c1377, false, "", "", "counterweight", ""]);
-const $c774 = $made(Limit, $c901, ["length", 0.0, 100000.0, false, false]);
-const $c1378 = $made(Quantity, $c149, ["length", $c774]);
-const $c1359 = $made(Entry, $c895, ["take_up_distance", $c1378, false, "", "", "take_up_distance", ""]);
-const $c867 = ["head", "tail"];
-const $c1379 = $made(Choice, $c917, [$c867]);
-const $c1360 = $made(Entry, $c895, ["drive_at", $c1379, false, "", "", "drive_at", ""]);
-const $c1340 = [$c1342, $c1343, $c1344, $c1345, $c1346, $c1347, $c1348, $c1349, $c1350, $c1351, $c1352, $c1353, $c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360];
-const $c1341 = new Map([["length", $c1342], ["lift", $c1343], ["belt_mass", $c1344], ["carry_idler_mass", $c1345], ["return_idler_mass", $c1346], ["material_mass", $c1347], ["capacity", $c1348], ["friction_factor", $c1349], ["length_coefficient", $c1350], ["secondary_resistance", $c1351], ["special_resistance", $c1352], ["return_share", $c1353], ["start_factor", $c1354], ["start_time", $c1355], ["stop_time", $c1356], ["take_up_tension", $c1357], ["counterweight", $c1358], ["take_up_distance", $c1359], ["drive_at", $c1360]]);
-const $c35 = $made(tables$Table, $c880, [Conveyor, $c1340, $c1341]);
-const $c892 = $made(Entry, $c895, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c860 = ["gravity", "winch", "fixed"];
-const $c1385 = $made(Choice, $c917, [$c860]);
-const $c1382 = $made(Entry, $c895, ["kind", $c1385, false, "", "", "kind", ""]);
-const $c851 = $made(Limit, $c901, ["number", 0.01, 100.0, false, false]);
-const $c1386 = $made(Quantity, $c149, ["number", $c851]);
-const $c1383 = $made(Entry, $c895, ["sheave_ratio", $c1386, false, "", "", "sheave_ratio", ""]);
-const $c1387 = $made(Name, $c905, [60]);
-const $c1384 = $made(Entry, $c895, ["after", $c1387, false, "", "", "after", ""]);
-const $c1380 = [$c1382, $c1383, $c1384];
-const $c1381 = new Map([["kind", $c1382], ["sheave_ratio", $c1383], ["after", $c1384]]);
-const $c558 = $made(tables$Table, $c880, [TakeUp, $c1380, $c1381]);
-const $c554 = $made(Entry, $c895, ["take_up", $c558, false, "", "", "take_up", ""]);
-const $c861 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1395 = $made(Choice, $c917, [$c861]);
-const $c1390 = $made(Entry, $c895, ["name", $c1395, false, "", "", "name", ""]);
-const $c862 = ["dry", "wet", "wet and dirty"];
-const $c1396 = $made(Choice, $c917, [$c862]);
-const $c1391 = $made(Entry, $c895, ["condition", $c1396, false, "", "", "condition", ""]);
-const $c852 = $made(Limit, $c901, ["number", 0.01, 2.0, false, false]);
-const $c1397 = $made(Quantity, $c149, ["number", $c852]);
-const $c1392 = $made(Entry, $c895, ["friction", $c1397, false, "", "", "friction", ""]);
-const $c853 = $made(Limit, $c901, ["number", 1.0, 10.0, false, false]);
-const $c1398 = $made(Quantity, $c149, ["number", $c853]);
-const $c1393 = $made(Entry, $c895, ["start_factor", $c1398, false, "", "", "start_factor", ""]);
-const $c1399 = $made(Flag, [], []);
-const $c1394 = $made(Entry, $c895, ["binding", $c1399, false, "", "", "binding", ""]);
-const $c1388 = [$c1390, $c1391, $c1392, $c1393, $c1394];
-const $c1389 = new Map([["name", $c1390], ["condition", $c1391], ["friction", $c1392], ["start_factor", $c1393], ["binding", $c1394]]);
-const $c559 = $made(tables$Table, $c880, [DesignStandard, $c1388, $c1389]);
-const $c555 = $made(Entry, $c895, ["design_standard", $c559, false, "", "", "standard", ""]);
-const $c1406 = $made(Quantity, $c149, ["number", $c853]);
-const $c1402 = $made(Entry, $c895, ["running", $c1406, false, "", "", "running", ""]);
-const $c1407 = $made(Quantity, $c149, ["number", $c853]);
-const $c1403 = $made(Entry, $c895, ["starting", $c1407, false, "", "", "starting", ""]);
-const $c1408 = $made(Quantity, $c149, ["number", $c853]);
-const $c1404 = $made(Entry, $c895, ["braking", $c1408, false, "", "", "braking", ""]);
-const $c1409 = $made(Text, $c898, [500, false]);
-const $c1405 = $made(Entry, $c895, ["source", $c1409, false, "", "", "source", ""]);
-const $c1400 = [$c1402, $c1403, $c1404, $c1405];
-const $c1401 = new Map([["running", $c1402], ["starting", $c1403], ["braking", $c1404], ["source", $c1405]]);
-const $c560 = $made(tables$Table, $c880, [SafetyFactors, $c1400, $c1401]);
-const $c556 = $made(Entry, $c895, ["safety_factor", $c560, false, "", "", "safety", ""]);
-const $c1416 = $made(Limit, $c901, ["length", 0.0, 100.0, true, false]);
-const $c1415 = $made(Quantity, $c149, ["length", $c1416]);
-const $c1412 = $made(Entry, $c895, ["idler_spacing", $c1415, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1418 = $made(Limit, $c901, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1417 = $made(Quantity, $c149, ["mass_per_length", $c1418]);
-const $c1413 = $made(Entry, $c895, ["line_mass", $c1417, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1420 = $made(Limit, $c901, ["number", 0.0, 0.1, true, false]);
-const $c1419 = $made(Quantity, $c149, ["number", $c1420]);
-const $c1414 = $made(Entry, $c895, ["share", $c1419, false, "", "", "share", ""]);
-const $c1410 = [$c1412, $c1413, $c1414];
-const $c1411 = new Map([["idler_spacing", $c1412], ["line_mass", $c1413], ["share", $c1414]]);
-const $c561 = $made(tables$Table, $c880, [Sag, $c1410, $c1411]);
-const $c557 = $made(Entry, $c895, ["sag", $c561, false, "", "", "sag", ""]);
-const $c1421 = $made(Elsewhere, [], []);
-const $c893 = $made(Entry, $c895, ["train", $c1421, false, "", "", "train", ""]);
+const $c881 = ["of", "entries", "_known"];
+const $c896 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c153 = ["dimension", "limit"];
+const $c897 = $made(Quantity, $c153, ["number", null]);
+const $c884 = $made(Entry, $c896, ["format", $c897, true, "", "format = 1", "format", ""]);
+const $c899 = ["longest", "lines"];
+const $c898 = $made(Text, $c899, [200, false]);
+const $c885 = $made(Entry, $c896, ["title", $c898, false, "", "", "title", ""]);
+const $c900 = $made(Text, $c899, [5000, true]);
+const $c886 = $made(Entry, $c896, ["description", $c900, false, "", "", "description", ""]);
+const $c902 = ["dimension", "least", "most", "open", "rigid"];
+const $c832 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
+const $c901 = $made(Quantity, $c153, ["length", $c832]);
+const $c887 = $made(Entry, $c896, ["creep_limit", $c901, false, "", "", "creep_limit", ""]);
+const $c904 = ["kind", "most"];
+const $c905 = ["text", "table"];
+const $c906 = ["longest"];
+const $c217 = $made(Name, $c906, [60]);
+const $c914 = $made(Name, $c906, [60]);
+const $c909 = $made(Entry, $c896, ["name", $c914, true, "", "", "name", ""]);
+const $c828 = $made(Limit, $c902, ["number", 0.0, 2.0, true, false]);
+const $c915 = $made(Quantity, $c153, ["number", $c828]);
+const $c910 = $made(Entry, $c896, ["friction_factor", $c915, false, "", "", "factor", ""]);
+const $c916 = $made(ByName, $c904, [$c915, 200]);
+const $c911 = $made(Entry, $c896, ["friction_factors", $c916, false, "", "", "friction_factors", ""]);
+const $c918 = ["options"];
+const $c919 = ["DIN 22101", "practice"];
+const $c917 = $made(Choice, $c918, [$c919]);
+const $c912 = $made(Entry, $c896, ["standard", $c917, false, "", "", "standard", ""]);
+const $c927 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c926 = $made(Choice, $c918, [$c927]);
+const $c922 = $made(Entry, $c896, ["kind", $c926, true, "", "", "kind", ""]);
+const $c928 = $made(Text, $c899, [500, false]);
+const $c923 = $made(Entry, $c896, ["source", $c928, false, "", "", "source", ""]);
+const $c929 = $made(Text, $c899, [60, false]);
+const $c924 = $made(Entry, $c896, ["date", $c929, false, "", "", "date", ""]);
+const $c930 = $made(Text, $c899, [1000, false]);
+const $c925 = $made(Entry, $c896, ["note", $c930, false, "", "", "note", ""]);
+const $c920 = [$c922, $c923, $c924, $c925];
+const $c921 = new Map([["kind", $c922], ["source", $c923], ["date", $c924], ["note", $c925]]);
+const $c2 = $made(tables$Table, $c881, [Provenance, $c920, $c921]);
+const $c913 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c907 = [$c909, $c910, $c911, $c912, $c913];
+const $c908 = new Map([["name", $c909], ["friction_factor", $c910], ["friction_factors", $c911], ["standard", $c912], ["provenance", $c913]]);
+const $c8 = $made(tables$Table, $c881, [Condition, $c907, $c908]);
+const $c216 = $made(TextOr, $c905, [$c217, $c8]);
+const $c903 = $made(OneOrMore, $c904, [$c216, 8]);
+const $c888 = $made(Entry, $c896, ["condition", $c903, false, "", "", "condition", ""]);
+const $c149 = $made(Name, $c906, [60]);
+const $c128 = $made(Entry, $c896, ["preset", $c149, false, "", "", "preset", ""]);
+const $c150 = $made(Name, $c906, [60]);
+const $c129 = $made(Entry, $c896, ["name", $c150, false, "", "", "name", ""]);
+const $c151 = $made(Text, $c899, [60, false]);
+const $c130 = $made(Entry, $c896, ["kind", $c151, false, "", "", "kind", ""]);
+const $c154 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
+const $c152 = $made(Quantity, $c153, ["length", $c154]);
+const $c131 = $made(Entry, $c896, ["width", $c152, true, "", "", "width", ""]);
+const $c932 = ["word", "kind", "meaning"];
+const $c159 = $made(Limit, $c902, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c158 = $made(Quantity, $c153, ["force_per_width", $c159]);
+const $c156 = $made(WordOr, $c932, ["rigid", $c158, Infinity]);
+const $c132 = $made(Entry, $c896, ["modulus", $c156, false, "", "", "modulus", ""]);
+const $c161 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
+const $c160 = $made(Quantity, $c153, ["force_per_width", $c161]);
+const $c133 = $made(Entry, $c896, ["rating", $c160, false, "", "", "rating", ""]);
+const $c163 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
+const $c162 = $made(Quantity, $c153, ["force_per_width", $c163]);
+const $c134 = $made(Entry, $c896, ["strength", $c162, false, "", "", "strength", ""]);
+const $c165 = $made(Limit, $c902, ["speed", 0.0, 1000.0, true, false]);
+const $c164 = $made(Quantity, $c153, ["speed", $c165]);
+const $c135 = $made(Entry, $c896, ["speed", $c164, false, "", "", "speed", ""]);
+const $c167 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
+const $c166 = $made(Quantity, $c153, ["number", $c167]);
+const $c136 = $made(Entry, $c896, ["momentary_factor", $c166, false, "", "", "momentary_factor", ""]);
+const $c169 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
+const $c168 = $made(Quantity, $c153, ["length", $c169]);
+const $c137 = $made(Entry, $c896, ["least_pulley_diameter", $c168, false, "", "", "least_pulley_diameter", ""]);
+const $c171 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
+const $c170 = $made(Quantity, $c153, ["pressure", $c171]);
+const $c138 = $made(Entry, $c896, ["largest_wrap_pressure", $c170, false, "", "", "largest_wrap_pressure", ""]);
+const $c173 = $made(Limit, $c902, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c172 = $made(Quantity, $c153, ["force_per_width", $c173]);
+const $c139 = $made(Entry, $c896, ["in_plane_shear_stiffness", $c172, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c175 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
+const $c174 = $made(Quantity, $c153, ["length", $c175]);
+const $c140 = $made(Entry, $c896, ["pulley_cover", $c174, false, "", "", "pulley_cover", ""]);
+const $c177 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
+const $c176 = $made(Quantity, $c153, ["length", $c177]);
+const $c141 = $made(Entry, $c896, ["carry_cover", $c176, false, "", "", "carry_cover", ""]);
+const $c179 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
+const $c178 = $made(Quantity, $c153, ["length", $c179]);
+const $c142 = $made(Entry, $c896, ["carcass", $c178, false, "", "", "carcass", ""]);
+const $c181 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
+const $c180 = $made(Quantity, $c153, ["length", $c181]);
+const $c143 = $made(Entry, $c896, ["thickness", $c180, false, "", "", "thickness", ""]);
+const $c184 = $made(Limit, $c902, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c183 = $made(Quantity, $c153, ["pressure", $c184]);
+const $c182 = $made(WordOr, $c932, ["rigid", $c183, Infinity]);
+const $c144 = $made(Entry, $c896, ["cover_shear_modulus", $c182, false, "", "", "cover_shear_modulus", ""]);
+const $c186 = $made(Limit, $c902, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c185 = $made(Quantity, $c153, ["mass_per_length", $c186]);
+const $c145 = $made(Entry, $c896, ["mass", $c185, false, "", "", "mass", ""]);
+const $c146 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c187 = $made(ByName, $c904, [$c2, 200]);
+const $c147 = $made(Entry, $c896, ["sources", $c187, false, "", "", "sources", ""]);
+const $c1 = [$c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147];
+const $c931 = new Map([["preset", $c128], ["name", $c129], ["kind", $c130], ["width", $c131], ["modulus", $c132], ["rating", $c133], ["strength", $c134], ["speed", $c135], ["momentary_factor", $c136], ["least_pulley_diameter", $c137], ["largest_wrap_pressure", $c138], ["in_plane_shear_stiffness", $c139], ["pulley_cover", $c140], ["carry_cover", $c141], ["carcass", $c142], ["thickness", $c143], ["cover_shear_modulus", $c144], ["mass", $c145], ["provenance", $c146], ["sources", $c147]]);
+const $c5 = $made(tables$Table, $c881, [Belt, $c1, $c931]);
+const $c889 = $made(Entry, $c896, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c934 = ["kind", "least", "most"];
+const $c207 = $made(Name, $c906, [60]);
+const $c189 = $made(Entry, $c896, ["name", $c207, true, "", "name = \"head\"", "name", ""]);
+const $c209 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
+const $c208 = $made(Quantity, $c153, ["length", $c209]);
+const $c190 = $made(Entry, $c896, ["diameter", $c208, true, "", "", "diameter", ""]);
+const $c211 = $made(Limit, $c902, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c210 = $made(Quantity, $c153, ["angle", $c211]);
+const $c191 = $made(Entry, $c896, ["wrap_angle", $c210, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c829 = $made(Limit, $c902, ["length", -100000.0, 100000.0, false, false]);
+const $c943 = $made(Quantity, $c153, ["length", $c829]);
+const $c938 = $made(Entry, $c896, ["x", $c943, true, "", "", "x", ""]);
+const $c944 = $made(Quantity, $c153, ["length", $c829]);
+const $c939 = $made(Entry, $c896, ["y", $c944, true, "", "", "y", ""]);
+const $c946 = ["clockwise", "counterclockwise"];
+const $c945 = $made(Choice, $c918, [$c946]);
+const $c940 = $made(Entry, $c896, ["turn", $c945, false, "", "", "turn", ""]);
+const $c953 = $made(Quantity, $c153, ["length", $c829]);
+const $c950 = $made(Entry, $c896, ["x", $c953, true, "", "", "x", ""]);
+const $c954 = $made(Quantity, $c153, ["length", $c829]);
+const $c951 = $made(Entry, $c896, ["y", $c954, true, "", "", "y", ""]);
+const $c830 = $made(Limit, $c902, ["length", 0.0, 1000.0, false, false]);
+const $c955 = $made(Quantity, $c153, ["length", $c830]);
+const $c952 = $made(Entry, $c896, ["diameter", $c955, false, "", "", "diameter", ""]);
+const $c948 = [$c950, $c951, $c952, $c940];
+const $c949 = new Map([["x", $c950], ["y", $c951], ["diameter", $c952], ["turn", $c940]]);
+const $c947 = $made(tables$Table, $c881, [Point, $c948, $c949]);
+const $c941 = $made(Entry, $c896, ["before", $c947, true, "", "a table with x and y", "before", ""]);
+const $c942 = $made(Entry, $c896, ["after", $c947, true, "", "a table with x and y", "after", ""]);
+const $c936 = [$c938, $c939, $c940, $c941, $c942];
+const $c937 = new Map([["x", $c938], ["y", $c939], ["turn", $c940], ["before", $c941], ["after", $c942]]);
+const $c212 = $made(tables$Table, $c881, [Point, $c936, $c937]);
+const $c192 = $made(Entry, $c896, ["belt_path", $c212, false, "", "", "belt_path", ""]);
+const $c215 = $made(Name, $c906, [500]);
+const $c979 = $made(Name, $c906, [500]);
+const $c959 = $made(Entry, $c896, ["preset", $c979, false, "", "", "preset", ""]);
+const $c980 = $made(Name, $c906, [60]);
+const $c960 = $made(Entry, $c896, ["name", $c980, false, "", "", "name", ""]);
+const $c981 = $made(Text, $c899, [200, false]);
+const $c961 = $made(Entry, $c896, ["title", $c981, false, "", "", "title", ""]);
+const $c982 = $made(Text, $c899, [5000, true]);
+const $c962 = $made(Entry, $c896, ["description", $c982, false, "", "", "description", ""]);
+const $c860 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c983 = $made(Choice, $c918, [$c860]);
+const $c963 = $made(Entry, $c896, ["surface", $c983, false, "", "", "surface", ""]);
+const $c843 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
+const $c984 = $made(Quantity, $c153, ["length", $c843]);
+const $c964 = $made(Entry, $c896, ["thickness", $c984, false, "", "", "thickness", ""]);
+const $c846 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, false]);
+const $c985 = $made(Quantity, $c153, ["pressure", $c846]);
+const $c965 = $made(Entry, $c896, ["elastic_modulus", $c985, false, "", "", "elastic_modulus", ""]);
+const $c844 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
+const $c987 = $made(Quantity, $c153, ["pressure", $c844]);
+const $c986 = $made(WordOr, $c932, ["rigid", $c987, Infinity]);
+const $c966 = $made(Entry, $c896, ["shear_modulus", $c986, false, "", "", "shear_modulus", ""]);
+const $c845 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
+const $c989 = $made(Quantity, $c153, ["pressure", $c845]);
+const $c988 = $made(WordOr, $c932, ["rigid", $c989, Infinity]);
+const $c967 = $made(Entry, $c896, ["compression_modulus", $c988, false, "", "", "compression_modulus", ""]);
+const $c870 = ["square", "strip"];
+const $c997 = $made(Choice, $c918, [$c870]);
+const $c992 = $made(Entry, $c896, ["shape", $c997, false, "", "", "shape", ""]);
+const $c816 = $made(Limit, $c902, ["length", 0.0001, 10.0, false, false]);
+const $c998 = $made(Quantity, $c153, ["length", $c816]);
+const $c993 = $made(Entry, $c896, ["width", $c998, true, "", "", "width", ""]);
+const $c817 = $made(Limit, $c902, ["length", 0.0001, 1.0, false, false]);
+const $c999 = $made(Quantity, $c153, ["length", $c817]);
+const $c994 = $made(Entry, $c896, ["height", $c999, false, "", "", "height", ""]);
+const $c818 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
+const $c1000 = $made(Quantity, $c153, ["number", $c818]);
+const $c995 = $made(Entry, $c896, ["stiffening", $c1000, false, "", "", "stiffening", ""]);
+const $c819 = $made(Limit, $c902, ["number", 0.01, 1.0, false, false]);
+const $c1001 = $made(Quantity, $c153, ["number", $c819]);
+const $c996 = $made(Entry, $c896, ["contact_fraction", $c1001, false, "", "", "contact_fraction", ""]);
+const $c990 = [$c992, $c993, $c994, $c995, $c996];
+const $c991 = new Map([["shape", $c992], ["width", $c993], ["height", $c994], ["stiffening", $c995], ["contact_fraction", $c996]]);
+const $c90 = $made(tables$Table, $c881, [Block, $c990, $c991]);
+const $c968 = $made(Entry, $c896, ["block", $c90, false, "", "", "block", ""]);
+const $c847 = $made(Limit, $c902, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c1002 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
+const $c969 = $made(Entry, $c896, ["wear_coefficient", $c1002, false, "", "", "wear_coefficient", ""]);
+const $c848 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
+const $c1003 = $made(Quantity, $c153, ["number", $c848]);
+const $c970 = $made(Entry, $c896, ["belt_energy_share", $c1003, false, "", "", "belt_energy_share", ""]);
+const $c849 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
+const $c1004 = $made(Quantity, $c153, ["pressure", $c849]);
+const $c971 = $made(Entry, $c896, ["bond_strength", $c1004, false, "", "", "bond_strength", ""]);
+const $c850 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
+const $c1005 = $made(Quantity, $c153, ["pressure", $c850]);
+const $c972 = $made(Entry, $c896, ["fatigue_limit", $c1005, false, "", "", "fatigue_limit", ""]);
+const $c1014 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
+const $c1013 = $made(Quantity, $c153, ["number", $c1014]);
+const $c1008 = $made(Entry, $c896, ["material", $c1013, true, "", "", "material", ""]);
+const $c1016 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
+const $c1015 = $made(Quantity, $c153, ["number", $c1016]);
+const $c1009 = $made(Entry, $c896, ["installation", $c1015, true, "", "", "installation", ""]);
+const $c1017 = $made(Name, $c906, [12]);
+const $c1010 = $made(Entry, $c896, ["currency", $c1017, true, "", "", "currency", ""]);
+const $c1019 = $made(Limit, $c902, ["area", 0.0, Infinity, true, false]);
+const $c1018 = $made(Quantity, $c153, ["area", $c1019]);
+const $c1011 = $made(Entry, $c896, ["area", $c1018, true, "", "", "area", ""]);
+const $c1021 = $made(Quantity, $c153, ["number", null]);
+const $c1020 = $made(Rows, $c934, [$c1021, 2, 2]);
+const $c1012 = $made(Entry, $c896, ["life_years", $c1020, true, "", "", "life_years", ""]);
+const $c1006 = [$c1008, $c1009, $c1010, $c1011, $c1012];
+const $c1007 = new Map([["material", $c1008], ["installation", $c1009], ["currency", $c1010], ["area", $c1011], ["life_years", $c1012]]);
+const $c86 = $made(tables$Table, $c881, [Cost, $c1006, $c1007]);
+const $c973 = $made(Entry, $c896, ["cost", $c86, false, "", "", "cost", ""]);
+const $c1023 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
+const $c1022 = $made(Quantity, $c153, ["speed", $c1023]);
+const $c974 = $made(Entry, $c896, ["slip_speed", $c1022, false, "", "", "slip_speed", ""]);
+const $c1025 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
+const $c1024 = $made(Quantity, $c153, ["temperature", $c1025]);
+const $c975 = $made(Entry, $c896, ["temperature", $c1024, false, "", "", "temperature", ""]);
+const $c1032 = $made(Name, $c906, [60]);
+const $c1029 = $made(Entry, $c896, ["condition", $c1032, true, "", "", "condition", ""]);
+const $c1034 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
+const $c1033 = $made(Quantity, $c153, ["number", $c1034]);
+const $c1030 = $made(Entry, $c896, ["factor", $c1033, true, "", "", "factor", ""]);
+const $c1031 = $made(Entry, $c896, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c1027 = [$c1029, $c1030, $c1031];
+const $c1028 = new Map([["condition", $c1029], ["factor", $c1030], ["provenance", $c1031]]);
+const $c91 = $made(tables$Table, $c881, [ConditionFactor, $c1027, $c1028]);
+const $c1026 = $made(Rows, $c934, [$c91, 0, 20]);
+const $c976 = $made(Entry, $c896, ["condition_factor", $c1026, false, "", "", "condition_factor", ""]);
+const $c1036 = ["tag", "tables"];
+const $c1063 = ["integral-log"];
+const $c1062 = $made(Choice, $c918, [$c1063]);
+const $c1045 = $made(Entry, $c896, ["kind", $c1062, true, "", "", "kind", ""]);
+const $c1064 = $made(Name, $c906, [60]);
+const $c1046 = $made(Entry, $c896, ["condition", $c1064, false, "", "", "condition", ""]);
+const $c1047 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1048 = $made(Entry, $c896, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1077 = $made(Name, $c906, [120]);
+const $c1076 = $made(Rows, $c934, [$c1077, 1, 1000]);
+const $c1067 = $made(Entry, $c896, ["parameters", $c1076, true, "", "", "parameters", ""]);
+const $c1078 = $made(Rows, $c934, [$c1021, 1, 1000]);
+const $c1068 = $made(Entry, $c896, ["values", $c1078, true, "", "", "values", ""]);
+const $c1080 = $made(Rows, $c934, [$c1021, 1, 1000]);
+const $c1079 = $made(Rows, $c934, [$c1080, 1, 1000]);
+const $c1069 = $made(Entry, $c896, ["covariance", $c1079, true, "", "", "covariance", ""]);
+const $c1082 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
+const $c1081 = $made(Quantity, $c153, ["number", $c1082]);
+const $c1070 = $made(Entry, $c896, ["residual_noise", $c1081, false, "", "", "residual_noise", ""]);
+const $c1084 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
+const $c1083 = $made(Quantity, $c153, ["number", $c1084]);
+const $c1071 = $made(Entry, $c896, ["coverage_factor", $c1083, false, "", "", "coverage_factor", ""]);
+const $c1085 = $made(Text, $c899, [60, false]);
+const $c1072 = $made(Entry, $c896, ["date", $c1085, false, "", "", "date", ""]);
+const $c1086 = $made(Text, $c899, [500, false]);
+const $c1073 = $made(Entry, $c896, ["method", $c1086, false, "", "", "method", ""]);
+const $c1088 = $made(Text, $c899, [2000, true]);
+const $c1087 = $made(Rows, $c934, [$c1088, 0, 50]);
+const $c1074 = $made(Entry, $c896, ["misfit", $c1087, false, "", "", "misfit", ""]);
+const $c1089 = $made(Text, $c899, [500, false]);
+const $c1075 = $made(Entry, $c896, ["misfit_accepted", $c1089, false, "", "", "misfit_accepted", ""]);
+const $c1065 = [$c1067, $c1068, $c1069, $c1070, $c1071, $c1072, $c1073, $c1074, $c1075];
+const $c1066 = new Map([["parameters", $c1067], ["values", $c1068], ["covariance", $c1069], ["residual_noise", $c1070], ["coverage_factor", $c1071], ["date", $c1072], ["method", $c1073], ["misfit", $c1074], ["misfit_accepted", $c1075]]);
+const $c98 = $made(tables$Table, $c881, [Fit, $c1065, $c1066]);
+const $c1049 = $made(Entry, $c896, ["fit", $c98, false, "", "", "fit", ""]);
+const $c1092 = ["lagging shear", "cover shear"];
+const $c1091 = $made(Choice, $c918, [$c1092]);
+const $c1090 = $made(Rows, $c934, [$c1091, 0, 2]);
+const $c1050 = $made(Entry, $c896, ["slip_includes", $c1090, false, "", "", "slip_includes", ""]);
+const $c1099 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
+const $c1098 = $made(Quantity, $c153, ["speed", $c1099]);
+const $c1097 = $made(Rows, $c934, [$c1098, 2, 100]);
+const $c1095 = $made(Entry, $c896, ["slip_speed", $c1097, true, "", "", "at", ""]);
+const $c1100 = $made(Rows, $c934, [$c1033, 2, 100]);
+const $c1096 = $made(Entry, $c896, ["factor", $c1100, true, "", "", "factor", ""]);
+const $c1093 = [$c1095, $c1096, $c1031];
+const $c1094 = new Map([["slip_speed", $c1095], ["factor", $c1096], ["provenance", $c1031]]);
+const $c96 = $made(tables$Table, $c881, [FrictionFactor, $c1093, $c1094]);
+const $c1051 = $made(Entry, $c896, ["slip_speed_factor", $c96, false, "", "", "slip_speed_factor", ""]);
+const $c1106 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
+const $c1105 = $made(Quantity, $c153, ["temperature", $c1106]);
+const $c1104 = $made(Rows, $c934, [$c1105, 2, 100]);
+const $c1103 = $made(Entry, $c896, ["temperature", $c1104, true, "", "", "at", ""]);
+const $c1101 = [$c1103, $c1096, $c1031];
+const $c1102 = new Map([["temperature", $c1103], ["factor", $c1096], ["provenance", $c1031]]);
+const $c97 = $made(tables$Table, $c881, [FrictionFactor, $c1101, $c1102]);
+const $c1052 = $made(Entry, $c896, ["temperature_factor", $c97, false, "", "", "temperature_factor", ""]);
+const $c1053 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
+const $c1109 = $made(Limit, $c902, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1108 = $made(Quantity, $c153, ["pressure", $c1109]);
+const $c1107 = $made(Rows, $c934, [$c1108, 2, 2]);
+const $c1054 = $made(Entry, $c896, ["tested_pressure", $c1107, false, "", "", "tested_pressure", ""]);
+const $c1111 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
+const $c1110 = $made(Quantity, $c153, ["length", $c1111]);
+const $c1055 = $made(Entry, $c896, ["tested_slip", $c1110, false, "", "", "tested_slip", ""]);
+const $c1113 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
+const $c1112 = $made(Quantity, $c153, ["speed", $c1113]);
+const $c1056 = $made(Entry, $c896, ["tested_slip_speed", $c1112, false, "", "", "tested_slip_speed", ""]);
+const $c1118 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
+const $c1124 = $made(Limit, $c902, ["number", 0.0, 5.0, true, false]);
+const $c1123 = $made(Quantity, $c153, ["number", $c1124]);
+const $c1119 = $made(Entry, $c896, ["peak_friction", $c1123, true, "", "", "peak_friction", ""]);
+const $c1120 = $made(Entry, $c896, ["peak_slip", $c1110, true, "", "", "peak_slip", ""]);
+const $c1126 = $made(Limit, $c902, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1125 = $made(Quantity, $c153, ["per_length", $c1126]);
+const $c1121 = $made(Entry, $c896, ["post_peak_slope", $c1125, false, "", "", "post_peak_slope", ""]);
+const $c1122 = $made(Entry, $c896, ["residual_friction", $c1123, false, "", "", "residual_friction", ""]);
+const $c1116 = [$c1118, $c1119, $c1120, $c1121, $c1122];
+const $c1117 = new Map([["pressure", $c1118], ["peak_friction", $c1119], ["peak_slip", $c1120], ["post_peak_slope", $c1121], ["residual_friction", $c1122]]);
+const $c1115 = $made(tables$Table, $c881, [null, $c1116, $c1117]);
+const $c1114 = $made(Rows, $c934, [$c1115, 1, 200]);
+const $c1057 = $made(Entry, $c896, ["knots", $c1114, false, "", "", "knots", ""]);
+const $c1131 = $made(Entry, $c896, ["from", $c1108, true, "", "", "from", ""]);
+const $c1132 = $made(Entry, $c896, ["to", $c1108, true, "", "", "to", ""]);
+const $c1137 = $made(Text, $c899, [300, false]);
+const $c1133 = $made(Entry, $c896, ["A", $c1137, true, "", "", "A", ""]);
+const $c1134 = $made(Entry, $c896, ["b", $c1137, true, "", "", "b", ""]);
+const $c1135 = $made(Entry, $c896, ["post_peak_slope", $c1137, false, "", "", "post_peak_slope", ""]);
+const $c1136 = $made(Entry, $c896, ["residual_friction", $c1137, false, "", "", "residual_friction", ""]);
+const $c1129 = [$c1131, $c1132, $c1133, $c1134, $c1135, $c1136];
+const $c1130 = new Map([["from", $c1131], ["to", $c1132], ["A", $c1133], ["b", $c1134], ["post_peak_slope", $c1135], ["residual_friction", $c1136]]);
+const $c1128 = $made(tables$Table, $c881, [null, $c1129, $c1130]);
+const $c1127 = $made(Rows, $c934, [$c1128, 1, 50]);
+const $c1058 = $made(Entry, $c896, ["pieces", $c1127, false, "", "", "pieces", ""]);
+const $c1138 = $made(Text, $c899, [20, false]);
+const $c1059 = $made(Entry, $c896, ["slip_unit", $c1138, false, "", "", "slip_unit", ""]);
+const $c1139 = $made(Text, $c899, [20, false]);
+const $c1060 = $made(Entry, $c896, ["pressure_unit", $c1139, false, "", "", "pressure_unit", ""]);
+const $c1141 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
+const $c1140 = $made(Quantity, $c153, ["number", $c1141]);
+const $c1061 = $made(Entry, $c896, ["continuity", $c1140, false, "", "", "continuity", ""]);
+const $c1043 = [$c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061];
+const $c1044 = new Map([["kind", $c1045], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["knots", $c1057], ["pieces", $c1058], ["slip_unit", $c1059], ["pressure_unit", $c1060], ["continuity", $c1061]]);
+const $c1038 = $made(tables$Table, $c881, [IntegralLog, $c1043, $c1044]);
+const $c1147 = ["constant"];
+const $c1146 = $made(Choice, $c918, [$c1147]);
+const $c1144 = $made(Entry, $c896, ["kind", $c1146, true, "", "", "kind", ""]);
+const $c1145 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
+const $c1142 = [$c1144, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1145];
+const $c1143 = new Map([["kind", $c1144], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1145]]);
+const $c1039 = $made(tables$Table, $c881, [Constant, $c1142, $c1143]);
+const $c1153 = ["elastic-plastic"];
+const $c1152 = $made(Choice, $c918, [$c1153]);
+const $c1150 = $made(Entry, $c896, ["kind", $c1152, true, "", "", "kind", ""]);
+const $c1155 = $made(Limit, $c902, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1154 = $made(Quantity, $c153, ["pressure_per_length", $c1155]);
+const $c1151 = $made(Entry, $c896, ["stiffness", $c1154, true, "", "", "stiffness", ""]);
+const $c1148 = [$c1150, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1151, $c1145];
+const $c1149 = new Map([["kind", $c1150], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["stiffness", $c1151], ["friction", $c1145]]);
+const $c1040 = $made(tables$Table, $c881, [ElasticPlastic, $c1148, $c1149]);
+const $c1163 = ["power"];
+const $c1162 = $made(Choice, $c918, [$c1163]);
+const $c1158 = $made(Entry, $c896, ["kind", $c1162, true, "", "", "kind", ""]);
+const $c1159 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
+const $c1160 = $made(Entry, $c896, ["reference_pressure", $c1108, true, "", "", "reference_pressure", ""]);
+const $c1161 = $made(Entry, $c896, ["exponent", $c1021, true, "", "", "exponent", ""]);
+const $c1156 = [$c1158, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1159, $c1160, $c1161];
+const $c1157 = new Map([["kind", $c1158], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1159], ["reference_pressure", $c1160], ["exponent", $c1161]]);
+const $c1041 = $made(tables$Table, $c881, [PressurePower, $c1156, $c1157]);
+const $c1170 = ["table"];
+const $c1169 = $made(Choice, $c918, [$c1170]);
+const $c1166 = $made(Entry, $c896, ["kind", $c1169, true, "", "", "kind", ""]);
+const $c1173 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
+const $c1172 = $made(Quantity, $c153, ["length", $c1173]);
+const $c1171 = $made(Rows, $c934, [$c1172, 2, 1000]);
+const $c1167 = $made(Entry, $c896, ["slip", $c1171, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
+const $c1178 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
+const $c1182 = $made(Limit, $c902, ["number", 0.0, 5.0, false, false]);
+const $c1181 = $made(Quantity, $c153, ["number", $c1182]);
+const $c1180 = $made(Rows, $c934, [$c1181, 2, 1000]);
+const $c1179 = $made(Entry, $c896, ["friction", $c1180, true, "", "", "values", ""]);
+const $c1176 = [$c1178, $c1179];
+const $c1177 = new Map([["pressure", $c1178], ["friction", $c1179]]);
+const $c1175 = $made(tables$Table, $c881, [null, $c1176, $c1177]);
+const $c1174 = $made(Rows, $c934, [$c1175, 1, 200]);
+const $c1168 = $made(Entry, $c896, ["rows", $c1174, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
+const $c1164 = [$c1166, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1167, $c1168];
+const $c1165 = new Map([["kind", $c1166], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["slip", $c1167], ["rows", $c1168]]);
+const $c1042 = $made(tables$Table, $c881, [MeasuredTable, $c1164, $c1165]);
+const $c1037 = new Map([["integral-log", $c1038], ["constant", $c1039], ["elastic-plastic", $c1040], ["power", $c1041], ["table", $c1042]]);
+const $c94 = $made(Variant, $c1036, ["kind", $c1037]);
+const $c1035 = $made(OneOrMore, $c904, [$c94, 50]);
+const $c977 = $made(Entry, $c896, ["law", $c1035, false, "", "", "law", ""]);
+const $c978 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
+const $c957 = [$c959, $c960, $c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
+const $c958 = new Map([["preset", $c959], ["name", $c960], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c964], ["elastic_modulus", $c965], ["shear_modulus", $c966], ["compression_modulus", $c967], ["block", $c968], ["wear_coefficient", $c969], ["belt_energy_share", $c970], ["bond_strength", $c971], ["fatigue_limit", $c972], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
+const $c956 = $made(tables$Table, $c881, [Lagging, $c957, $c958]);
+const $c213 = $made(TextOr, $c905, [$c215, $c956]);
+const $c193 = $made(Entry, $c896, ["lagging", $c213, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c194 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
+const $c219 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
+const $c218 = $made(Quantity, $c153, ["force", $c219]);
+const $c195 = $made(Entry, $c896, ["entry_tension", $c218, false, "", "", "entry_tension", ""]);
+const $c196 = $made(Entry, $c896, ["exit_tension", $c218, false, "", "", "exit_tension", ""]);
+const $c220 = $made(Quantity, $c153, ["force", null]);
+const $c197 = $made(Entry, $c896, ["effective_tension", $c220, false, "", "", "effective_tension", ""]);
+const $c221 = $made(Quantity, $c153, ["torque", null]);
+const $c198 = $made(Entry, $c896, ["torque", $c221, false, "", "", "torque", ""]);
+const $c222 = $made(Quantity, $c153, ["power", null]);
+const $c199 = $made(Entry, $c896, ["power", $c222, false, "", "", "power", ""]);
+const $c225 = $made(Limit, $c902, ["length", -1.0, 1.0, false, false]);
+const $c224 = $made(Quantity, $c153, ["length", $c225]);
+const $c223 = $made(WordOr, $c932, ["formula", $c224, null]);
+const $c200 = $made(Entry, $c896, ["overrun", $c223, false, "", "", "overrun", ""]);
+const $c226 = $made(Flag, [], []);
+const $c201 = $made(Entry, $c896, ["recovery", $c226, false, "", "", "recovery", ""]);
+const $c228 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
+const $c227 = $made(Quantity, $c153, ["length", $c228]);
+const $c202 = $made(Entry, $c896, ["creep_limit", $c227, false, "", "", "creep_limit", ""]);
+const $c867 = ["pulley", "carry"];
+const $c229 = $made(Choice, $c918, [$c867]);
+const $c203 = $made(Entry, $c896, ["side", $c229, false, "", "", "side", ""]);
+const $c231 = $made(Limit, $c902, ["mass", 0.0, 1000000.0, true, false]);
+const $c230 = $made(Quantity, $c153, ["mass", $c231]);
+const $c204 = $made(Entry, $c896, ["mass", $c230, false, "", "", "mass", ""]);
+const $c1599 = ["dimension", "diameters", "rows", "within"];
+const $c1200 = ["kinds"];
+const $c1202 = $made(Quantity, $c153, ["length", null]);
+const $c1203 = $made(Quantity, $c153, ["length", null]);
+const $c1201 = [$c1202, $c1203];
+const $c1199 = $made(_Pair, $c1200, [$c1201]);
+const $c1197 = $made(Rows, $c934, [$c1199, 0, 500]);
+const $c1206 = $made(Entry, $c896, ["rows", $c1197, false, "", "", "rows", ""]);
+const $c1211 = $made(Quantity, $c153, ["length", null]);
+const $c1207 = $made(Entry, $c896, ["crown", $c1211, false, "", "", "crown", ""]);
+const $c1213 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
+const $c1212 = $made(Quantity, $c153, ["number", $c1213]);
+const $c1208 = $made(Entry, $c896, ["factor", $c1212, false, "", "", "factor", ""]);
+const $c1215 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
+const $c1214 = $made(Quantity, $c153, ["length", $c1215]);
+const $c1209 = $made(Entry, $c896, ["uncertainty", $c1214, false, "", "", "uncertainty", ""]);
+const $c1217 = ["radius", "diameter"];
+const $c1216 = $made(Choice, $c918, [$c1217]);
+const $c1210 = $made(Entry, $c896, ["on", $c1216, false, "", "", "on", ""]);
+const $c1204 = [$c1206, $c1207, $c1208, $c1209, $c1210];
+const $c1205 = new Map([["rows", $c1206], ["crown", $c1207], ["factor", $c1208], ["uncertainty", $c1209], ["on", $c1210]]);
+const $c1198 = $made(tables$Table, $c881, [null, $c1204, $c1205]);
+const $c1196 = $made(TextOr, $c905, [$c1197, $c1198]);
+const $c1194 = $made(Profile, $c1599, ["length", true, $c1197, $c1196]);
+const $c1185 = $made(Entry, $c896, ["shell_profile", $c1194, false, "", "", "shell_profile", ""]);
+const $c1224 = $made(Quantity, $c153, ["length", null]);
+const $c1225 = $made(Quantity, $c153, ["length", null]);
+const $c1223 = [$c1224, $c1225];
+const $c1222 = $made(_Pair, $c1200, [$c1223]);
+const $c1220 = $made(Rows, $c934, [$c1222, 0, 500]);
+const $c1228 = $made(Entry, $c896, ["rows", $c1220, false, "", "", "rows", ""]);
+const $c1233 = $made(Quantity, $c153, ["length", null]);
+const $c1229 = $made(Entry, $c896, ["crown", $c1233, false, "", "", "crown", ""]);
+const $c1235 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
+const $c1234 = $made(Quantity, $c153, ["number", $c1235]);
+const $c1230 = $made(Entry, $c896, ["factor", $c1234, false, "", "", "factor", ""]);
+const $c1237 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
+const $c1236 = $made(Quantity, $c153, ["length", $c1237]);
+const $c1231 = $made(Entry, $c896, ["uncertainty", $c1236, false, "", "", "uncertainty", ""]);
+const $c1238 = $made(Choice, $c918, [$c1217]);
+const $c1232 = $made(Entry, $c896, ["on", $c1238, false, "", "", "on", ""]);
+const $c1226 = [$c1228, $c1229, $c1230, $c1231, $c1232];
+const $c1227 = new Map([["rows", $c1228], ["crown", $c1229], ["factor", $c1230], ["uncertainty", $c1231], ["on", $c1232]]);
+const $c1221 = $made(tables$Table, $c881, [null, $c1226, $c1227]);
+const $c1219 = $made(TextOr, $c905, [$c1220, $c1221]);
+const $c1218 = $made(Profile, $c1599, ["length", true, $c1220, $c1219]);
+const $c1186 = $made(Entry, $c896, ["worn_depth", $c1218, false, "", "", "worn_depth", ""]);
+const $c1245 = $made(Quantity, $c153, ["length", null]);
+const $c1246 = $made(Quantity, $c153, ["length", null]);
+const $c1244 = [$c1245, $c1246];
+const $c1243 = $made(_Pair, $c1200, [$c1244]);
+const $c1241 = $made(Rows, $c934, [$c1243, 0, 500]);
+const $c1249 = $made(Entry, $c896, ["rows", $c1241, false, "", "", "rows", ""]);
+const $c1254 = $made(Quantity, $c153, ["length", null]);
+const $c1250 = $made(Entry, $c896, ["crown", $c1254, false, "", "", "crown", ""]);
+const $c1256 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
+const $c1255 = $made(Quantity, $c153, ["number", $c1256]);
+const $c1251 = $made(Entry, $c896, ["factor", $c1255, false, "", "", "factor", ""]);
+const $c1258 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
+const $c1257 = $made(Quantity, $c153, ["length", $c1258]);
+const $c1252 = $made(Entry, $c896, ["uncertainty", $c1257, false, "", "", "uncertainty", ""]);
+const $c1259 = $made(Choice, $c918, [$c1217]);
+const $c1253 = $made(Entry, $c896, ["on", $c1259, false, "", "", "on", ""]);
+const $c1247 = [$c1249, $c1250, $c1251, $c1252, $c1253];
+const $c1248 = new Map([["rows", $c1249], ["crown", $c1250], ["factor", $c1251], ["uncertainty", $c1252], ["on", $c1253]]);
+const $c1242 = $made(tables$Table, $c881, [null, $c1247, $c1248]);
+const $c1240 = $made(TextOr, $c905, [$c1241, $c1242]);
+const $c1239 = $made(Profile, $c1599, ["length", true, $c1241, $c1240]);
+const $c1187 = $made(Entry, $c896, ["build_up", $c1239, false, "", "", "build_up", ""]);
+const $c1261 = $made(Limit, $c902, ["number", -0.1, 0.1, false, false]);
+const $c1260 = $made(Quantity, $c153, ["number", $c1261]);
+const $c1188 = $made(Entry, $c896, ["misalignment", $c1260, false, "", "", "misalignment", ""]);
+const $c1263 = $made(Limit, $c902, ["length", -0.1, 0.1, false, false]);
+const $c1262 = $made(Quantity, $c153, ["length", $c1263]);
+const $c1189 = $made(Entry, $c896, ["deflection", $c1262, false, "", "", "deflection", ""]);
+const $c1270 = $made(Quantity, $c153, ["length", null]);
+const $c1271 = $made(Quantity, $c153, ["force_per_width", null]);
+const $c1269 = [$c1270, $c1271];
+const $c1268 = $made(_Pair, $c1200, [$c1269]);
+const $c1266 = $made(Rows, $c934, [$c1268, 0, 500]);
+const $c1274 = $made(Entry, $c896, ["rows", $c1266, false, "", "", "rows", ""]);
+const $c1278 = $made(Quantity, $c153, ["force_per_width", null]);
+const $c1275 = $made(Entry, $c896, ["crown", $c1278, false, "", "", "crown", ""]);
+const $c1280 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
+const $c1279 = $made(Quantity, $c153, ["number", $c1280]);
+const $c1276 = $made(Entry, $c896, ["factor", $c1279, false, "", "", "factor", ""]);
+const $c1282 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1281 = $made(Quantity, $c153, ["force_per_width", $c1282]);
+const $c1277 = $made(Entry, $c896, ["uncertainty", $c1281, false, "", "", "uncertainty", ""]);
+const $c1272 = [$c1274, $c1275, $c1276, $c1277];
+const $c1273 = new Map([["rows", $c1274], ["crown", $c1275], ["factor", $c1276], ["uncertainty", $c1277]]);
+const $c1267 = $made(tables$Table, $c881, [null, $c1272, $c1273]);
+const $c1265 = $made(TextOr, $c905, [$c1266, $c1267]);
+const $c1264 = $made(Profile, $c1599, ["force_per_width", false, $c1266, $c1265]);
+const $c1190 = $made(Entry, $c896, ["entry_profile", $c1264, false, "", "", "entry_profile", ""]);
+const $c1292 = ["pulley"];
+const $c1291 = $made(Choice, $c918, [$c1292]);
+const $c1289 = $made(Entry, $c896, ["kind", $c1291, true, "", "", "kind", ""]);
+const $c1294 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
+const $c1293 = $made(Quantity, $c153, ["length", $c1294]);
+const $c1290 = $made(Entry, $c896, ["distance", $c1293, true, "", "", "distance", ""]);
+const $c1287 = [$c1289, $c1290];
+const $c1288 = new Map([["kind", $c1289], ["distance", $c1290]]);
+const $c1285 = $made(tables$Table, $c881, [GrippingPulley, $c1287, $c1288]);
+const $c1303 = ["transition"];
+const $c1302 = $made(Choice, $c918, [$c1303]);
+const $c1297 = $made(Entry, $c896, ["kind", $c1302, true, "", "", "kind", ""]);
+const $c1305 = $made(Limit, $c902, ["length", 0.0, 1000.0, true, false]);
+const $c1304 = $made(Quantity, $c153, ["length", $c1305]);
+const $c1298 = $made(Entry, $c896, ["length", $c1304, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1307 = $made(Limit, $c902, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1306 = $made(Quantity, $c153, ["angle", $c1307]);
+const $c1299 = $made(Entry, $c896, ["trough_angle", $c1306, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1309 = $made(Limit, $c902, ["length", 0.0, 100.0, false, false]);
+const $c1308 = $made(Quantity, $c153, ["length", $c1309]);
+const $c1300 = $made(Entry, $c896, ["centre_roll", $c1308, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1311 = ["full", "half"];
+const $c1310 = $made(Choice, $c918, [$c1311]);
+const $c1301 = $made(Entry, $c896, ["depth", $c1310, false, "", "", "depth", ""]);
+const $c1295 = [$c1297, $c1298, $c1299, $c1300, $c1301];
+const $c1296 = new Map([["kind", $c1297], ["length", $c1298], ["trough_angle", $c1299], ["centre_roll", $c1300], ["depth", $c1301]]);
+const $c1286 = $made(tables$Table, $c881, [Transition, $c1295, $c1296]);
+const $c1284 = new Map([["pulley", $c1285], ["transition", $c1286]]);
+const $c28 = $made(Variant, $c1036, ["kind", $c1284]);
+const $c1283 = $made(WordOr, $c932, ["far", $c28, null]);
+const $c1191 = $made(Entry, $c896, ["before", $c1283, false, "", "", "before", ""]);
+const $c1319 = ["pulley"];
+const $c1318 = $made(Choice, $c918, [$c1319]);
+const $c1317 = $made(Entry, $c896, ["kind", $c1318, true, "", "", "kind", ""]);
+const $c1315 = [$c1317, $c1290];
+const $c1316 = new Map([["kind", $c1317], ["distance", $c1290]]);
+const $c1314 = $made(tables$Table, $c881, [GrippingPulley, $c1315, $c1316]);
+const $c1313 = new Map([["pulley", $c1314]]);
+const $c29 = $made(Variant, $c1036, ["kind", $c1313]);
+const $c1312 = $made(WordOr, $c932, ["far", $c29, null]);
+const $c1192 = $made(Entry, $c896, ["after", $c1312, false, "", "", "after", ""]);
+const $c1321 = ["least", "most"];
+const $c1320 = $made(Count, $c1321, [4, 128]);
+const $c1193 = $made(Entry, $c896, ["strips", $c1320, false, "", "", "strips", ""]);
+const $c1183 = [$c1185, $c1186, $c1187, $c1188, $c1189, $c1190, $c1191, $c1192, $c1193];
+const $c1184 = new Map([["shell_profile", $c1185], ["worn_depth", $c1186], ["build_up", $c1187], ["misalignment", $c1188], ["deflection", $c1189], ["entry_profile", $c1190], ["before", $c1191], ["after", $c1192], ["strips", $c1193]]);
+const $c30 = $made(tables$Table, $c881, [Across, $c1183, $c1184]);
+const $c205 = $made(Entry, $c896, ["across", $c30, false, "", "", "across", ""]);
+const $c232 = $made(ByName, $c904, [$c2, 200]);
+const $c206 = $made(Entry, $c896, ["sources", $c232, false, "", "", "sources", ""]);
+const $c9 = [$c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202, $c203, $c204, $c205, $c206];
+const $c935 = new Map([["name", $c189], ["diameter", $c190], ["wrap_angle", $c191], ["belt_path", $c192], ["lagging", $c193], ["condition", $c194], ["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199], ["overrun", $c200], ["recovery", $c201], ["creep_limit", $c202], ["side", $c203], ["mass", $c204], ["across", $c205], ["sources", $c206]]);
+const $c31 = $made(tables$Table, $c881, [Pulley, $c9, $c935]);
+const $c933 = $made(Rows, $c934, [$c31, 1, 10]);
+const $c890 = $made(Entry, $c896, ["pulley", $c933, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1322 = $made(ByName, $c904, [$c956, 200]);
+const $c891 = $made(Entry, $c896, ["lagging", $c1322, false, "", "", "lagging", ""]);
+const $c1333 = $made(Name, $c906, [60]);
+const $c1327 = $made(Entry, $c896, ["name", $c1333, true, "", "name = \"start\"", "name", ""]);
+const $c1334 = $made(Text, $c899, [1000, true]);
+const $c1328 = $made(Entry, $c896, ["description", $c1334, false, "", "", "description", ""]);
+const $c103 = ["running", "starting", "braking"];
+const $c1335 = $made(Choice, $c918, [$c103]);
+const $c1329 = $made(Entry, $c896, ["kind", $c1335, false, "", "", "kind", ""]);
+const $c1330 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
+const $c1338 = [$c195, $c196, $c197, $c198, $c199];
+const $c1339 = new Map([["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199]]);
+const $c1337 = $made(tables$Table, $c881, [null, $c1338, $c1339]);
+const $c1336 = $made(ByName, $c904, [$c1337, 200]);
+const $c1331 = $made(Entry, $c896, ["pulley", $c1336, false, "", "", "pulley", ""]);
+const $c1340 = $made(Elsewhere, [], []);
+const $c1332 = $made(Entry, $c896, ["train", $c1340, false, "", "", "train", ""]);
+const $c1325 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1332];
+const $c1326 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1332]]);
+const $c1324 = $made(tables$Table, $c881, [null, $c1325, $c1326]);
+const $c1323 = $made(Rows, $c934, [$c1324, 1, 1000]);
+const $c892 = $made(Entry, $c896, ["load_case", $c1323, false, "", "", "load_case", ""]);
+const $c681 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
+const $c1362 = $made(Quantity, $c153, ["length", $c681]);
+const $c1343 = $made(Entry, $c896, ["length", $c1362, true, "", "length = \"600 m\"", "length", ""]);
+const $c682 = $made(Limit, $c902, ["length", -5000.0, 5000.0, false, false]);
+const $c1363 = $made(Quantity, $c153, ["length", $c682]);
+const $c1344 = $made(Entry, $c896, ["lift", $c1363, false, "", "", "lift", ""]);
+const $c683 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1364 = $made(Quantity, $c153, ["mass_per_length", $c683]);
+const $c1345 = $made(Entry, $c896, ["belt_mass", $c1364, true, "", "", "belt_mass", ""]);
+const $c684 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1365 = $made(Quantity, $c153, ["mass_per_length", $c684]);
+const $c1346 = $made(Entry, $c896, ["carry_idler_mass", $c1365, true, "", "", "carry_idler_mass", ""]);
+const $c685 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1366 = $made(Quantity, $c153, ["mass_per_length", $c685]);
+const $c1347 = $made(Entry, $c896, ["return_idler_mass", $c1366, true, "", "", "return_idler_mass", ""]);
+const $c1367 = $made(Quantity, $c153, ["mass_per_length", $c683]);
+const $c1348 = $made(Entry, $c896, ["material_mass", $c1367, false, "", "", "material_mass", ""]);
+const $c686 = $made(Limit, $c902, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1368 = $made(Quantity, $c153, ["mass_flow", $c686]);
+const $c1349 = $made(Entry, $c896, ["capacity", $c1368, false, "", "", "capacity", ""]);
+const $c687 = $made(Limit, $c902, ["number", 0.005, 0.1, false, false]);
+const $c1369 = $made(Quantity, $c153, ["number", $c687]);
+const $c1350 = $made(Entry, $c896, ["friction_factor", $c1369, false, "", "", "friction_factor", ""]);
+const $c688 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
+const $c1370 = $made(Quantity, $c153, ["number", $c688]);
+const $c1351 = $made(Entry, $c896, ["length_coefficient", $c1370, false, "", "", "length_coefficient", ""]);
+const $c689 = $made(Limit, $c902, ["force", 0.0, 100000000.0, false, false]);
+const $c1371 = $made(Quantity, $c153, ["force", $c689]);
+const $c1352 = $made(Entry, $c896, ["secondary_resistance", $c1371, false, "", "", "secondary_resistance", ""]);
+const $c1372 = $made(Quantity, $c153, ["force", $c689]);
+const $c1353 = $made(Entry, $c896, ["special_resistance", $c1372, false, "", "", "special_resistance", ""]);
+const $c690 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
+const $c1373 = $made(Quantity, $c153, ["number", $c690]);
+const $c1354 = $made(Entry, $c896, ["return_share", $c1373, false, "", "", "return_share", ""]);
+const $c691 = $made(Limit, $c902, ["number", 1.0, 5.0, false, false]);
+const $c1374 = $made(Quantity, $c153, ["number", $c691]);
+const $c1355 = $made(Entry, $c896, ["start_factor", $c1374, false, "", "", "start_factor", ""]);
+const $c692 = $made(Limit, $c902, ["time", 0.0, 3600.0, true, false]);
+const $c1375 = $made(Quantity, $c153, ["time", $c692]);
+const $c1356 = $made(Entry, $c896, ["start_time", $c1375, false, "", "", "start_time", ""]);
+const $c1376 = $made(Quantity, $c153, ["time", $c692]);
+const $c1357 = $made(Entry, $c896, ["stop_time", $c1376, false, "", "", "stop_time", ""]);
+const $c693 = $made(Limit, $c902, ["force", 0.0, 100000000.0, true, false]);
+const $c1377 = $made(Quantity, $c153, ["force", $c693]);
+const $c1358 = $made(Entry, $c896, ["take_up_tension", $c1377, false, "", "", "take_up_tension", ""]);
+const $c694 = $made(Limit, $c902, ["mass", 0.0, 10000000.0, true, false]);
+const $c1378 = $made(Quantity, $c153, ["mass", $c694]);
+const $c1359 = $made(Entry, $c896, ["counterweight", $c1378, false, "", "", "counterweight", ""]);
+const $c695 = $made(Limit, $c902, ["length", 0.0, 100000.0, false, false]);
+const $c1379 = $made(Quantity, $c153, ["length", $c695]);
+const $c1360 = $made(Entry, $c896, ["take_up_distance", $c1379, false, "", "", "take_up_distance", ""]);
+const $c868 = ["head", "tail"];
+const $c1380 = $made(Choice, $c918, [$c868]);
+const $c1361 = $made(Entry, $c896, ["drive_at", $c1380, false, "", "", "drive_at", ""]);
+const $c1341 = [$c1343, $c1344, $c1345, $c1346, $c1347, $c1348, $c1349, $c1350, $c1351, $c1352, $c1353, $c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361];
+const $c1342 = new Map([["length", $c1343], ["lift", $c1344], ["belt_mass", $c1345], ["carry_idler_mass", $c1346], ["return_idler_mass", $c1347], ["material_mass", $c1348], ["capacity", $c1349], ["friction_factor", $c1350], ["length_coefficient", $c1351], ["secondary_resistance", $c1352], ["special_resistance", $c1353], ["return_share", $c1354], ["start_factor", $c1355], ["start_time", $c1356], ["stop_time", $c1357], ["take_up_tension", $c1358], ["counterweight", $c1359], ["take_up_distance", $c1360], ["drive_at", $c1361]]);
+const $c35 = $made(tables$Table, $c881, [Conveyor, $c1341, $c1342]);
+const $c893 = $made(Entry, $c896, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c861 = ["gravity", "winch", "fixed"];
+const $c1386 = $made(Choice, $c918, [$c861]);
+const $c1383 = $made(Entry, $c896, ["kind", $c1386, false, "", "", "kind", ""]);
+const $c852 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
+const $c1387 = $made(Quantity, $c153, ["number", $c852]);
+const $c1384 = $made(Entry, $c896, ["sheave_ratio", $c1387, false, "", "", "sheave_ratio", ""]);
+const $c1388 = $made(Name, $c906, [60]);
+const $c1385 = $made(Entry, $c896, ["after", $c1388, false, "", "", "after", ""]);
+const $c1381 = [$c1383, $c1384, $c1385];
+const $c1382 = new Map([["kind", $c1383], ["sheave_ratio", $c1384], ["after", $c1385]]);
+const $c562 = $made(tables$Table, $c881, [TakeUp, $c1381, $c1382]);
+const $c558 = $made(Entry, $c896, ["take_up", $c562, false, "", "", "take_up", ""]);
+const $c862 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1396 = $made(Choice, $c918, [$c862]);
+const $c1391 = $made(Entry, $c896, ["name", $c1396, false, "", "", "name", ""]);
+const $c863 = ["dry", "wet", "wet and dirty"];
+const $c1397 = $made(Choice, $c918, [$c863]);
+const $c1392 = $made(Entry, $c896, ["condition", $c1397, false, "", "", "condition", ""]);
+const $c853 = $made(Limit, $c902, ["number", 0.01, 2.0, false, false]);
+const $c1398 = $made(Quantity, $c153, ["number", $c853]);
+const $c1393 = $made(Entry, $c896, ["friction", $c1398, false, "", "", "friction", ""]);
+const $c854 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
+const $c1399 = $made(Quantity, $c153, ["number", $c854]);
+const $c1394 = $made(Entry, $c896, ["start_factor", $c1399, false, "", "", "start_factor", ""]);
+const $c1400 = $made(Flag, [], []);
+const $c1395 = $made(Entry, $c896, ["binding", $c1400, false, "", "", "binding", ""]);
+const $c1389 = [$c1391, $c1392, $c1393, $c1394, $c1395];
+const $c1390 = new Map([["name", $c1391], ["condition", $c1392], ["friction", $c1393], ["start_factor", $c1394], ["binding", $c1395]]);
+const $c563 = $made(tables$Table, $c881, [DesignStandard, $c1389, $c1390]);
+const $c559 = $made(Entry, $c896, ["design_standard", $c563, false, "", "", "standard", ""]);
+const $c1407 = $made(Quantity, $c153, ["number", $c854]);
+const $c1403 = $made(Entry, $c896, ["running", $c1407, false, "", "", "running", ""]);
+const $c1408 = $made(Quantity, $c153, ["number", $c854]);
+const $c1404 = $made(Entry, $c896, ["starting", $c1408, false, "", "", "starting", ""]);
+const $c1409 = $made(Quantity, $c153, ["number", $c854]);
+const $c1405 = $made(Entry, $c896, ["braking", $c1409, false, "", "", "braking", ""]);
+const $c1410 = $made(Text, $c899, [500, false]);
+const $c1406 = $made(Entry, $c896, ["source", $c1410, false, "", "", "source", ""]);
+const $c1401 = [$c1403, $c1404, $c1405, $c1406];
+const $c1402 = new Map([["running", $c1403], ["starting", $c1404], ["braking", $c1405], ["source", $c1406]]);
+const $c564 = $made(tables$Table, $c881, [SafetyFactors, $c1401, $c1402]);
+const $c560 = $made(Entry, $c896, ["safety_factor", $c564, false, "", "", "safety", ""]);
+const $c1417 = $made(Limit, $c902, ["length", 0.0, 100.0, true, false]);
+const $c1416 = $made(Quantity, $c153, ["length", $c1417]);
+const $c1413 = $made(Entry, $c896, ["idler_spacing", $c1416, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1419 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1418 = $made(Quantity, $c153, ["mass_per_length", $c1419]);
+const $c1414 = $made(Entry, $c896, ["line_mass", $c1418, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1421 = $made(Limit, $c902, ["number", 0.0, 0.1, true, false]);
+const $c1420 = $made(Quantity, $c153, ["number", $c1421]);
+const $c1415 = $made(Entry, $c896, ["share", $c1420, false, "", "", "share", ""]);
+const $c1411 = [$c1413, $c1414, $c1415];
+const $c1412 = new Map([["idler_spacing", $c1413], ["line_mass", $c1414], ["share", $c1415]]);
+const $c565 = $made(tables$Table, $c881, [Sag, $c1411, $c1412]);
+const $c561 = $made(Entry, $c896, ["sag", $c565, false, "", "", "sag", ""]);
 const $c1422 = $made(Elsewhere, [], []);
-const $c894 = $made(Entry, $c895, ["motion", $c1422, false, "", "", "motion", ""]);
-const $c881 = [$c883, $c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c892, $c554, $c555, $c556, $c557, $c893, $c894];
-const $c882 = new Map([["format", $c883], ["title", $c884], ["description", $c885], ["creep_limit", $c886], ["condition", $c887], ["belt", $c888], ["pulley", $c889], ["lagging", $c890], ["load_case", $c891], ["conveyor", $c892], ["take_up", $c554], ["design_standard", $c555], ["safety_factor", $c556], ["sag", $c557], ["train", $c893], ["motion", $c894]]);
-const $c0 = $made(tables$Table, $c880, [Drive, $c881, $c882]);
+const $c894 = $made(Entry, $c896, ["train", $c1422, false, "", "", "train", ""]);
+const $c1423 = $made(Elsewhere, [], []);
+const $c895 = $made(Entry, $c896, ["motion", $c1423, false, "", "", "motion", ""]);
+const $c882 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c892, $c893, $c558, $c559, $c560, $c561, $c894, $c895];
+const $c883 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c892], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c894], ["motion", $c895]]);
+const $c0 = $made(tables$Table, $c881, [Drive, $c882, $c883]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c150], ["modulus", $c155], ["rating", $c157], ["strength", $c159], ["speed", $c161], ["momentary_factor", $c163], ["least_pulley_diameter", $c165], ["largest_wrap_pressure", $c167], ["in_plane_shear_stiffness", $c169], ["pulley_cover", $c171], ["carry_cover", $c173], ["carcass", $c175], ["thickness", $c177], ["cover_shear_modulus", $c180], ["mass", $c182]]);
+const $c4 = new Map([["width", $c154], ["modulus", $c159], ["rating", $c161], ["strength", $c163], ["speed", $c165], ["momentary_factor", $c167], ["least_pulley_diameter", $c169], ["largest_wrap_pressure", $c171], ["in_plane_shear_stiffness", $c173], ["pulley_cover", $c175], ["carry_cover", $c177], ["carcass", $c179], ["thickness", $c181], ["cover_shear_modulus", $c184], ["mass", $c186]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c254 = [10000, "m"];
-const $c253 = [$c254];
-const $c231 = ["mm", $c253];
-const $c232 = ["kN", []];
-const $c233 = ["kN/m", []];
-const $c256 = [10000, "MPa"];
-const $c255 = [$c256];
-const $c234 = ["kPa", $c255];
-const $c235 = ["kPa/mm", []];
-const $c236 = ["m/s", []];
-const $c237 = ["deg", []];
-const $c238 = ["kW", []];
-const $c239 = ["kN m", []];
-const $c240 = ["m2", []];
-const $c241 = ["s", []];
-const $c242 = ["degC", []];
-const $c243 = ["1/mm", []];
-const $c244 = ["mm3/J", []];
-const $c245 = ["J/m2", []];
-const $c258 = [10000, "kW/m2"];
+const $c258 = [10000, "m"];
 const $c257 = [$c258];
-const $c246 = ["W/m2", $c257];
-const $c247 = ["rpm", []];
-const $c248 = ["kg", []];
-const $c249 = ["kg/m", []];
-const $c250 = ["t/h", []];
-const $c251 = ["kg m2", []];
-const $c252 = ["", []];
-const $c229 = new Map([["length", $c231], ["force", $c232], ["force_per_width", $c233], ["spring_rate", $c233], ["pressure", $c234], ["pressure_per_length", $c235], ["speed", $c236], ["angle", $c237], ["power", $c238], ["torque", $c239], ["area", $c240], ["time", $c241], ["temperature", $c242], ["per_length", $c243], ["wear_coefficient", $c244], ["energy_per_area", $c245], ["power_per_area", $c246], ["rotation_speed", $c247], ["mass", $c248], ["mass_per_length", $c249], ["mass_flow", $c250], ["moment_of_inertia", $c251], ["number", $c252]]);
-const $c279 = [400, "ft"];
-const $c278 = [$c279];
-const $c259 = ["in", $c278];
-const $c260 = ["lbf", []];
-const $c261 = ["PIW", []];
-const $c262 = ["lbf/in", []];
-const $c281 = [10000, "ksi"];
-const $c280 = [$c281];
-const $c263 = ["psi", $c280];
-const $c264 = ["psi/in", []];
-const $c265 = ["fpm", []];
-const $c266 = ["hp", []];
-const $c267 = ["lbf ft", []];
-const $c268 = ["in2", []];
-const $c269 = ["degF", []];
-const $c270 = ["1/in", []];
-const $c271 = ["in3/(ft lbf)", []];
-const $c272 = ["ft lbf/ft2", []];
-const $c273 = ["hp/ft2", []];
-const $c274 = ["lbm", []];
-const $c275 = ["lbm/ft", []];
-const $c276 = ["lbm/h", []];
-const $c277 = ["lbm ft2", []];
-const $c230 = new Map([["length", $c259], ["force", $c260], ["force_per_width", $c261], ["spring_rate", $c262], ["pressure", $c263], ["pressure_per_length", $c264], ["speed", $c265], ["angle", $c237], ["power", $c266], ["torque", $c267], ["area", $c268], ["time", $c241], ["temperature", $c269], ["per_length", $c270], ["wear_coefficient", $c271], ["energy_per_area", $c272], ["power_per_area", $c273], ["rotation_speed", $c247], ["mass", $c274], ["mass_per_length", $c275], ["mass_flow", $c276], ["moment_of_inertia", $c277], ["number", $c252]]);
-const $c11 = new Map([["si", $c229], ["us", $c230]]);
-const $c282 = new DimensionText("m", "a length", "1200 mm");
-const $c283 = new DimensionText("N", "a force", "150 kN");
-const $c284 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c285 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c286 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c287 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c288 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c289 = new DimensionText("rad", "an angle", "180 deg");
-const $c290 = new DimensionText("W", "a power", "250 kW");
-const $c291 = new DimensionText("N m", "a torque", "40 kN m");
-const $c292 = new DimensionText("m2", "an area", "2500 mm2");
-const $c293 = new DimensionText("s", "a time", "10 s");
-const $c294 = new DimensionText("K", "a temperature", "20 degC");
-const $c295 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c296 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c297 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c298 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c299 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c300 = new DimensionText("kg", "a mass", "500 kg");
-const $c301 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c302 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c303 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c304 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c282], ["force", $c283], ["force_per_width", $c284], ["spring_rate", $c285], ["pressure", $c286], ["pressure_per_length", $c287], ["speed", $c288], ["angle", $c289], ["power", $c290], ["torque", $c291], ["area", $c292], ["time", $c293], ["temperature", $c294], ["per_length", $c295], ["wear_coefficient", $c296], ["energy_per_area", $c297], ["power_per_area", $c298], ["rotation_speed", $c299], ["mass", $c300], ["mass_per_length", $c301], ["mass_flow", $c302], ["moment_of_inertia", $c303], ["number", $c304]]);
+const $c235 = ["mm", $c257];
+const $c236 = ["kN", []];
+const $c237 = ["kN/m", []];
+const $c260 = [10000, "MPa"];
+const $c259 = [$c260];
+const $c238 = ["kPa", $c259];
+const $c239 = ["kPa/mm", []];
+const $c240 = ["m/s", []];
+const $c241 = ["deg", []];
+const $c242 = ["kW", []];
+const $c243 = ["kN m", []];
+const $c244 = ["m2", []];
+const $c245 = ["s", []];
+const $c246 = ["degC", []];
+const $c247 = ["1/mm", []];
+const $c248 = ["mm3/J", []];
+const $c249 = ["J/m2", []];
+const $c262 = [10000, "kW/m2"];
+const $c261 = [$c262];
+const $c250 = ["W/m2", $c261];
+const $c251 = ["rpm", []];
+const $c252 = ["kg", []];
+const $c253 = ["kg/m", []];
+const $c254 = ["t/h", []];
+const $c255 = ["kg m2", []];
+const $c256 = ["", []];
+const $c233 = new Map([["length", $c235], ["force", $c236], ["force_per_width", $c237], ["spring_rate", $c237], ["pressure", $c238], ["pressure_per_length", $c239], ["speed", $c240], ["angle", $c241], ["power", $c242], ["torque", $c243], ["area", $c244], ["time", $c245], ["temperature", $c246], ["per_length", $c247], ["wear_coefficient", $c248], ["energy_per_area", $c249], ["power_per_area", $c250], ["rotation_speed", $c251], ["mass", $c252], ["mass_per_length", $c253], ["mass_flow", $c254], ["moment_of_inertia", $c255], ["number", $c256]]);
+const $c283 = [400, "ft"];
+const $c282 = [$c283];
+const $c263 = ["in", $c282];
+const $c264 = ["lbf", []];
+const $c265 = ["PIW", []];
+const $c266 = ["lbf/in", []];
+const $c285 = [10000, "ksi"];
+const $c284 = [$c285];
+const $c267 = ["psi", $c284];
+const $c268 = ["psi/in", []];
+const $c269 = ["fpm", []];
+const $c270 = ["hp", []];
+const $c271 = ["lbf ft", []];
+const $c272 = ["in2", []];
+const $c273 = ["degF", []];
+const $c274 = ["1/in", []];
+const $c275 = ["in3/(ft lbf)", []];
+const $c276 = ["ft lbf/ft2", []];
+const $c277 = ["hp/ft2", []];
+const $c278 = ["lbm", []];
+const $c279 = ["lbm/ft", []];
+const $c280 = ["lbm/h", []];
+const $c281 = ["lbm ft2", []];
+const $c234 = new Map([["length", $c263], ["force", $c264], ["force_per_width", $c265], ["spring_rate", $c266], ["pressure", $c267], ["pressure_per_length", $c268], ["speed", $c269], ["angle", $c241], ["power", $c270], ["torque", $c271], ["area", $c272], ["time", $c245], ["temperature", $c273], ["per_length", $c274], ["wear_coefficient", $c275], ["energy_per_area", $c276], ["power_per_area", $c277], ["rotation_speed", $c251], ["mass", $c278], ["mass_per_length", $c279], ["mass_flow", $c280], ["moment_of_inertia", $c281], ["number", $c256]]);
+const $c11 = new Map([["si", $c233], ["us", $c234]]);
+const $c286 = new DimensionText("m", "a length", "1200 mm");
+const $c287 = new DimensionText("N", "a force", "150 kN");
+const $c288 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c289 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c290 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c291 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c292 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c293 = new DimensionText("rad", "an angle", "180 deg");
+const $c294 = new DimensionText("W", "a power", "250 kW");
+const $c295 = new DimensionText("N m", "a torque", "40 kN m");
+const $c296 = new DimensionText("m2", "an area", "2500 mm2");
+const $c297 = new DimensionText("s", "a time", "10 s");
+const $c298 = new DimensionText("K", "a temperature", "20 degC");
+const $c299 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c300 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c301 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c302 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c303 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c304 = new DimensionText("kg", "a mass", "500 kg");
+const $c305 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c306 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c307 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c308 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c286], ["force", $c287], ["force_per_width", $c288], ["spring_rate", $c289], ["pressure", $c290], ["pressure_per_length", $c291], ["speed", $c292], ["angle", $c293], ["power", $c294], ["torque", $c295], ["area", $c296], ["time", $c297], ["temperature", $c298], ["per_length", $c299], ["wear_coefficient", $c300], ["energy_per_area", $c301], ["power_per_area", $c302], ["rotation_speed", $c303], ["mass", $c304], ["mass_per_length", $c305], ["mass_flow", $c306], ["moment_of_inertia", $c307], ["number", $c308]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -8562,810 +8656,812 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c367 = ["meter", "meters", "metre", "metres"];
-const $c368 = $Decimal.of("1");
-const $c369 = $Decimal.of("0");
-const $c305 = new Definition($c367, $c368, "m", $c369);
-const $c370 = ["km"];
-const $c371 = $Decimal.of("1000");
-const $c372 = $Decimal.of("0");
-const $c306 = new Definition($c370, $c371, "m", $c372);
-const $c373 = ["dm"];
-const $c374 = $Decimal.of("0.1");
-const $c375 = $Decimal.of("0");
-const $c307 = new Definition($c373, $c374, "m", $c375);
-const $c376 = ["cm"];
-const $c377 = $Decimal.of("0.01");
-const $c378 = $Decimal.of("0");
-const $c308 = new Definition($c376, $c377, "m", $c378);
-const $c379 = ["mm"];
-const $c380 = $Decimal.of("0.001");
-const $c381 = $Decimal.of("0");
-const $c309 = new Definition($c379, $c380, "m", $c381);
-const $c382 = ["um", "micron", "microns"];
-const $c383 = $Decimal.of("0.000001");
-const $c384 = $Decimal.of("0");
-const $c310 = new Definition($c382, $c383, "m", $c384);
-const $c385 = ["in", "inch", "inches", "\""];
-const $c386 = $Decimal.of("0.0254");
-const $c387 = $Decimal.of("0");
-const $c311 = new Definition($c385, $c386, "m", $c387);
-const $c388 = ["ft", "foot", "feet"];
-const $c389 = $Decimal.of("12");
-const $c390 = $Decimal.of("0");
-const $c312 = new Definition($c388, $c389, "in", $c390);
-const $c391 = ["yd"];
-const $c392 = $Decimal.of("3");
-const $c393 = $Decimal.of("0");
-const $c313 = new Definition($c391, $c392, "ft", $c393);
-const $c394 = ["mi", "mile", "miles"];
-const $c395 = $Decimal.of("5280");
-const $c396 = $Decimal.of("0");
-const $c314 = new Definition($c394, $c395, "ft", $c396);
-const $c397 = ["thou"];
-const $c398 = $Decimal.of("0.001");
-const $c399 = $Decimal.of("0");
-const $c315 = new Definition($c397, $c398, "in", $c399);
-const $c400 = ["g"];
-const $c401 = $Decimal.of("0.001");
-const $c402 = $Decimal.of("0");
-const $c316 = new Definition($c400, $c401, "kg", $c402);
-const $c403 = ["t", "tonne", "tonnes"];
-const $c404 = $Decimal.of("1000");
-const $c405 = $Decimal.of("0");
-const $c317 = new Definition($c403, $c404, "kg", $c405);
-const $c406 = ["lbm"];
-const $c407 = $Decimal.of("0.45359237");
-const $c408 = $Decimal.of("0");
-const $c318 = new Definition($c406, $c407, "kg", $c408);
-const $c409 = ["sec", "second", "seconds"];
-const $c410 = $Decimal.of("1");
-const $c411 = $Decimal.of("0");
-const $c319 = new Definition($c409, $c410, "s", $c411);
-const $c412 = ["ms"];
-const $c413 = $Decimal.of("0.001");
-const $c414 = $Decimal.of("0");
-const $c320 = new Definition($c412, $c413, "s", $c414);
-const $c415 = ["min", "minute", "minutes"];
-const $c416 = $Decimal.of("60");
-const $c417 = $Decimal.of("0");
-const $c321 = new Definition($c415, $c416, "s", $c417);
-const $c418 = ["h", "hr", "hour", "hours"];
-const $c419 = $Decimal.of("60");
-const $c420 = $Decimal.of("0");
-const $c322 = new Definition($c418, $c419, "min", $c420);
-const $c421 = ["d", "day", "days"];
-const $c422 = $Decimal.of("24");
-const $c423 = $Decimal.of("0");
-const $c323 = new Definition($c421, $c422, "h", $c423);
-const $c424 = ["N", "newton", "newtons"];
-const $c425 = $Decimal.of("1");
-const $c426 = $Decimal.of("0");
-const $c324 = new Definition($c424, $c425, "kg m/s2", $c426);
-const $c427 = ["mN"];
-const $c428 = $Decimal.of("0.001");
-const $c429 = $Decimal.of("0");
-const $c325 = new Definition($c427, $c428, "N", $c429);
-const $c430 = ["daN"];
-const $c431 = $Decimal.of("10");
-const $c432 = $Decimal.of("0");
-const $c326 = new Definition($c430, $c431, "N", $c432);
-const $c433 = ["kN"];
-const $c434 = $Decimal.of("1000");
-const $c435 = $Decimal.of("0");
-const $c327 = new Definition($c433, $c434, "N", $c435);
-const $c436 = ["MN"];
-const $c437 = $Decimal.of("1E+6");
-const $c438 = $Decimal.of("0");
-const $c328 = new Definition($c436, $c437, "N", $c438);
-const $c439 = ["kgf", "kp"];
-const $c440 = $Decimal.of("9.80665");
-const $c441 = $Decimal.of("0");
-const $c329 = new Definition($c439, $c440, "N", $c441);
-const $c442 = ["gf"];
-const $c443 = $Decimal.of("0.001");
-const $c444 = $Decimal.of("0");
-const $c330 = new Definition($c442, $c443, "kgf", $c444);
-const $c445 = ["tf"];
-const $c446 = $Decimal.of("1000");
-const $c447 = $Decimal.of("0");
-const $c331 = new Definition($c445, $c446, "kgf", $c447);
-const $c448 = ["lbf", "lb", "lbs"];
-const $c449 = $Decimal.of("4.4482216152605");
-const $c450 = $Decimal.of("0");
-const $c332 = new Definition($c448, $c449, "N", $c450);
-const $c451 = ["klbf", "kip", "kips"];
-const $c452 = $Decimal.of("1000");
-const $c453 = $Decimal.of("0");
-const $c333 = new Definition($c451, $c452, "lbf", $c453);
-const $c454 = ["PIW", "piw", "PLI", "pli"];
-const $c455 = $Decimal.of("1");
-const $c456 = $Decimal.of("0");
-const $c334 = new Definition($c454, $c455, "lbf/in", $c456);
-const $c457 = ["Pa"];
-const $c458 = $Decimal.of("1");
-const $c459 = $Decimal.of("0");
-const $c335 = new Definition($c457, $c458, "N/m2", $c459);
-const $c460 = ["hPa"];
-const $c461 = $Decimal.of("100");
-const $c462 = $Decimal.of("0");
-const $c336 = new Definition($c460, $c461, "Pa", $c462);
-const $c463 = ["kPa"];
-const $c464 = $Decimal.of("1000");
-const $c465 = $Decimal.of("0");
-const $c337 = new Definition($c463, $c464, "Pa", $c465);
-const $c466 = ["MPa"];
-const $c467 = $Decimal.of("1E+6");
-const $c468 = $Decimal.of("0");
-const $c338 = new Definition($c466, $c467, "Pa", $c468);
-const $c469 = ["GPa"];
-const $c470 = $Decimal.of("1E+9");
-const $c471 = $Decimal.of("0");
-const $c339 = new Definition($c469, $c470, "Pa", $c471);
-const $c472 = ["bar"];
-const $c473 = $Decimal.of("1E+5");
-const $c474 = $Decimal.of("0");
-const $c340 = new Definition($c472, $c473, "Pa", $c474);
-const $c475 = ["mbar"];
-const $c476 = $Decimal.of("100");
-const $c477 = $Decimal.of("0");
-const $c341 = new Definition($c475, $c476, "Pa", $c477);
-const $c478 = ["psi", "PSI"];
-const $c479 = $Decimal.of("1");
-const $c480 = $Decimal.of("0");
-const $c342 = new Definition($c478, $c479, "lbf/in2", $c480);
-const $c481 = ["ksi"];
-const $c482 = $Decimal.of("1000");
-const $c483 = $Decimal.of("0");
-const $c343 = new Definition($c481, $c482, "psi", $c483);
-const $c484 = ["J", "joule"];
-const $c485 = $Decimal.of("1");
-const $c486 = $Decimal.of("0");
-const $c344 = new Definition($c484, $c485, "N m", $c486);
-const $c487 = ["mJ"];
-const $c488 = $Decimal.of("0.001");
-const $c489 = $Decimal.of("0");
-const $c345 = new Definition($c487, $c488, "J", $c489);
-const $c490 = ["kJ"];
-const $c491 = $Decimal.of("1000");
-const $c492 = $Decimal.of("0");
-const $c346 = new Definition($c490, $c491, "J", $c492);
-const $c493 = ["MJ"];
-const $c494 = $Decimal.of("1E+6");
-const $c495 = $Decimal.of("0");
-const $c347 = new Definition($c493, $c494, "J", $c495);
-const $c496 = ["Nm"];
-const $c497 = $Decimal.of("1");
-const $c498 = $Decimal.of("0");
-const $c348 = new Definition($c496, $c497, "N m", $c498);
-const $c499 = ["kNm"];
-const $c500 = $Decimal.of("1000");
-const $c501 = $Decimal.of("0");
-const $c349 = new Definition($c499, $c500, "N m", $c501);
-const $c502 = ["MNm"];
-const $c503 = $Decimal.of("1E+6");
-const $c504 = $Decimal.of("0");
-const $c350 = new Definition($c502, $c503, "N m", $c504);
-const $c505 = ["W", "watt", "watts"];
-const $c506 = $Decimal.of("1");
-const $c507 = $Decimal.of("0");
-const $c351 = new Definition($c505, $c506, "J/s", $c507);
-const $c508 = ["kW"];
-const $c509 = $Decimal.of("1000");
-const $c510 = $Decimal.of("0");
-const $c352 = new Definition($c508, $c509, "W", $c510);
-const $c511 = ["MW"];
-const $c512 = $Decimal.of("1E+6");
-const $c513 = $Decimal.of("0");
-const $c353 = new Definition($c511, $c512, "W", $c513);
-const $c514 = ["hp", "HP", "bhp", "BHP"];
-const $c515 = $Decimal.of("550");
-const $c516 = $Decimal.of("0");
-const $c354 = new Definition($c514, $c515, "ft lbf/s", $c516);
-const $c517 = ["PS", "cv", "CV", "hp(metric)"];
-const $c518 = $Decimal.of("75");
-const $c519 = $Decimal.of("0");
-const $c355 = new Definition($c517, $c518, "kgf m/s", $c519);
-const $c520 = ["fpm", "FPM"];
-const $c521 = $Decimal.of("1");
-const $c522 = $Decimal.of("0");
-const $c356 = new Definition($c520, $c521, "ft/min", $c522);
-const $c523 = ["fps"];
-const $c524 = $Decimal.of("1");
-const $c525 = $Decimal.of("0");
-const $c357 = new Definition($c523, $c524, "ft/s", $c525);
-const $c526 = ["kph", "kmh"];
-const $c527 = $Decimal.of("1");
-const $c528 = $Decimal.of("0");
-const $c358 = new Definition($c526, $c527, "km/h", $c528);
-const $c529 = ["mph"];
-const $c530 = $Decimal.of("1");
-const $c531 = $Decimal.of("0");
-const $c359 = new Definition($c529, $c530, "mi/h", $c531);
-const $c532 = ["mrad"];
-const $c533 = $Decimal.of("0.001");
-const $c534 = $Decimal.of("0");
-const $c360 = new Definition($c532, $c533, "rad", $c534);
-const $c535 = ["deg", "degree", "degrees", "°"];
-const $c536 = $Decimal.of("0.01745329251994329576923690768");
-const $c537 = $Decimal.of("0");
-const $c361 = new Definition($c535, $c536, "rad", $c537);
-const $c538 = ["rev", "turn", "turns"];
-const $c539 = $Decimal.of("360");
-const $c540 = $Decimal.of("0");
-const $c362 = new Definition($c538, $c539, "deg", $c540);
-const $c541 = ["rpm", "RPM"];
-const $c542 = $Decimal.of("1");
-const $c543 = $Decimal.of("0");
-const $c363 = new Definition($c541, $c542, "rev/min", $c543);
-const $c544 = ["degC", "°C"];
-const $c545 = $Decimal.of("1");
-const $c546 = $Decimal.of("-273.15");
-const $c364 = new Definition($c544, $c545, "K", $c546);
-const $c547 = ["degF", "°F"];
-const $c548 = $Decimal.of("0.5555555555555555555555555556");
-const $c549 = $Decimal.of("-459.67");
-const $c365 = new Definition($c547, $c548, "K", $c549);
-const $c550 = ["%", "percent"];
-const $c551 = $Decimal.of("0.01");
-const $c552 = $Decimal.of("0");
-const $c366 = new Definition($c550, $c551, "", $c552);
-const $c22 = [$c305, $c306, $c307, $c308, $c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366];
+const $c371 = ["meter", "meters", "metre", "metres"];
+const $c372 = $Decimal.of("1");
+const $c373 = $Decimal.of("0");
+const $c309 = new Definition($c371, $c372, "m", $c373);
+const $c374 = ["km"];
+const $c375 = $Decimal.of("1000");
+const $c376 = $Decimal.of("0");
+const $c310 = new Definition($c374, $c375, "m", $c376);
+const $c377 = ["dm"];
+const $c378 = $Decimal.of("0.1");
+const $c379 = $Decimal.of("0");
+const $c311 = new Definition($c377, $c378, "m", $c379);
+const $c380 = ["cm"];
+const $c381 = $Decimal.of("0.01");
+const $c382 = $Decimal.of("0");
+const $c312 = new Definition($c380, $c381, "m", $c382);
+const $c383 = ["mm"];
+const $c384 = $Decimal.of("0.001");
+const $c385 = $Decimal.of("0");
+const $c313 = new Definition($c383, $c384, "m", $c385);
+const $c386 = ["um", "micron", "microns"];
+const $c387 = $Decimal.of("0.000001");
+const $c388 = $Decimal.of("0");
+const $c314 = new Definition($c386, $c387, "m", $c388);
+const $c389 = ["in", "inch", "inches", "\""];
+const $c390 = $Decimal.of("0.0254");
+const $c391 = $Decimal.of("0");
+const $c315 = new Definition($c389, $c390, "m", $c391);
+const $c392 = ["ft", "foot", "feet"];
+const $c393 = $Decimal.of("12");
+const $c394 = $Decimal.of("0");
+const $c316 = new Definition($c392, $c393, "in", $c394);
+const $c395 = ["yd"];
+const $c396 = $Decimal.of("3");
+const $c397 = $Decimal.of("0");
+const $c317 = new Definition($c395, $c396, "ft", $c397);
+const $c398 = ["mi", "mile", "miles"];
+const $c399 = $Decimal.of("5280");
+const $c400 = $Decimal.of("0");
+const $c318 = new Definition($c398, $c399, "ft", $c400);
+const $c401 = ["thou"];
+const $c402 = $Decimal.of("0.001");
+const $c403 = $Decimal.of("0");
+const $c319 = new Definition($c401, $c402, "in", $c403);
+const $c404 = ["g"];
+const $c405 = $Decimal.of("0.001");
+const $c406 = $Decimal.of("0");
+const $c320 = new Definition($c404, $c405, "kg", $c406);
+const $c407 = ["t", "tonne", "tonnes"];
+const $c408 = $Decimal.of("1000");
+const $c409 = $Decimal.of("0");
+const $c321 = new Definition($c407, $c408, "kg", $c409);
+const $c410 = ["lbm"];
+const $c411 = $Decimal.of("0.45359237");
+const $c412 = $Decimal.of("0");
+const $c322 = new Definition($c410, $c411, "kg", $c412);
+const $c413 = ["sec", "second", "seconds"];
+const $c414 = $Decimal.of("1");
+const $c415 = $Decimal.of("0");
+const $c323 = new Definition($c413, $c414, "s", $c415);
+const $c416 = ["ms"];
+const $c417 = $Decimal.of("0.001");
+const $c418 = $Decimal.of("0");
+const $c324 = new Definition($c416, $c417, "s", $c418);
+const $c419 = ["min", "minute", "minutes"];
+const $c420 = $Decimal.of("60");
+const $c421 = $Decimal.of("0");
+const $c325 = new Definition($c419, $c420, "s", $c421);
+const $c422 = ["h", "hr", "hour", "hours"];
+const $c423 = $Decimal.of("60");
+const $c424 = $Decimal.of("0");
+const $c326 = new Definition($c422, $c423, "min", $c424);
+const $c425 = ["d", "day", "days"];
+const $c426 = $Decimal.of("24");
+const $c427 = $Decimal.of("0");
+const $c327 = new Definition($c425, $c426, "h", $c427);
+const $c428 = ["N", "newton", "newtons"];
+const $c429 = $Decimal.of("1");
+const $c430 = $Decimal.of("0");
+const $c328 = new Definition($c428, $c429, "kg m/s2", $c430);
+const $c431 = ["mN"];
+const $c432 = $Decimal.of("0.001");
+const $c433 = $Decimal.of("0");
+const $c329 = new Definition($c431, $c432, "N", $c433);
+const $c434 = ["daN"];
+const $c435 = $Decimal.of("10");
+const $c436 = $Decimal.of("0");
+const $c330 = new Definition($c434, $c435, "N", $c436);
+const $c437 = ["kN"];
+const $c438 = $Decimal.of("1000");
+const $c439 = $Decimal.of("0");
+const $c331 = new Definition($c437, $c438, "N", $c439);
+const $c440 = ["MN"];
+const $c441 = $Decimal.of("1E+6");
+const $c442 = $Decimal.of("0");
+const $c332 = new Definition($c440, $c441, "N", $c442);
+const $c443 = ["kgf", "kp"];
+const $c444 = $Decimal.of("9.80665");
+const $c445 = $Decimal.of("0");
+const $c333 = new Definition($c443, $c444, "N", $c445);
+const $c446 = ["gf"];
+const $c447 = $Decimal.of("0.001");
+const $c448 = $Decimal.of("0");
+const $c334 = new Definition($c446, $c447, "kgf", $c448);
+const $c449 = ["tf"];
+const $c450 = $Decimal.of("1000");
+const $c451 = $Decimal.of("0");
+const $c335 = new Definition($c449, $c450, "kgf", $c451);
+const $c452 = ["lbf", "lb", "lbs"];
+const $c453 = $Decimal.of("4.4482216152605");
+const $c454 = $Decimal.of("0");
+const $c336 = new Definition($c452, $c453, "N", $c454);
+const $c455 = ["klbf", "kip", "kips"];
+const $c456 = $Decimal.of("1000");
+const $c457 = $Decimal.of("0");
+const $c337 = new Definition($c455, $c456, "lbf", $c457);
+const $c458 = ["PIW", "piw", "PLI", "pli"];
+const $c459 = $Decimal.of("1");
+const $c460 = $Decimal.of("0");
+const $c338 = new Definition($c458, $c459, "lbf/in", $c460);
+const $c461 = ["Pa"];
+const $c462 = $Decimal.of("1");
+const $c463 = $Decimal.of("0");
+const $c339 = new Definition($c461, $c462, "N/m2", $c463);
+const $c464 = ["hPa"];
+const $c465 = $Decimal.of("100");
+const $c466 = $Decimal.of("0");
+const $c340 = new Definition($c464, $c465, "Pa", $c466);
+const $c467 = ["kPa"];
+const $c468 = $Decimal.of("1000");
+const $c469 = $Decimal.of("0");
+const $c341 = new Definition($c467, $c468, "Pa", $c469);
+const $c470 = ["MPa"];
+const $c471 = $Decimal.of("1E+6");
+const $c472 = $Decimal.of("0");
+const $c342 = new Definition($c470, $c471, "Pa", $c472);
+const $c473 = ["GPa"];
+const $c474 = $Decimal.of("1E+9");
+const $c475 = $Decimal.of("0");
+const $c343 = new Definition($c473, $c474, "Pa", $c475);
+const $c476 = ["bar"];
+const $c477 = $Decimal.of("1E+5");
+const $c478 = $Decimal.of("0");
+const $c344 = new Definition($c476, $c477, "Pa", $c478);
+const $c479 = ["mbar"];
+const $c480 = $Decimal.of("100");
+const $c481 = $Decimal.of("0");
+const $c345 = new Definition($c479, $c480, "Pa", $c481);
+const $c482 = ["psi", "PSI"];
+const $c483 = $Decimal.of("1");
+const $c484 = $Decimal.of("0");
+const $c346 = new Definition($c482, $c483, "lbf/in2", $c484);
+const $c485 = ["ksi"];
+const $c486 = $Decimal.of("1000");
+const $c487 = $Decimal.of("0");
+const $c347 = new Definition($c485, $c486, "psi", $c487);
+const $c488 = ["J", "joule"];
+const $c489 = $Decimal.of("1");
+const $c490 = $Decimal.of("0");
+const $c348 = new Definition($c488, $c489, "N m", $c490);
+const $c491 = ["mJ"];
+const $c492 = $Decimal.of("0.001");
+const $c493 = $Decimal.of("0");
+const $c349 = new Definition($c491, $c492, "J", $c493);
+const $c494 = ["kJ"];
+const $c495 = $Decimal.of("1000");
+const $c496 = $Decimal.of("0");
+const $c350 = new Definition($c494, $c495, "J", $c496);
+const $c497 = ["MJ"];
+const $c498 = $Decimal.of("1E+6");
+const $c499 = $Decimal.of("0");
+const $c351 = new Definition($c497, $c498, "J", $c499);
+const $c500 = ["Nm"];
+const $c501 = $Decimal.of("1");
+const $c502 = $Decimal.of("0");
+const $c352 = new Definition($c500, $c501, "N m", $c502);
+const $c503 = ["kNm"];
+const $c504 = $Decimal.of("1000");
+const $c505 = $Decimal.of("0");
+const $c353 = new Definition($c503, $c504, "N m", $c505);
+const $c506 = ["MNm"];
+const $c507 = $Decimal.of("1E+6");
+const $c508 = $Decimal.of("0");
+const $c354 = new Definition($c506, $c507, "N m", $c508);
+const $c509 = ["W", "watt", "watts"];
+const $c510 = $Decimal.of("1");
+const $c511 = $Decimal.of("0");
+const $c355 = new Definition($c509, $c510, "J/s", $c511);
+const $c512 = ["kW"];
+const $c513 = $Decimal.of("1000");
+const $c514 = $Decimal.of("0");
+const $c356 = new Definition($c512, $c513, "W", $c514);
+const $c515 = ["MW"];
+const $c516 = $Decimal.of("1E+6");
+const $c517 = $Decimal.of("0");
+const $c357 = new Definition($c515, $c516, "W", $c517);
+const $c518 = ["hp", "HP", "bhp", "BHP"];
+const $c519 = $Decimal.of("550");
+const $c520 = $Decimal.of("0");
+const $c358 = new Definition($c518, $c519, "ft lbf/s", $c520);
+const $c521 = ["PS", "cv", "CV", "hp(metric)"];
+const $c522 = $Decimal.of("75");
+const $c523 = $Decimal.of("0");
+const $c359 = new Definition($c521, $c522, "kgf m/s", $c523);
+const $c524 = ["fpm", "FPM"];
+const $c525 = $Decimal.of("1");
+const $c526 = $Decimal.of("0");
+const $c360 = new Definition($c524, $c525, "ft/min", $c526);
+const $c527 = ["fps"];
+const $c528 = $Decimal.of("1");
+const $c529 = $Decimal.of("0");
+const $c361 = new Definition($c527, $c528, "ft/s", $c529);
+const $c530 = ["kph", "kmh"];
+const $c531 = $Decimal.of("1");
+const $c532 = $Decimal.of("0");
+const $c362 = new Definition($c530, $c531, "km/h", $c532);
+const $c533 = ["mph"];
+const $c534 = $Decimal.of("1");
+const $c535 = $Decimal.of("0");
+const $c363 = new Definition($c533, $c534, "mi/h", $c535);
+const $c536 = ["mrad"];
+const $c537 = $Decimal.of("0.001");
+const $c538 = $Decimal.of("0");
+const $c364 = new Definition($c536, $c537, "rad", $c538);
+const $c539 = ["deg", "degree", "degrees", "°"];
+const $c540 = $Decimal.of("0.01745329251994329576923690768");
+const $c541 = $Decimal.of("0");
+const $c365 = new Definition($c539, $c540, "rad", $c541);
+const $c542 = ["rev", "turn", "turns"];
+const $c543 = $Decimal.of("360");
+const $c544 = $Decimal.of("0");
+const $c366 = new Definition($c542, $c543, "deg", $c544);
+const $c545 = ["rpm", "RPM"];
+const $c546 = $Decimal.of("1");
+const $c547 = $Decimal.of("0");
+const $c367 = new Definition($c545, $c546, "rev/min", $c547);
+const $c548 = ["degC", "°C"];
+const $c549 = $Decimal.of("1");
+const $c550 = $Decimal.of("-273.15");
+const $c368 = new Definition($c548, $c549, "K", $c550);
+const $c551 = ["degF", "°F"];
+const $c552 = $Decimal.of("0.5555555555555555555555555556");
+const $c553 = $Decimal.of("-459.67");
+const $c369 = new Definition($c551, $c552, "K", $c553);
+const $c554 = ["%", "percent"];
+const $c555 = $Decimal.of("0.01");
+const $c556 = $Decimal.of("0");
+const $c370 = new Definition($c554, $c555, "", $c556);
+const $c22 = [$c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366, $c367, $c368, $c369, $c370];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c553 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c553, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c554, $c555, $c556, $c557];
+const $c557 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c557, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c558, $c559, $c560, $c561];
 const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c562 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c563 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c564 = ["length_coefficient", "secondary_resistance", ""];
-const $c565 = ["start_factor", "start_time", ""];
-const $c36 = [$c562, $c563, $c564, $c565];
+const $c566 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c567 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c568 = ["length_coefficient", "secondary_resistance", ""];
+const $c569 = ["start_factor", "start_time", ""];
+const $c36 = [$c566, $c567, $c568, $c569];
 const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1442 = $made(Quantity, $c149, ["force", $c215]);
-const $c1435 = $made(Entry, $c895, ["entry_tension", $c1442, false, "", "", "entry_tension", ""]);
-const $c1436 = $made(Entry, $c895, ["exit_tension", $c1442, false, "", "", "exit_tension", ""]);
-const $c1443 = $made(Quantity, $c149, ["force", null]);
-const $c1437 = $made(Entry, $c895, ["effective_tension", $c1443, false, "", "", "effective_tension", ""]);
-const $c1444 = $made(Quantity, $c149, ["power", null]);
-const $c1438 = $made(Entry, $c895, ["power", $c1444, false, "", "", "power", ""]);
-const $c1446 = $made(Quantity, $c149, ["force", null]);
-const $c1445 = $made(ByName, $c903, [$c1446, 200]);
-const $c1439 = $made(Entry, $c895, ["run", $c1445, false, "", "", "run", ""]);
-const $c1598 = ["first", "second", "words"];
-const $c1601 = $made(Limit, $c901, ["number", -100.0, 100.0, false, false]);
-const $c1599 = $made(Quantity, $c149, ["number", $c1601]);
-const $c1600 = $made(Quantity, $c149, ["power", null]);
-const $c1448 = $made(Either, $c1598, [$c1599, $c1600, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1447 = $made(Rows, $c933, [$c1448, 1, 10]);
-const $c1440 = $made(Entry, $c895, ["share", $c1447, false, "", "", "share", ""]);
-const $c1450 = $made(SpeedList, [], []);
-const $c1441 = $made(Entry, $c895, ["speeds", $c1450, false, "", "", "speeds", ""]);
-const $c1433 = [$c1435, $c1436, $c1437, $c1438, $c1439, $c1440, $c1441];
-const $c1434 = new Map([["entry_tension", $c1435], ["exit_tension", $c1436], ["effective_tension", $c1437], ["power", $c1438], ["run", $c1439], ["share", $c1440], ["speeds", $c1441]]);
-const $c1432 = $made(tables$Table, $c880, [null, $c1433, $c1434]);
-const $c1431 = $made(Entry, $c895, ["train", $c1432, false, "", "", "train", ""]);
-const $c1429 = [$c1326, $c1327, $c1328, $c1329, $c1330, $c1431];
-const $c1430 = new Map([["name", $c1326], ["description", $c1327], ["kind", $c1328], ["condition", $c1329], ["pulley", $c1330], ["train", $c1431]]);
-const $c1428 = $made(tables$Table, $c880, [null, $c1429, $c1430]);
-const $c1427 = $made(Rows, $c933, [$c1428, 1, 1000]);
-const $c1425 = $made(Entry, $c895, ["load_case", $c1427, false, "", "", "load_case", ""]);
-const $c1457 = $made(Quantity, $c149, ["length", $c205]);
-const $c1456 = $made(Rows, $c933, [$c1457, 1, 10]);
-const $c1454 = $made(Entry, $c895, ["diameters", $c1456, false, "", "", "diameters", ""]);
-const $c1473 = ["converter"];
-const $c1472 = $made(Choice, $c917, [$c1473]);
-const $c1461 = $made(Entry, $c895, ["kind", $c1472, true, "", "", "kind", ""]);
-const $c833 = $made(Limit, $c901, ["power", 0.0, 1000000000.0, true, false]);
-const $c1474 = $made(Quantity, $c149, ["power", $c833]);
-const $c1462 = $made(Entry, $c895, ["rated_power", $c1474, true, "", "", "rated_power", ""]);
-const $c834 = $made(Limit, $c901, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1475 = $made(Quantity, $c149, ["rotation_speed", $c834]);
-const $c1463 = $made(Entry, $c895, ["rated_speed", $c1475, true, "", "", "rated_speed", ""]);
-const $c835 = $made(Limit, $c901, ["number", 0.0, 10000.0, true, false]);
-const $c1476 = $made(Quantity, $c149, ["number", $c835]);
-const $c1464 = $made(Entry, $c895, ["gear_ratio", $c1476, false, "", "", "gear_ratio", ""]);
-const $c836 = $made(Limit, $c901, ["number", 0.05, 1.0, false, false]);
-const $c1477 = $made(Quantity, $c149, ["number", $c836]);
-const $c1465 = $made(Entry, $c895, ["gear_efficiency", $c1477, false, "", "", "gear_efficiency", ""]);
-const $c837 = $made(Limit, $c901, ["number", 0.05, 1.0, false, false]);
-const $c1478 = $made(Quantity, $c149, ["number", $c837]);
-const $c1466 = $made(Entry, $c895, ["motor_efficiency", $c1478, false, "", "", "motor_efficiency", ""]);
-const $c1479 = $made(Count, $c1320, [1, 8]);
-const $c1467 = $made(Entry, $c895, ["count", $c1479, false, "", "", "count", ""]);
-const $c1480 = $made(Flag, [], []);
-const $c1468 = $made(Entry, $c895, ["brakes", $c1480, false, "", "", "brakes", ""]);
-const $c839 = $made(Limit, $c901, ["number", 0.01, 3.0, false, false]);
-const $c1481 = $made(Quantity, $c149, ["number", $c839]);
-const $c1469 = $made(Entry, $c895, ["setting", $c1481, false, "", "", "setting", ""]);
-const $c840 = $made(Limit, $c901, ["number", 0.0, 0.5, false, false]);
-const $c1482 = $made(Quantity, $c149, ["number", $c840]);
-const $c1470 = $made(Entry, $c895, ["droop", $c1482, false, "", "", "droop", ""]);
-const $c841 = $made(Limit, $c901, ["number", 0.0, Infinity, true, true]);
-const $c1484 = $made(Quantity, $c149, ["number", $c841]);
-const $c1483 = $made(WordOr, $c931, ["rigid", $c1484, Infinity]);
-const $c1471 = $made(Entry, $c895, ["torque_limit", $c1483, false, "", "", "torque_limit", ""]);
-const $c1459 = [$c1461, $c1462, $c1463, $c1464, $c1465, $c1466, $c1467, $c1468, $c1469, $c1470, $c1471];
-const $c1460 = new Map([["kind", $c1461], ["rated_power", $c1462], ["rated_speed", $c1463], ["gear_ratio", $c1464], ["gear_efficiency", $c1465], ["motor_efficiency", $c1466], ["count", $c1467], ["brakes", $c1468], ["setting", $c1469], ["droop", $c1470], ["torque_limit", $c1471]]);
-const $c820 = $made(tables$Table, $c880, [VariableSpeed, $c1459, $c1460]);
-const $c1497 = ["induction"];
-const $c1496 = $made(Choice, $c917, [$c1497]);
-const $c1487 = $made(Entry, $c895, ["kind", $c1496, true, "", "", "kind", ""]);
-const $c1498 = $made(Quantity, $c149, ["power", $c833]);
-const $c1488 = $made(Entry, $c895, ["rated_power", $c1498, true, "", "", "rated_power", ""]);
-const $c1499 = $made(Quantity, $c149, ["rotation_speed", $c834]);
-const $c1489 = $made(Entry, $c895, ["rated_speed", $c1499, true, "", "", "rated_speed", ""]);
-const $c1500 = $made(Quantity, $c149, ["number", $c835]);
-const $c1490 = $made(Entry, $c895, ["gear_ratio", $c1500, false, "", "", "gear_ratio", ""]);
-const $c1501 = $made(Quantity, $c149, ["number", $c836]);
-const $c1491 = $made(Entry, $c895, ["gear_efficiency", $c1501, false, "", "", "gear_efficiency", ""]);
-const $c1502 = $made(Quantity, $c149, ["number", $c837]);
-const $c1492 = $made(Entry, $c895, ["motor_efficiency", $c1502, false, "", "", "motor_efficiency", ""]);
-const $c1503 = $made(Flag, [], []);
-const $c1493 = $made(Entry, $c895, ["brakes", $c1503, false, "", "", "brakes", ""]);
-const $c1505 = $made(Limit, $c901, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1504 = $made(Quantity, $c149, ["rotation_speed", $c1505]);
-const $c1494 = $made(Entry, $c895, ["synchronous_speed", $c1504, true, "", "", "synchronous_speed", ""]);
-const $c1507 = $made(Limit, $c901, ["number", 1.1, 10.0, false, false]);
-const $c1506 = $made(Quantity, $c149, ["number", $c1507]);
-const $c1495 = $made(Entry, $c895, ["breakdown_ratio", $c1506, false, "", "", "breakdown_ratio", ""]);
-const $c1485 = [$c1487, $c1488, $c1489, $c1490, $c1491, $c1492, $c1467, $c1493, $c1494, $c1495];
-const $c1486 = new Map([["kind", $c1487], ["rated_power", $c1488], ["rated_speed", $c1489], ["gear_ratio", $c1490], ["gear_efficiency", $c1491], ["motor_efficiency", $c1492], ["count", $c1467], ["brakes", $c1493], ["synchronous_speed", $c1494], ["breakdown_ratio", $c1495]]);
-const $c821 = $made(tables$Table, $c880, [Induction, $c1485, $c1486]);
-const $c1522 = ["fluid-coupling"];
-const $c1521 = $made(Choice, $c917, [$c1522]);
-const $c1510 = $made(Entry, $c895, ["kind", $c1521, true, "", "", "kind", ""]);
-const $c1523 = $made(Quantity, $c149, ["power", $c833]);
-const $c1511 = $made(Entry, $c895, ["rated_power", $c1523, true, "", "", "rated_power", ""]);
-const $c1524 = $made(Quantity, $c149, ["rotation_speed", $c834]);
-const $c1512 = $made(Entry, $c895, ["rated_speed", $c1524, true, "", "", "rated_speed", ""]);
-const $c1525 = $made(Quantity, $c149, ["number", $c835]);
-const $c1513 = $made(Entry, $c895, ["gear_ratio", $c1525, false, "", "", "gear_ratio", ""]);
-const $c1526 = $made(Quantity, $c149, ["number", $c836]);
-const $c1514 = $made(Entry, $c895, ["gear_efficiency", $c1526, false, "", "", "gear_efficiency", ""]);
-const $c1527 = $made(Quantity, $c149, ["number", $c837]);
-const $c1515 = $made(Entry, $c895, ["motor_efficiency", $c1527, false, "", "", "motor_efficiency", ""]);
-const $c1528 = $made(Flag, [], []);
-const $c1516 = $made(Entry, $c895, ["brakes", $c1528, false, "", "", "brakes", ""]);
-const $c1529 = $made(Quantity, $c149, ["rotation_speed", $c1505]);
-const $c1517 = $made(Entry, $c895, ["synchronous_speed", $c1529, true, "", "", "synchronous_speed", ""]);
-const $c1530 = $made(Quantity, $c149, ["number", $c1507]);
-const $c1518 = $made(Entry, $c895, ["breakdown_ratio", $c1530, false, "", "", "breakdown_ratio", ""]);
-const $c1533 = $made(Limit, $c901, ["number", 0.0, 10.0, false, false]);
-const $c1532 = $made(Quantity, $c149, ["number", $c1533]);
-const $c1531 = $made(Rows, $c933, [$c1532, 2, 200]);
-const $c1519 = $made(Entry, $c895, ["coupling_load", $c1531, true, "", "", "coupling_load", ""]);
-const $c1520 = $made(Entry, $c895, ["coupling_slip", $c1531, true, "", "", "coupling_slip", ""]);
-const $c1508 = [$c1510, $c1511, $c1512, $c1513, $c1514, $c1515, $c1467, $c1516, $c1517, $c1518, $c1519, $c1520];
-const $c1509 = new Map([["kind", $c1510], ["rated_power", $c1511], ["rated_speed", $c1512], ["gear_ratio", $c1513], ["gear_efficiency", $c1514], ["motor_efficiency", $c1515], ["count", $c1467], ["brakes", $c1516], ["synchronous_speed", $c1517], ["breakdown_ratio", $c1518], ["coupling_load", $c1519], ["coupling_slip", $c1520]]);
-const $c822 = $made(tables$Table, $c880, [FluidCoupling, $c1508, $c1509]);
-const $c1540 = ["follower"];
-const $c1539 = $made(Choice, $c917, [$c1540]);
-const $c1536 = $made(Entry, $c895, ["kind", $c1539, true, "", "", "kind", ""]);
-const $c1541 = $made(Name, $c905, [60]);
-const $c1537 = $made(Entry, $c895, ["master", $c1541, true, "", "", "master", ""]);
-const $c850 = $made(Limit, $c901, ["number", -10.0, 10.0, false, false]);
-const $c1542 = $made(Quantity, $c149, ["number", $c850]);
-const $c1538 = $made(Entry, $c895, ["ratio", $c1542, false, "", "", "ratio", ""]);
-const $c1534 = [$c1536, $c1537, $c1538];
-const $c1535 = new Map([["kind", $c1536], ["master", $c1537], ["ratio", $c1538]]);
-const $c823 = $made(tables$Table, $c880, [TorqueFollower, $c1534, $c1535]);
-const $c102 = new Map([["converter", $c820], ["induction", $c821], ["fluid-coupling", $c822], ["follower", $c823]]);
-const $c103 = $made(Variant, $c1035, ["kind", $c102]);
-const $c1458 = $made(ByName, $c903, [$c103, 200]);
-const $c1455 = $made(Entry, $c895, ["motor", $c1458, false, "", "", "motor", ""]);
-const $c1452 = [$c1435, $c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1454, $c1455];
-const $c1453 = new Map([["entry_tension", $c1435], ["exit_tension", $c1436], ["effective_tension", $c1437], ["power", $c1438], ["run", $c1439], ["share", $c1440], ["speeds", $c1441], ["diameters", $c1454], ["motor", $c1455]]);
-const $c1451 = $made(tables$Table, $c880, [null, $c1452, $c1453]);
-const $c1426 = $made(Entry, $c895, ["train", $c1451, false, "", "", "train", ""]);
-const $c1423 = [$c883, $c884, $c885, $c886, $c887, $c888, $c889, $c890, $c1425, $c892, $c554, $c555, $c556, $c557, $c1426, $c894];
-const $c1424 = new Map([["format", $c883], ["title", $c884], ["description", $c885], ["creep_limit", $c886], ["condition", $c887], ["belt", $c888], ["pulley", $c889], ["lagging", $c890], ["load_case", $c1425], ["conveyor", $c892], ["take_up", $c554], ["design_standard", $c555], ["safety_factor", $c556], ["sag", $c557], ["train", $c1426], ["motion", $c894]]);
-const $c38 = $made(tables$Table, $c880, [Drive, $c1423, $c1424]);
+const $c1443 = $made(Quantity, $c153, ["force", $c219]);
+const $c1436 = $made(Entry, $c896, ["entry_tension", $c1443, false, "", "", "entry_tension", ""]);
+const $c1437 = $made(Entry, $c896, ["exit_tension", $c1443, false, "", "", "exit_tension", ""]);
+const $c1444 = $made(Quantity, $c153, ["force", null]);
+const $c1438 = $made(Entry, $c896, ["effective_tension", $c1444, false, "", "", "effective_tension", ""]);
+const $c1445 = $made(Quantity, $c153, ["power", null]);
+const $c1439 = $made(Entry, $c896, ["power", $c1445, false, "", "", "power", ""]);
+const $c1447 = $made(Quantity, $c153, ["force", null]);
+const $c1446 = $made(ByName, $c904, [$c1447, 200]);
+const $c1440 = $made(Entry, $c896, ["run", $c1446, false, "", "", "run", ""]);
+const $c1600 = ["first", "second", "words"];
+const $c1603 = $made(Limit, $c902, ["number", -100.0, 100.0, false, false]);
+const $c1601 = $made(Quantity, $c153, ["number", $c1603]);
+const $c1602 = $made(Quantity, $c153, ["power", null]);
+const $c1449 = $made(Either, $c1600, [$c1601, $c1602, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1448 = $made(Rows, $c934, [$c1449, 1, 10]);
+const $c1441 = $made(Entry, $c896, ["share", $c1448, false, "", "", "share", ""]);
+const $c1451 = $made(SpeedList, [], []);
+const $c1442 = $made(Entry, $c896, ["speeds", $c1451, false, "", "", "speeds", ""]);
+const $c1434 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442];
+const $c1435 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442]]);
+const $c1433 = $made(tables$Table, $c881, [null, $c1434, $c1435]);
+const $c1432 = $made(Entry, $c896, ["train", $c1433, false, "", "", "train", ""]);
+const $c1430 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1432];
+const $c1431 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1432]]);
+const $c1429 = $made(tables$Table, $c881, [null, $c1430, $c1431]);
+const $c1428 = $made(Rows, $c934, [$c1429, 1, 1000]);
+const $c1426 = $made(Entry, $c896, ["load_case", $c1428, false, "", "", "load_case", ""]);
+const $c1458 = $made(Quantity, $c153, ["length", $c209]);
+const $c1457 = $made(Rows, $c934, [$c1458, 1, 10]);
+const $c1455 = $made(Entry, $c896, ["diameters", $c1457, false, "", "", "diameters", ""]);
+const $c1474 = ["converter"];
+const $c1473 = $made(Choice, $c918, [$c1474]);
+const $c1462 = $made(Entry, $c896, ["kind", $c1473, true, "", "", "kind", ""]);
+const $c834 = $made(Limit, $c902, ["power", 0.0, 1000000000.0, true, false]);
+const $c1475 = $made(Quantity, $c153, ["power", $c834]);
+const $c1463 = $made(Entry, $c896, ["rated_power", $c1475, true, "", "", "rated_power", ""]);
+const $c835 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1476 = $made(Quantity, $c153, ["rotation_speed", $c835]);
+const $c1464 = $made(Entry, $c896, ["rated_speed", $c1476, true, "", "", "rated_speed", ""]);
+const $c836 = $made(Limit, $c902, ["number", 0.0, 10000.0, true, false]);
+const $c1477 = $made(Quantity, $c153, ["number", $c836]);
+const $c1465 = $made(Entry, $c896, ["gear_ratio", $c1477, false, "", "", "gear_ratio", ""]);
+const $c837 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
+const $c1478 = $made(Quantity, $c153, ["number", $c837]);
+const $c1466 = $made(Entry, $c896, ["gear_efficiency", $c1478, false, "", "", "gear_efficiency", ""]);
+const $c838 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
+const $c1479 = $made(Quantity, $c153, ["number", $c838]);
+const $c1467 = $made(Entry, $c896, ["motor_efficiency", $c1479, false, "", "", "motor_efficiency", ""]);
+const $c1480 = $made(Count, $c1321, [1, 8]);
+const $c1468 = $made(Entry, $c896, ["count", $c1480, false, "", "", "count", ""]);
+const $c1481 = $made(Flag, [], []);
+const $c1469 = $made(Entry, $c896, ["brakes", $c1481, false, "", "", "brakes", ""]);
+const $c840 = $made(Limit, $c902, ["number", 0.01, 3.0, false, false]);
+const $c1482 = $made(Quantity, $c153, ["number", $c840]);
+const $c1470 = $made(Entry, $c896, ["setting", $c1482, false, "", "", "setting", ""]);
+const $c841 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
+const $c1483 = $made(Quantity, $c153, ["number", $c841]);
+const $c1471 = $made(Entry, $c896, ["droop", $c1483, false, "", "", "droop", ""]);
+const $c842 = $made(Limit, $c902, ["number", 0.0, Infinity, true, true]);
+const $c1485 = $made(Quantity, $c153, ["number", $c842]);
+const $c1484 = $made(WordOr, $c932, ["rigid", $c1485, Infinity]);
+const $c1472 = $made(Entry, $c896, ["torque_limit", $c1484, false, "", "", "torque_limit", ""]);
+const $c1460 = [$c1462, $c1463, $c1464, $c1465, $c1466, $c1467, $c1468, $c1469, $c1470, $c1471, $c1472];
+const $c1461 = new Map([["kind", $c1462], ["rated_power", $c1463], ["rated_speed", $c1464], ["gear_ratio", $c1465], ["gear_efficiency", $c1466], ["motor_efficiency", $c1467], ["count", $c1468], ["brakes", $c1469], ["setting", $c1470], ["droop", $c1471], ["torque_limit", $c1472]]);
+const $c821 = $made(tables$Table, $c881, [VariableSpeed, $c1460, $c1461]);
+const $c1498 = ["induction"];
+const $c1497 = $made(Choice, $c918, [$c1498]);
+const $c1488 = $made(Entry, $c896, ["kind", $c1497, true, "", "", "kind", ""]);
+const $c1499 = $made(Quantity, $c153, ["power", $c834]);
+const $c1489 = $made(Entry, $c896, ["rated_power", $c1499, true, "", "", "rated_power", ""]);
+const $c1500 = $made(Quantity, $c153, ["rotation_speed", $c835]);
+const $c1490 = $made(Entry, $c896, ["rated_speed", $c1500, true, "", "", "rated_speed", ""]);
+const $c1501 = $made(Quantity, $c153, ["number", $c836]);
+const $c1491 = $made(Entry, $c896, ["gear_ratio", $c1501, false, "", "", "gear_ratio", ""]);
+const $c1502 = $made(Quantity, $c153, ["number", $c837]);
+const $c1492 = $made(Entry, $c896, ["gear_efficiency", $c1502, false, "", "", "gear_efficiency", ""]);
+const $c1503 = $made(Quantity, $c153, ["number", $c838]);
+const $c1493 = $made(Entry, $c896, ["motor_efficiency", $c1503, false, "", "", "motor_efficiency", ""]);
+const $c1504 = $made(Flag, [], []);
+const $c1494 = $made(Entry, $c896, ["brakes", $c1504, false, "", "", "brakes", ""]);
+const $c1506 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1505 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
+const $c1495 = $made(Entry, $c896, ["synchronous_speed", $c1505, true, "", "", "synchronous_speed", ""]);
+const $c1508 = $made(Limit, $c902, ["number", 1.1, 10.0, false, false]);
+const $c1507 = $made(Quantity, $c153, ["number", $c1508]);
+const $c1496 = $made(Entry, $c896, ["breakdown_ratio", $c1507, false, "", "", "breakdown_ratio", ""]);
+const $c1486 = [$c1488, $c1489, $c1490, $c1491, $c1492, $c1493, $c1468, $c1494, $c1495, $c1496];
+const $c1487 = new Map([["kind", $c1488], ["rated_power", $c1489], ["rated_speed", $c1490], ["gear_ratio", $c1491], ["gear_efficiency", $c1492], ["motor_efficiency", $c1493], ["count", $c1468], ["brakes", $c1494], ["synchronous_speed", $c1495], ["breakdown_ratio", $c1496]]);
+const $c822 = $made(tables$Table, $c881, [Induction, $c1486, $c1487]);
+const $c1523 = ["fluid-coupling"];
+const $c1522 = $made(Choice, $c918, [$c1523]);
+const $c1511 = $made(Entry, $c896, ["kind", $c1522, true, "", "", "kind", ""]);
+const $c1524 = $made(Quantity, $c153, ["power", $c834]);
+const $c1512 = $made(Entry, $c896, ["rated_power", $c1524, true, "", "", "rated_power", ""]);
+const $c1525 = $made(Quantity, $c153, ["rotation_speed", $c835]);
+const $c1513 = $made(Entry, $c896, ["rated_speed", $c1525, true, "", "", "rated_speed", ""]);
+const $c1526 = $made(Quantity, $c153, ["number", $c836]);
+const $c1514 = $made(Entry, $c896, ["gear_ratio", $c1526, false, "", "", "gear_ratio", ""]);
+const $c1527 = $made(Quantity, $c153, ["number", $c837]);
+const $c1515 = $made(Entry, $c896, ["gear_efficiency", $c1527, false, "", "", "gear_efficiency", ""]);
+const $c1528 = $made(Quantity, $c153, ["number", $c838]);
+const $c1516 = $made(Entry, $c896, ["motor_efficiency", $c1528, false, "", "", "motor_efficiency", ""]);
+const $c1529 = $made(Flag, [], []);
+const $c1517 = $made(Entry, $c896, ["brakes", $c1529, false, "", "", "brakes", ""]);
+const $c1530 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
+const $c1518 = $made(Entry, $c896, ["synchronous_speed", $c1530, true, "", "", "synchronous_speed", ""]);
+const $c1531 = $made(Quantity, $c153, ["number", $c1508]);
+const $c1519 = $made(Entry, $c896, ["breakdown_ratio", $c1531, false, "", "", "breakdown_ratio", ""]);
+const $c1534 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
+const $c1533 = $made(Quantity, $c153, ["number", $c1534]);
+const $c1532 = $made(Rows, $c934, [$c1533, 2, 200]);
+const $c1520 = $made(Entry, $c896, ["coupling_load", $c1532, true, "", "", "coupling_load", ""]);
+const $c1521 = $made(Entry, $c896, ["coupling_slip", $c1532, true, "", "", "coupling_slip", ""]);
+const $c1509 = [$c1511, $c1512, $c1513, $c1514, $c1515, $c1516, $c1468, $c1517, $c1518, $c1519, $c1520, $c1521];
+const $c1510 = new Map([["kind", $c1511], ["rated_power", $c1512], ["rated_speed", $c1513], ["gear_ratio", $c1514], ["gear_efficiency", $c1515], ["motor_efficiency", $c1516], ["count", $c1468], ["brakes", $c1517], ["synchronous_speed", $c1518], ["breakdown_ratio", $c1519], ["coupling_load", $c1520], ["coupling_slip", $c1521]]);
+const $c823 = $made(tables$Table, $c881, [FluidCoupling, $c1509, $c1510]);
+const $c1541 = ["follower"];
+const $c1540 = $made(Choice, $c918, [$c1541]);
+const $c1537 = $made(Entry, $c896, ["kind", $c1540, true, "", "", "kind", ""]);
+const $c1542 = $made(Name, $c906, [60]);
+const $c1538 = $made(Entry, $c896, ["master", $c1542, true, "", "", "master", ""]);
+const $c851 = $made(Limit, $c902, ["number", -10.0, 10.0, false, false]);
+const $c1543 = $made(Quantity, $c153, ["number", $c851]);
+const $c1539 = $made(Entry, $c896, ["ratio", $c1543, false, "", "", "ratio", ""]);
+const $c1535 = [$c1537, $c1538, $c1539];
+const $c1536 = new Map([["kind", $c1537], ["master", $c1538], ["ratio", $c1539]]);
+const $c824 = $made(tables$Table, $c881, [TorqueFollower, $c1535, $c1536]);
+const $c106 = new Map([["converter", $c821], ["induction", $c822], ["fluid-coupling", $c823], ["follower", $c824]]);
+const $c107 = $made(Variant, $c1036, ["kind", $c106]);
+const $c1459 = $made(ByName, $c904, [$c107, 200]);
+const $c1456 = $made(Entry, $c896, ["motor", $c1459, false, "", "", "motor", ""]);
+const $c1453 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442, $c1455, $c1456];
+const $c1454 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442], ["diameters", $c1455], ["motor", $c1456]]);
+const $c1452 = $made(tables$Table, $c881, [null, $c1453, $c1454]);
+const $c1427 = $made(Entry, $c896, ["train", $c1452, false, "", "", "train", ""]);
+const $c1424 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c1426, $c893, $c558, $c559, $c560, $c561, $c1427, $c895];
+const $c1425 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c1426], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c1427], ["motion", $c895]]);
+const $c38 = $made(tables$Table, $c881, [Drive, $c1424, $c1425]);
 const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c42 = ["illustrative", "calibrated", "estimated"];
 const $c43 = new WeakMap();
-const $c593 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
-const $c566 = $made(Rule, $c593, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
-const $c567 = $made(Rule, $c593, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
-const $c568 = $made(Rule, $c593, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
-const $c569 = $made(Rule, $c593, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
-const $c570 = $made(Rule, $c593, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
-const $c571 = $made(Rule, $c593, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
-const $c572 = $made(Rule, $c593, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
-const $c573 = $made(Rule, $c593, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
-const $c574 = $made(Rule, $c593, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
-const $c575 = $made(Rule, $c593, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c576 = $made(Rule, $c593, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c577 = $made(Rule, $c593, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
-const $c578 = $made(Rule, $c593, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
-const $c579 = $made(Rule, $c593, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
-const $c580 = $made(Rule, $c593, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
-const $c581 = $made(Rule, $c593, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
-const $c582 = $made(Rule, $c593, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
-const $c583 = $made(Rule, $c593, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c584 = $made(Rule, $c593, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
-const $c585 = $made(Rule, $c593, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
-const $c586 = $made(Rule, $c593, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
-const $c587 = $made(Rule, $c593, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
-const $c588 = $made(Rule, $c593, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
-const $c589 = $made(Rule, $c593, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
-const $c590 = $made(Rule, $c593, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
-const $c591 = $made(Rule, $c593, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
-const $c592 = $made(Rule, $c593, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c44 = new Map([["gross_slip", $c566], ["design_standard", $c567], ["creep", $c568], ["cover_creep", $c569], ["creep_interval", $c570], ["belt_tension", $c571], ["momentary_tension", $c572], ["belt_safety", $c573], ["face_pressure", $c574], ["bond_stress", $c575], ["fatigue_stress", $c576], ["tested_pressure_max", $c577], ["tested_pressure_min", $c578], ["condition", $c579], ["fit", $c580], ["tested_slip", $c581], ["tested_slip_speed", $c582], ["balance", $c583], ["sag", $c584], ["taut", $c585], ["pulley_diameter", $c586], ["belt_thickness", $c587], ["usual_sizes", $c588], ["motor_load", $c589], ["momentary_load", $c590], ["motor_heat", $c591], ["train_balance", $c592]]);
+const $c1544 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "words", "asked"];
+const $c44 = $made(Rule, $c1544, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
 const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c46 = ["Speed"];
-const $c47 = ["Motor"];
-const $c594 = ["by creep", "The belt slides (creep of {slides})"];
-const $c595 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
-const $c596 = ["by the largest friction", "All friction of the wrap is used up"];
-const $c48 = new Map([[0, $c594], [1, $c595], [2, $c596]]);
-const $c599 = [180.0, 1.2];
-const $c600 = [200.0, 1.0];
-const $c601 = [210.0, 1.0];
-const $c602 = [220.0, 0.9];
-const $c603 = [240.0, 0.8];
-const $c597 = [$c599, $c600, $c601, $c602, $c603];
-const $c604 = [180.0, 0.8];
-const $c605 = [200.0, 0.7];
-const $c606 = [210.0, 0.7];
-const $c607 = [220.0, 0.6];
-const $c608 = [240.0, 0.6];
-const $c598 = [$c604, $c605, $c606, $c607, $c608];
-const $c49 = new Map([["bare", $c597], ["lagged", $c598]]);
-const $c630 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c631 = [0.25, 0.25];
-const $c632 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c609 = $made(DesignFriction, $c630, ["CEMA", "bare", "", $c631, $c632]);
-const $c633 = [0.35, 0.35];
-const $c634 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c610 = $made(DesignFriction, $c630, ["CEMA", "rubber", "", $c633, $c634]);
-const $c635 = [0.5, 0.5];
-const $c636 = $made(Provenance, $c553, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c611 = $made(DesignFriction, $c630, ["CEMA", "ceramic", "", $c635, $c636]);
-const $c637 = [0.35, 0.4];
-const $c638 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c612 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "dry", $c637, $c638]);
-const $c639 = [0.1, 0.1];
-const $c640 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c613 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "wet", $c639, $c640]);
-const $c641 = [0.05, 0.1];
-const $c642 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c614 = $made(DesignFriction, $c630, ["DIN 22101", "bare", "wet and dirty", $c641, $c642]);
-const $c643 = [0.4, 0.45];
-const $c644 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c615 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "dry", $c643, $c644]);
-const $c645 = [0.35, 0.35];
-const $c646 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c616 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "wet", $c645, $c646]);
-const $c647 = [0.25, 0.3];
-const $c648 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c617 = $made(DesignFriction, $c630, ["DIN 22101", "rubber", "wet and dirty", $c647, $c648]);
-const $c649 = [0.35, 0.4];
-const $c650 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c618 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "dry", $c649, $c650]);
-const $c651 = [0.35, 0.35];
-const $c652 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c619 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "wet", $c651, $c652]);
-const $c653 = [0.2, 0.2];
-const $c654 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c620 = $made(DesignFriction, $c630, ["DIN 22101", "polyurethane", "wet and dirty", $c653, $c654]);
-const $c655 = [0.4, 0.45];
-const $c656 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c621 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "dry", $c655, $c656]);
-const $c657 = [0.35, 0.4];
-const $c658 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c622 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "wet", $c657, $c658]);
-const $c659 = [0.35, 0.35];
-const $c660 = $made(Provenance, $c553, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c623 = $made(DesignFriction, $c630, ["DIN 22101", "ceramic", "wet and dirty", $c659, $c660]);
-const $c661 = [0.35, 0.35];
-const $c662 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c624 = $made(DesignFriction, $c630, ["practice", "rubber", "dry", $c661, $c662]);
-const $c663 = [0.35, 0.35];
-const $c664 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c625 = $made(DesignFriction, $c630, ["practice", "rubber", "wet", $c663, $c664]);
-const $c665 = [0.3, 0.3];
-const $c666 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c626 = $made(DesignFriction, $c630, ["practice", "rubber", "wet and dirty", $c665, $c666]);
-const $c667 = [0.8, 0.8];
-const $c668 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c627 = $made(DesignFriction, $c630, ["practice", "ceramic", "dry", $c667, $c668]);
-const $c669 = [0.45, 0.45];
-const $c670 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c628 = $made(DesignFriction, $c630, ["practice", "ceramic", "wet", $c669, $c670]);
-const $c671 = [0.35, 0.35];
-const $c672 = $made(Provenance, $c553, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c629 = $made(DesignFriction, $c630, ["practice", "ceramic", "wet and dirty", $c671, $c672]);
-const $c50 = [$c609, $c610, $c611, $c612, $c613, $c614, $c615, $c616, $c617, $c618, $c619, $c620, $c621, $c622, $c623, $c624, $c625, $c626, $c627, $c628, $c629];
-const $c51 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $c52 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $c53 = ["Transition", "GrippingPulley"];
-const $c688 = [1.0, 2.0];
-const $c689 = [5000.0, 5000000.0];
-const $c690 = [0.0004, 0.025];
-const $c691 = [0.0004, 0.035];
-const $c692 = [0.0004, 0.03];
-const $c693 = [0.0015, 0.06];
-const $c694 = [300000.0, 5000000.0];
-const $c673 = new Map([["momentary_factor", $c688], ["in_plane_shear_stiffness", $c689], ["pulley_cover", $c690], ["carry_cover", $c691], ["carcass", $c692], ["thickness", $c693], ["cover_shear_modulus", $c694]]);
-const $c695 = [0.2, 8.0];
-const $c674 = new Map([["sheave_ratio", $c695]]);
-const $c696 = [0.1, 0.9];
-const $c697 = [1.0, 2.5];
-const $c675 = new Map([["friction", $c696], ["start_factor", $c697]]);
-const $c698 = [1.05, 6.0];
-const $c699 = [1.0, 4.0];
-const $c676 = new Map([["running", $c698], ["starting", $c699], ["braking", $c699]]);
-const $c700 = [0.3, 8.0];
-const $c701 = [1.0, 3000.0];
-const $c702 = [0.002, 0.05];
-const $c677 = new Map([["spacing", $c700], ["line_mass", $c701], ["share", $c702]]);
-const $c703 = [1.0, 9.5];
-const $c704 = [1.05, 2.5];
-const $c678 = new Map([["length_coefficient", $c703], ["start_factor", $c704]]);
-const $c705 = [300000.0, 100000000.0];
-const $c706 = [1e-13, 1e-10];
-const $c707 = [0.01, 1.0];
-const $c679 = new Map([["elastic_modulus", $c705], ["wear_coefficient", $c706], ["belt_energy_share", $c707]]);
-const $c708 = [0.002, 0.5];
-const $c709 = [0.0005, 0.06];
-const $c710 = [0.1, 4.0];
-const $c711 = [0.15, 1.0];
-const $c680 = new Map([["width", $c708], ["height", $c709], ["stiffening", $c710], ["contact_fraction", $c711]]);
-const $c712 = [0.05, 200.0];
-const $c681 = new Map([["area", $c712]]);
-const $c713 = [0.05, 1.3];
-const $c682 = new Map([["factor", $c713]]);
-const $c714 = [0.3, 500.0];
-const $c683 = new Map([["distance", $c714]]);
-const $c715 = [0.2, 20.0];
-const $c716 = [0.08726646259971647, 1.2217304763960306];
-const $c717 = [0.05, 2.0];
-const $c684 = new Map([["length", $c715], ["trough_angle", $c716], ["centre_roll", $c717]]);
-const $c718 = [-0.01, 0.01];
-const $c719 = [-0.005, 0.005];
-const $c685 = new Map([["misalignment", $c718], ["deflection", $c719]]);
-const $c720 = [1.0, 250.0];
-const $c721 = [0.6, 1.0];
-const $c722 = [0.5, 1.0];
-const $c723 = [0.001, 0.15];
-const $c724 = [0.8, 4.0];
-const $c725 = [1.5, 5.0];
-const $c686 = new Map([["gear_ratio", $c720], ["gear_efficiency", $c721], ["motor_efficiency", $c722], ["droop", $c723], ["torque_limit", $c724], ["breakdown_ratio", $c725]]);
-const $c726 = [0.1, 5.0];
-const $c687 = new Map([["ratio", $c726]]);
-const $c54 = new Map([["Belt", $c673], ["TakeUp", $c674], ["DesignStandard", $c675], ["SafetyFactors", $c676], ["Sag", $c677], ["Conveyor", $c678], ["Lagging", $c679], ["Block", $c680], ["Cost", $c681], ["ConditionFactor", $c682], ["GrippingPulley", $c683], ["Transition", $c684], ["Across", $c685], ["Motor", $c686], ["TorqueFollower", $c687]]);
-const $c727 = ["mm", "m", "cm", "in", "ft"];
-const $c728 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c729 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c730 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c731 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c732 = ["deg", "rad"];
-const $c733 = ["kW", "W", "hp", "MW"];
-const $c734 = ["t", "kg", "g"];
-const $c735 = ["kg/m", "g/m", "t/m"];
-const $c736 = ["t/h", "kg/s", "kg/h"];
-const $c737 = ["kg m2", "t m2", "kg cm2"];
-const $c738 = ["kN m", "N m", "MN m"];
-const $c739 = ["s", "min", "ms", "h"];
-const $c55 = new Map([["length", $c727], ["force", $c728], ["force_per_width", $c729], ["pressure", $c730], ["speed", $c731], ["angle", $c732], ["power", $c733], ["mass", $c734], ["mass_per_length", $c735], ["mass_flow", $c736], ["moment_of_inertia", $c737], ["torque", $c738], ["time", $c739]]);
-const $c56 = new Place("", "", "");
-const $c57 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c740 = ["rated power of the motor", "power"];
-const $c741 = ["rated speed of the motor", "rotation_speed"];
-const $c742 = ["speed of the drum over that of the belt", "number"];
-const $c58 = [$c740, $c741, $c742];
-const $c743 = [250.0, 20000000.0];
-const $c744 = [10.0, 400.0];
-const $c745 = [0.95, 1.05];
-const $c59 = [$c743, $c744, $c745];
-const $c746 = ["length", 3.0, 30000.0];
-const $c747 = ["lift", -1500.0, 1500.0];
-const $c748 = ["belt_mass", 3.0, 100.0];
-const $c749 = ["carry_idler_mass", 2.0, 60.0];
-const $c750 = ["return_idler_mass", 0.7, 30.0];
-const $c751 = ["material_mass", 0.5, 4000.0];
-const $c752 = ["capacity", 0.1, 15000.0];
-const $c753 = ["friction_factor", 0.01, 0.04];
-const $c754 = ["secondary_resistance", 10.0, 500000.0];
-const $c755 = ["special_resistance", 10.0, 200000.0];
-const $c756 = ["start_time", 1.0, 600.0];
-const $c757 = ["stop_time", 1.0, 600.0];
-const $c758 = ["take_up_tension", 300.0, 2000000.0];
-const $c759 = ["counterweight", 30.0, 200000.0];
-const $c60 = [$c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758, $c759];
-const $c61 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $c775 = $made(Limit, $c901, ["speed", 0.0, Infinity, true, false]);
-const $c776 = $made(Limit, $c901, ["number", 0.01, 100.0, false, false]);
-const $c62 = new Map([["length", $c760], ["lift", $c761], ["belt_mass", $c762], ["carry_idler_mass", $c763], ["return_idler_mass", $c764], ["material_mass", $c762], ["capacity", $c765], ["friction_factor", $c766], ["length_coefficient", $c767], ["secondary_resistance", $c768], ["special_resistance", $c768], ["return_share", $c769], ["start_factor", $c770], ["start_time", $c771], ["stop_time", $c771], ["take_up_tension", $c772], ["counterweight", $c773], ["take_up_distance", $c774], ["speed", $c775], ["sheave_ratio", $c776]]);
-const $c777 = [0.2, 4.0];
-const $c778 = [100000.0, 1000000000.0];
-const $c779 = [0.05, 15.0];
-const $c780 = [0.15, 3.0];
-const $c781 = [0.17453292519943295, 4.71238898038469];
-const $c782 = [2.0943951023931953, 4.71238898038469];
-const $c783 = [0.0005, 0.061];
-const $c784 = [-0.002, 0.002];
-const $c785 = [0.0, 0.06];
-const $c786 = [100000.0, 50000000.0];
-const $c787 = [100000.0, 5000000000.0];
-const $c788 = [5000.0, 2000000.0];
-const $c789 = [10000.0, 50000000.0];
-const $c790 = [50000.0, 10000000.0];
-const $c791 = [0.1, 3.0];
-const $c792 = [500.0, 10000000.0];
-const $c793 = [4.0, 20.0];
-const $c794 = [15.0, 1000.0];
-const $c795 = [0.0, 1600000.0];
-const $c796 = [1.0, 130.0];
-const $c63 = [$c777, $c778, $c779, $c780, $c781, $c782, $c783, $c784, $c785, $c786, $c787, $c788, $c789, $c789, $c790, $c791, $c792, $c793, $c794, $c795, $c792, $c792, $c743, $c796];
-const $c801 = [500.0, 2000000.0];
-const $c797 = ["least tested pressure", "pressure", $c801];
-const $c802 = [10000.0, 10000000.0];
-const $c798 = ["largest tested pressure", "pressure", $c802];
-const $c803 = [5e-05, 0.3];
-const $c799 = ["largest tested slip", "length", $c803];
-const $c804 = [2e-06, 0.3];
-const $c800 = ["tested slip speed", "speed", $c804];
-const $c64 = new Map([["pressure_min", $c797], ["pressure_max", $c798], ["slip_max", $c799], ["slip_speed", $c800]]);
-const $c65 = [0.03, 1.9];
-const $c66 = ["force", "mass_per_length"];
-const $c67 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c68 = new WeakMap();
-const $c69 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
-const $c70 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c71 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c72 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
-const $c73 = new WeakMap();
-const $c808 = ["name", "surface", "material", "life_years", "provenance"];
-const $c809 = [1, 2];
-const $c810 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c805 = $made(LaggingCost, $c808, ["rubber", "rubber", 625, $c809, $c810]);
-const $c811 = [10, 10];
-const $c812 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c806 = $made(LaggingCost, $c808, ["ceramic, cold bonded", "ceramic", 4600, $c811, $c812]);
-const $c813 = [10, 10];
-const $c814 = $made(Provenance, $c553, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c807 = $made(LaggingCost, $c808, ["ceramic, hot vulcanised", "ceramic", 4950, $c813, $c814]);
-const $c74 = [$c805, $c806, $c807];
-const $c75 = $made(Provenance, $c553, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
-const $c76 = $made(Provenance, $c553, ["given", "", "", ""]);
-const $c77 = $made(Provenance, $c553, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
-const $c78 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
-const $c79 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
-const $c80 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c81 = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
-const $c83 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c84 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c85 = new Map([["width", $c815], ["height", $c816], ["stiffening", $c817], ["contact_fraction", $c818]]);
-const $c88 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c89 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c91 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1554 = $made(Name, $c905, [60]);
-const $c1545 = $made(Entry, $c895, ["name", $c1554, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1555 = $made(Quantity, $c149, ["length", $c842]);
-const $c1546 = $made(Entry, $c895, ["thickness", $c1555, false, "", "", "thickness", ""]);
-const $c1556 = $made(Quantity, $c149, ["pressure", $c845]);
-const $c1547 = $made(Entry, $c895, ["elastic_modulus", $c1556, false, "", "", "elastic_modulus", ""]);
-const $c1558 = $made(Quantity, $c149, ["pressure", $c843]);
-const $c1557 = $made(WordOr, $c931, ["rigid", $c1558, Infinity]);
-const $c1548 = $made(Entry, $c895, ["shear_modulus", $c1557, false, "", "", "shear_modulus", ""]);
-const $c1560 = $made(Quantity, $c149, ["pressure", $c844]);
-const $c1559 = $made(WordOr, $c931, ["rigid", $c1560, Infinity]);
-const $c1549 = $made(Entry, $c895, ["compression_modulus", $c1559, false, "", "", "compression_modulus", ""]);
-const $c1561 = $made(Quantity, $c149, ["wear_coefficient", $c846]);
-const $c1550 = $made(Entry, $c895, ["wear_coefficient", $c1561, false, "", "", "wear_coefficient", ""]);
-const $c1562 = $made(Quantity, $c149, ["number", $c847]);
-const $c1551 = $made(Entry, $c895, ["belt_energy_share", $c1562, false, "", "", "belt_energy_share", ""]);
-const $c1563 = $made(Quantity, $c149, ["pressure", $c848]);
-const $c1552 = $made(Entry, $c895, ["bond_strength", $c1563, false, "", "", "bond_strength", ""]);
-const $c1564 = $made(Quantity, $c149, ["pressure", $c849]);
-const $c1553 = $made(Entry, $c895, ["fatigue_limit", $c1564, false, "", "", "fatigue_limit", ""]);
-const $c1543 = [$c883, $c1545, $c960, $c961, $c962, $c1546, $c1547, $c1548, $c1549, $c967, $c1550, $c1551, $c1552, $c1553, $c972, $c973, $c974, $c975, $c976, $c142, $c143, $c977];
-const $c1544 = new Map([["format", $c883], ["name", $c1545], ["title", $c960], ["description", $c961], ["surface", $c962], ["thickness", $c1546], ["elastic_modulus", $c1547], ["shear_modulus", $c1548], ["compression_modulus", $c1549], ["block", $c967], ["wear_coefficient", $c1550], ["belt_energy_share", $c1551], ["bond_strength", $c1552], ["fatigue_limit", $c1553], ["cost", $c972], ["slip_speed", $c973], ["temperature", $c974], ["condition_factor", $c975], ["law", $c976], ["provenance", $c142], ["sources", $c143], ["notes", $c977]]);
-const $c95 = $made(tables$Table, $c880, [Lagging, $c1543, $c1544]);
-const $c819 = ["compression_modulus", "block"];
-const $c96 = [$c819];
-const $c97 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c98 = new RunsGain(0.0, 0.0);
-const $c100 = ["effective_tension", "torque", "power"];
-const $c101 = ["share", "speeds", "motor"];
-const $c104 = ["data", "sense"];
-const $c105 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c106 = $Decimal.of("0");
-const $c107 = [""];
-const $c824 = ["form", "coefficients", "sign"];
-const $c825 = [0.0];
-const $c108 = $made(Trend, $c824, ["polynomial", $c825, 1]);
-const $c826 = [1000000000.0];
-const $c109 = $made(Trend, $c824, ["polynomial", $c826, 1]);
-const $c110 = new Map([["factor", $c827]]);
-const $c111 = new Map([["x", $c828], ["y", $c828], ["diameter", $c829]]);
-const $c830 = $made(Limit, $c901, ["force", 0.1, 1000000000.0, false, false]);
-const $c112 = new Map([["entry", $c215], ["exit", $c830]]);
-const $c113 = new Map([["creep_limit", $c831]]);
-const $c832 = $made(Limit, $c901, ["length", 0.0, Infinity, true, false]);
-const $c114 = new Map([["creep_limit", $c832]]);
-const $c838 = $made(Limit, $c901, ["number", 1, 8, false, false]);
-const $c115 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838]]);
-const $c116 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838], ["setting", $c839], ["droop", $c840], ["torque_limit", $c841]]);
-const $c117 = new Map([["thickness", $c842], ["shear_modulus", $c843], ["compression_modulus", $c844], ["elastic_modulus", $c845], ["wear_coefficient", $c846], ["belt_energy_share", $c847], ["bond_strength", $c848], ["fatigue_limit", $c849]]);
-const $c118 = new Map([["ratio", $c850]]);
-const $c119 = new Map([["entry_tension", $c215], ["exit_tension", $c830]]);
-const $c120 = new Map([["sheave_ratio", $c851]]);
-const $c121 = new Map([["friction", $c852], ["start_factor", $c853]]);
-const $c122 = new Map([["running", $c853], ["starting", $c853], ["braking", $c853]]);
-const $c123 = ["of"];
-const $c144 = ["key", "kind", "example", "attribute"];
-const $c151 = ["dimension", "least"];
-const $c153 = ["word", "kind"];
-const $c184 = ["kind"];
-const $c210 = ["text"];
-const $c854 = ["balance", "train_balance", "across_balance"];
-const $c855 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c856 = ["gross_slip", "operating_point", "fight"];
-const $c857 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1565 = [false, false];
-const $c1566 = [true, false];
-const $c1567 = [true, true];
-const $c1568 = [false, true];
-const $c858 = new Map([["polynomial", $c1565], ["logarithmic", $c1566], ["power", $c1567], ["exponential", $c1568]]);
-const $c863 = $made(_OfClass, [], []);
-const $c864 = new Map([[10, null], [9, null]]);
-const $c865 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
-const $c1569 = [80.0, 1.92];
-const $c1570 = [90.0, 1.86];
-const $c1571 = [100.0, 1.78];
-const $c1572 = [120.0, 1.7];
-const $c1573 = [140.0, 1.63];
-const $c1574 = [160.0, 1.56];
-const $c1575 = [180.0, 1.5];
-const $c1576 = [200.0, 1.45];
-const $c1577 = [250.0, 1.38];
-const $c1578 = [300.0, 1.31];
-const $c1579 = [350.0, 1.27];
-const $c1580 = [400.0, 1.25];
-const $c1581 = [450.0, 1.22];
-const $c1582 = [500.0, 1.2];
-const $c1583 = [550.0, 1.18];
-const $c1584 = [600.0, 1.17];
-const $c1585 = [700.0, 1.14];
-const $c1586 = [800.0, 1.12];
-const $c1587 = [900.0, 1.1];
-const $c1588 = [1000.0, 1.09];
-const $c1589 = [1500.0, 1.06];
-const $c1590 = [2000.0, 1.05];
-const $c868 = [$c1569, $c1570, $c1571, $c1572, $c1573, $c1574, $c1575, $c1576, $c1577, $c1578, $c1579, $c1580, $c1581, $c1582, $c1583, $c1584, $c1585, $c1586, $c1587, $c1588, $c1589, $c1590];
-const $c1591 = $made(Limit, $c901, ["number", 0.0, Infinity, false, false]);
-const $c1592 = $made(Limit, $c901, ["number", 1.0, Infinity, false, false]);
-const $c870 = new Map([["residual_noise", $c1591], ["coverage_factor", $c1592]]);
-const $c871 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c872 = $Decimal.of("0");
-const $c873 = new Map([["misalignment", $c1260], ["deflection", $c1262]]);
-const $c874 = new Map([["diameter", $c205], ["wrap_angle", $c207], ["overrun", $c221], ["creep_limit", $c224], ["mass", $c227]]);
-const $c875 = new Map([["spacing", $c1416], ["line_mass", $c1418], ["share", $c1420]]);
-const $c876 = new Map([["material", $c1013], ["installation", $c1015], ["area", $c1018]]);
-const $c1593 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
-const $c877 = new Map([["factor", $c1593]]);
-const $c878 = new Map([["rated_power", $c833], ["rated_speed", $c834], ["gear_ratio", $c835], ["gear_efficiency", $c836], ["motor_efficiency", $c837], ["count", $c838], ["synchronous_speed", $c1505], ["breakdown_ratio", $c1507]]);
-const $c879 = new Map([["length", $c1304], ["trough_angle", $c1306], ["centre_roll", $c1308]]);
-const $c1194 = ["dimension", "within"];
-const $c1449 = ["words"];
-const $c1594 = [0.016, 0.03];
-const $c1595 = new Map([["distance", $c1293]]);
-const $c1605 = $made(Limit, $c901, ["number", 0.0, 10.0, true, false]);
-const $c1603 = $made(Quantity, $c149, ["number", $c1605]);
-const $c1606 = $made(Limit, $c901, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1604 = $made(Quantity, $c149, ["rotation_speed", $c1606]);
-const $c1602 = $made(Either, $c1598, [$c1603, $c1604, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1596 = $made(Rows, $c933, [$c1602, 1, 10]);
+const $c46 = $made(Rule, $c1544, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
+const $c47 = $made(Rule, $c1544, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
+const $c48 = ["Speed"];
+const $c49 = ["Motor"];
+const $c50 = $made(Rule, $c1544, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, null, null, null, null, false, null, null]);
+const $c571 = ["by creep", "The belt slides (creep of {slides})"];
+const $c572 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
+const $c573 = ["by the largest friction", "All friction of the wrap is used up"];
+const $c51 = new Map([[0, $c571], [1, $c572], [2, $c573]]);
+const $c574 = $made(Rule, $c1544, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, null, null, null, null, false, null, of_arc___standard]);
+const $c575 = $made(Rule, $c1544, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, of_arc___creep, null, of_arc___creep_limit, null, true, of_arc___creeps, null]);
+const $c576 = $made(Rule, $c1544, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, of_arc___cover_creep]);
+const $c577 = $made(Rule, $c1544, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, in_page_checks__creep_interval]);
+const $c578 = $made(Rule, $c1544, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___running_tension, of_drive___over_width, null, false, of_drive___running, null]);
+const $c579 = $made(Rule, $c1544, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, false, of_drive___momentary, null]);
+const $c580 = $made(Rule, $c1544, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, false, of_drive___safety, null]);
+const $c581 = $made(Rule, $c1544, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___face_pressure, null, null, false, of_drive___on_face, null]);
+const $c582 = $made(Rule, $c1544, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___bond_strength, null, null, true, of_arc___bond, null]);
+const $c583 = $made(Rule, $c1544, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___fatigue_limit, null, null, true, of_arc___tires, null]);
+const $c584 = $made(Rule, $c1544, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___pressure_max, null, null, false, of_drive___tested_max, null]);
+const $c585 = $made(Rule, $c1544, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, of_drive___slack_pressure, of_drive___pressure_min, null, null, false, of_drive___tested_min, null]);
+const $c586 = $made(Rule, $c1544, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___condition]);
+const $c587 = $made(Rule, $c1544, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___fit]);
+const $c588 = $made(Rule, $c1544, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, of_arc___slip, of_arc___slip_max, null, null, true, of_arc___slips, null]);
+const $c589 = $made(Rule, $c1544, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, of_arc___slip_speed, of_arc___tested_speed, null, null, true, of_arc___slips_fast, null]);
+const $c590 = $made(Rule, $c1544, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_arc___balance]);
+const $c591 = $made(Rule, $c1544, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, of_drive___slack_end, of_drive___sag_tension, null, null, false, of_drive___sags, null]);
+const $c52 = [$c574, $c575, $c576, $c577, $c578, $c579, $c580, $c581, $c582, $c583, $c584, $c585, $c586, $c587, $c588, $c589, $c590, $c591];
+const $c53 = $made(Rule, $c1544, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, of_drive___diameter, of_drive___least_diameter, null, null, false, of_drive___bends, null]);
+const $c54 = ["Transition", "GrippingPulley"];
+const $c609 = [1.0, 2.0];
+const $c610 = [5000.0, 5000000.0];
+const $c611 = [0.0004, 0.025];
+const $c612 = [0.0004, 0.035];
+const $c613 = [0.0004, 0.03];
+const $c614 = [0.0015, 0.06];
+const $c615 = [300000.0, 5000000.0];
+const $c594 = new Map([["momentary_factor", $c609], ["in_plane_shear_stiffness", $c610], ["pulley_cover", $c611], ["carry_cover", $c612], ["carcass", $c613], ["thickness", $c614], ["cover_shear_modulus", $c615]]);
+const $c616 = [0.2, 8.0];
+const $c595 = new Map([["sheave_ratio", $c616]]);
+const $c617 = [0.1, 0.9];
+const $c618 = [1.0, 2.5];
+const $c596 = new Map([["friction", $c617], ["start_factor", $c618]]);
+const $c619 = [1.05, 6.0];
+const $c620 = [1.0, 4.0];
+const $c597 = new Map([["running", $c619], ["starting", $c620], ["braking", $c620]]);
+const $c621 = [0.3, 8.0];
+const $c622 = [1.0, 3000.0];
+const $c623 = [0.002, 0.05];
+const $c598 = new Map([["spacing", $c621], ["line_mass", $c622], ["share", $c623]]);
+const $c624 = [1.0, 9.5];
+const $c625 = [1.05, 2.5];
+const $c599 = new Map([["length_coefficient", $c624], ["start_factor", $c625]]);
+const $c626 = [300000.0, 100000000.0];
+const $c627 = [1e-13, 1e-10];
+const $c628 = [0.01, 1.0];
+const $c600 = new Map([["elastic_modulus", $c626], ["wear_coefficient", $c627], ["belt_energy_share", $c628]]);
+const $c629 = [0.002, 0.5];
+const $c630 = [0.0005, 0.06];
+const $c631 = [0.1, 4.0];
+const $c632 = [0.15, 1.0];
+const $c601 = new Map([["width", $c629], ["height", $c630], ["stiffening", $c631], ["contact_fraction", $c632]]);
+const $c633 = [0.05, 200.0];
+const $c602 = new Map([["area", $c633]]);
+const $c634 = [0.05, 1.3];
+const $c603 = new Map([["factor", $c634]]);
+const $c635 = [0.3, 500.0];
+const $c604 = new Map([["distance", $c635]]);
+const $c636 = [0.2, 20.0];
+const $c637 = [0.08726646259971647, 1.2217304763960306];
+const $c638 = [0.05, 2.0];
+const $c605 = new Map([["length", $c636], ["trough_angle", $c637], ["centre_roll", $c638]]);
+const $c639 = [-0.01, 0.01];
+const $c640 = [-0.005, 0.005];
+const $c606 = new Map([["misalignment", $c639], ["deflection", $c640]]);
+const $c641 = [1.0, 250.0];
+const $c642 = [0.6, 1.0];
+const $c643 = [0.5, 1.0];
+const $c644 = [0.001, 0.15];
+const $c645 = [0.8, 4.0];
+const $c646 = [1.5, 5.0];
+const $c607 = new Map([["gear_ratio", $c641], ["gear_efficiency", $c642], ["motor_efficiency", $c643], ["droop", $c644], ["torque_limit", $c645], ["breakdown_ratio", $c646]]);
+const $c647 = [0.1, 5.0];
+const $c608 = new Map([["ratio", $c647]]);
+const $c55 = new Map([["Belt", $c594], ["TakeUp", $c595], ["DesignStandard", $c596], ["SafetyFactors", $c597], ["Sag", $c598], ["Conveyor", $c599], ["Lagging", $c600], ["Block", $c601], ["Cost", $c602], ["ConditionFactor", $c603], ["GrippingPulley", $c604], ["Transition", $c605], ["Across", $c606], ["Motor", $c607], ["TorqueFollower", $c608]]);
+const $c648 = ["mm", "m", "cm", "in", "ft"];
+const $c649 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c650 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c651 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c652 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c653 = ["deg", "rad"];
+const $c654 = ["kW", "W", "hp", "MW"];
+const $c655 = ["t", "kg", "g"];
+const $c656 = ["kg/m", "g/m", "t/m"];
+const $c657 = ["t/h", "kg/s", "kg/h"];
+const $c658 = ["kg m2", "t m2", "kg cm2"];
+const $c659 = ["kN m", "N m", "MN m"];
+const $c660 = ["s", "min", "ms", "h"];
+const $c56 = new Map([["length", $c648], ["force", $c649], ["force_per_width", $c650], ["pressure", $c651], ["speed", $c652], ["angle", $c653], ["power", $c654], ["mass", $c655], ["mass_per_length", $c656], ["mass_flow", $c657], ["moment_of_inertia", $c658], ["torque", $c659], ["time", $c660]]);
+const $c57 = new Place("", "", "");
+const $c58 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
+const $c661 = ["rated power of the motor", "power"];
+const $c662 = ["rated speed of the motor", "rotation_speed"];
+const $c663 = ["speed of the drum over that of the belt", "number"];
+const $c59 = [$c661, $c662, $c663];
+const $c664 = [250.0, 20000000.0];
+const $c665 = [10.0, 400.0];
+const $c666 = [0.95, 1.05];
+const $c60 = [$c664, $c665, $c666];
+const $c667 = ["length", 3.0, 30000.0];
+const $c668 = ["lift", -1500.0, 1500.0];
+const $c669 = ["belt_mass", 3.0, 100.0];
+const $c670 = ["carry_idler_mass", 2.0, 60.0];
+const $c671 = ["return_idler_mass", 0.7, 30.0];
+const $c672 = ["material_mass", 0.5, 4000.0];
+const $c673 = ["capacity", 0.1, 15000.0];
+const $c674 = ["friction_factor", 0.01, 0.04];
+const $c675 = ["secondary_resistance", 10.0, 500000.0];
+const $c676 = ["special_resistance", 10.0, 200000.0];
+const $c677 = ["start_time", 1.0, 600.0];
+const $c678 = ["stop_time", 1.0, 600.0];
+const $c679 = ["take_up_tension", 300.0, 2000000.0];
+const $c680 = ["counterweight", 30.0, 200000.0];
+const $c61 = [$c667, $c668, $c669, $c670, $c671, $c672, $c673, $c674, $c675, $c676, $c677, $c678, $c679, $c680];
+const $c62 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
+const $c696 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
+const $c697 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
+const $c63 = new Map([["length", $c681], ["lift", $c682], ["belt_mass", $c683], ["carry_idler_mass", $c684], ["return_idler_mass", $c685], ["material_mass", $c683], ["capacity", $c686], ["friction_factor", $c687], ["length_coefficient", $c688], ["secondary_resistance", $c689], ["special_resistance", $c689], ["return_share", $c690], ["start_factor", $c691], ["start_time", $c692], ["stop_time", $c692], ["take_up_tension", $c693], ["counterweight", $c694], ["take_up_distance", $c695], ["speed", $c696], ["sheave_ratio", $c697]]);
+const $c698 = [0.2, 4.0];
+const $c699 = [100000.0, 1000000000.0];
+const $c700 = [0.05, 15.0];
+const $c701 = [0.15, 3.0];
+const $c702 = [0.17453292519943295, 4.71238898038469];
+const $c703 = [2.0943951023931953, 4.71238898038469];
+const $c704 = [0.0005, 0.061];
+const $c705 = [-0.002, 0.002];
+const $c706 = [0.0, 0.06];
+const $c707 = [100000.0, 50000000.0];
+const $c708 = [100000.0, 5000000000.0];
+const $c709 = [5000.0, 2000000.0];
+const $c710 = [10000.0, 50000000.0];
+const $c711 = [50000.0, 10000000.0];
+const $c712 = [0.1, 3.0];
+const $c713 = [500.0, 10000000.0];
+const $c714 = [4.0, 20.0];
+const $c715 = [15.0, 1000.0];
+const $c716 = [0.0, 1600000.0];
+const $c717 = [1.0, 130.0];
+const $c64 = [$c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c710, $c711, $c712, $c713, $c714, $c715, $c716, $c713, $c713, $c664, $c717];
+const $c722 = [500.0, 2000000.0];
+const $c718 = ["least tested pressure", "pressure", $c722];
+const $c723 = [10000.0, 10000000.0];
+const $c719 = ["largest tested pressure", "pressure", $c723];
+const $c724 = [5e-05, 0.3];
+const $c720 = ["largest tested slip", "length", $c724];
+const $c725 = [2e-06, 0.3];
+const $c721 = ["tested slip speed", "speed", $c725];
+const $c65 = new Map([["pressure_min", $c718], ["pressure_max", $c719], ["slip_max", $c720], ["slip_speed", $c721]]);
+const $c66 = [0.03, 1.9];
+const $c67 = ["force", "mass_per_length"];
+const $c68 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c69 = new WeakMap();
+const $c728 = [180.0, 1.2];
+const $c729 = [200.0, 1.0];
+const $c730 = [210.0, 1.0];
+const $c731 = [220.0, 0.9];
+const $c732 = [240.0, 0.8];
+const $c726 = [$c728, $c729, $c730, $c731, $c732];
+const $c733 = [180.0, 0.8];
+const $c734 = [200.0, 0.7];
+const $c735 = [210.0, 0.7];
+const $c736 = [220.0, 0.6];
+const $c737 = [240.0, 0.6];
+const $c727 = [$c733, $c734, $c735, $c736, $c737];
+const $c70 = new Map([["bare", $c726], ["lagged", $c727]]);
+const $c759 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c760 = [0.25, 0.25];
+const $c761 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c738 = $made(DesignFriction, $c759, ["CEMA", "bare", "", $c760, $c761]);
+const $c762 = [0.35, 0.35];
+const $c763 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c739 = $made(DesignFriction, $c759, ["CEMA", "rubber", "", $c762, $c763]);
+const $c764 = [0.5, 0.5];
+const $c765 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c740 = $made(DesignFriction, $c759, ["CEMA", "ceramic", "", $c764, $c765]);
+const $c766 = [0.35, 0.4];
+const $c767 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c741 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "dry", $c766, $c767]);
+const $c768 = [0.1, 0.1];
+const $c769 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c742 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet", $c768, $c769]);
+const $c770 = [0.05, 0.1];
+const $c771 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c743 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet and dirty", $c770, $c771]);
+const $c772 = [0.4, 0.45];
+const $c773 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c744 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "dry", $c772, $c773]);
+const $c774 = [0.35, 0.35];
+const $c775 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c745 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet", $c774, $c775]);
+const $c776 = [0.25, 0.3];
+const $c777 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c746 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet and dirty", $c776, $c777]);
+const $c778 = [0.35, 0.4];
+const $c779 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c747 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "dry", $c778, $c779]);
+const $c780 = [0.35, 0.35];
+const $c781 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c748 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet", $c780, $c781]);
+const $c782 = [0.2, 0.2];
+const $c783 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c749 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet and dirty", $c782, $c783]);
+const $c784 = [0.4, 0.45];
+const $c785 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c750 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "dry", $c784, $c785]);
+const $c786 = [0.35, 0.4];
+const $c787 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c751 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet", $c786, $c787]);
+const $c788 = [0.35, 0.35];
+const $c789 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c752 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet and dirty", $c788, $c789]);
+const $c790 = [0.35, 0.35];
+const $c791 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c753 = $made(DesignFriction, $c759, ["practice", "rubber", "dry", $c790, $c791]);
+const $c792 = [0.35, 0.35];
+const $c793 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c754 = $made(DesignFriction, $c759, ["practice", "rubber", "wet", $c792, $c793]);
+const $c794 = [0.3, 0.3];
+const $c795 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c755 = $made(DesignFriction, $c759, ["practice", "rubber", "wet and dirty", $c794, $c795]);
+const $c796 = [0.8, 0.8];
+const $c797 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c756 = $made(DesignFriction, $c759, ["practice", "ceramic", "dry", $c796, $c797]);
+const $c798 = [0.45, 0.45];
+const $c799 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c757 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet", $c798, $c799]);
+const $c800 = [0.35, 0.35];
+const $c801 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c758 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet and dirty", $c800, $c801]);
+const $c71 = [$c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758];
+const $c72 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c73 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c74 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c802 = $made(Rule, $c1544, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, null, null, null, null, false, null, null]);
+const $c803 = $made(Rule, $c1544, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, null, null, null, null, false, null, null]);
+const $c804 = $made(Rule, $c1544, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
+const $c805 = $made(Rule, $c1544, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, null, null, null, null, false, null, null]);
+const $c75 = new Map([["gross_slip", $c50], ["design_standard", $c574], ["creep", $c575], ["cover_creep", $c576], ["creep_interval", $c577], ["belt_tension", $c578], ["momentary_tension", $c579], ["belt_safety", $c580], ["face_pressure", $c581], ["bond_stress", $c582], ["fatigue_stress", $c583], ["tested_pressure_max", $c584], ["tested_pressure_min", $c585], ["condition", $c586], ["fit", $c587], ["tested_slip", $c588], ["tested_slip_speed", $c589], ["balance", $c590], ["sag", $c591], ["taut", $c802], ["pulley_diameter", $c53], ["belt_thickness", $c803], ["usual_sizes", $c804], ["motor_load", $c47], ["momentary_load", $c46], ["motor_heat", $c805], ["train_balance", $c44]]);
+const $c76 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
+const $c77 = new WeakMap();
+const $c809 = ["name", "surface", "material", "life_years", "provenance"];
+const $c810 = [1, 2];
+const $c811 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c806 = $made(LaggingCost, $c809, ["rubber", "rubber", 625, $c810, $c811]);
+const $c812 = [10, 10];
+const $c813 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c807 = $made(LaggingCost, $c809, ["ceramic, cold bonded", "ceramic", 4600, $c812, $c813]);
+const $c814 = [10, 10];
+const $c815 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c808 = $made(LaggingCost, $c809, ["ceramic, hot vulcanised", "ceramic", 4950, $c814, $c815]);
+const $c78 = [$c806, $c807, $c808];
+const $c79 = $made(Provenance, $c557, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
+const $c80 = $made(Provenance, $c557, ["given", "", "", ""]);
+const $c81 = $made(Provenance, $c557, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
+const $c82 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
+const $c83 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
+const $c84 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c85 = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
+const $c87 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c88 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c89 = new Map([["width", $c816], ["height", $c817], ["stiffening", $c818], ["contact_fraction", $c819]]);
+const $c92 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c93 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c95 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1556 = $made(Name, $c906, [60]);
+const $c1547 = $made(Entry, $c896, ["name", $c1556, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1557 = $made(Quantity, $c153, ["length", $c843]);
+const $c1548 = $made(Entry, $c896, ["thickness", $c1557, false, "", "", "thickness", ""]);
+const $c1558 = $made(Quantity, $c153, ["pressure", $c846]);
+const $c1549 = $made(Entry, $c896, ["elastic_modulus", $c1558, false, "", "", "elastic_modulus", ""]);
+const $c1560 = $made(Quantity, $c153, ["pressure", $c844]);
+const $c1559 = $made(WordOr, $c932, ["rigid", $c1560, Infinity]);
+const $c1550 = $made(Entry, $c896, ["shear_modulus", $c1559, false, "", "", "shear_modulus", ""]);
+const $c1562 = $made(Quantity, $c153, ["pressure", $c845]);
+const $c1561 = $made(WordOr, $c932, ["rigid", $c1562, Infinity]);
+const $c1551 = $made(Entry, $c896, ["compression_modulus", $c1561, false, "", "", "compression_modulus", ""]);
+const $c1563 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
+const $c1552 = $made(Entry, $c896, ["wear_coefficient", $c1563, false, "", "", "wear_coefficient", ""]);
+const $c1564 = $made(Quantity, $c153, ["number", $c848]);
+const $c1553 = $made(Entry, $c896, ["belt_energy_share", $c1564, false, "", "", "belt_energy_share", ""]);
+const $c1565 = $made(Quantity, $c153, ["pressure", $c849]);
+const $c1554 = $made(Entry, $c896, ["bond_strength", $c1565, false, "", "", "bond_strength", ""]);
+const $c1566 = $made(Quantity, $c153, ["pressure", $c850]);
+const $c1555 = $made(Entry, $c896, ["fatigue_limit", $c1566, false, "", "", "fatigue_limit", ""]);
+const $c1545 = [$c884, $c1547, $c961, $c962, $c963, $c1548, $c1549, $c1550, $c1551, $c968, $c1552, $c1553, $c1554, $c1555, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
+const $c1546 = new Map([["format", $c884], ["name", $c1547], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c1548], ["elastic_modulus", $c1549], ["shear_modulus", $c1550], ["compression_modulus", $c1551], ["block", $c968], ["wear_coefficient", $c1552], ["belt_energy_share", $c1553], ["bond_strength", $c1554], ["fatigue_limit", $c1555], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
+const $c99 = $made(tables$Table, $c881, [Lagging, $c1545, $c1546]);
+const $c820 = ["compression_modulus", "block"];
+const $c100 = [$c820];
+const $c101 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c102 = new RunsGain(0.0, 0.0);
+const $c104 = ["effective_tension", "torque", "power"];
+const $c105 = ["share", "speeds", "motor"];
+const $c108 = ["data", "sense"];
+const $c109 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c110 = $Decimal.of("0");
+const $c111 = [""];
+const $c825 = ["form", "coefficients", "sign"];
+const $c826 = [0.0];
+const $c112 = $made(Trend, $c825, ["polynomial", $c826, 1]);
+const $c827 = [1000000000.0];
+const $c113 = $made(Trend, $c825, ["polynomial", $c827, 1]);
+const $c114 = new Map([["factor", $c828]]);
+const $c115 = new Map([["x", $c829], ["y", $c829], ["diameter", $c830]]);
+const $c831 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
+const $c116 = new Map([["entry", $c219], ["exit", $c831]]);
+const $c117 = new Map([["creep_limit", $c832]]);
+const $c833 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
+const $c118 = new Map([["creep_limit", $c833]]);
+const $c839 = $made(Limit, $c902, ["number", 1, 8, false, false]);
+const $c119 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839]]);
+const $c120 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["setting", $c840], ["droop", $c841], ["torque_limit", $c842]]);
+const $c121 = new Map([["thickness", $c843], ["shear_modulus", $c844], ["compression_modulus", $c845], ["elastic_modulus", $c846], ["wear_coefficient", $c847], ["belt_energy_share", $c848], ["bond_strength", $c849], ["fatigue_limit", $c850]]);
+const $c122 = new Map([["ratio", $c851]]);
+const $c123 = new Map([["entry_tension", $c219], ["exit_tension", $c831]]);
+const $c124 = new Map([["sheave_ratio", $c852]]);
+const $c125 = new Map([["friction", $c853], ["start_factor", $c854]]);
+const $c126 = new Map([["running", $c854], ["starting", $c854], ["braking", $c854]]);
+const $c127 = ["of"];
+const $c148 = ["key", "kind", "example", "attribute"];
+const $c155 = ["dimension", "least"];
+const $c157 = ["word", "kind"];
+const $c188 = ["kind"];
+const $c214 = ["text"];
+const $c570 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "of_solution", "words"];
+const $c592 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c593 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c855 = ["balance", "train_balance", "across_balance"];
+const $c856 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c857 = ["gross_slip", "operating_point", "fight"];
+const $c858 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1567 = [false, false];
+const $c1568 = [true, false];
+const $c1569 = [true, true];
+const $c1570 = [false, true];
+const $c859 = new Map([["polynomial", $c1567], ["logarithmic", $c1568], ["power", $c1569], ["exponential", $c1570]]);
+const $c864 = $made(_OfClass, [], []);
+const $c865 = new Map([[10, null], [9, null]]);
+const $c866 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
+const $c1571 = [80.0, 1.92];
+const $c1572 = [90.0, 1.86];
+const $c1573 = [100.0, 1.78];
+const $c1574 = [120.0, 1.7];
+const $c1575 = [140.0, 1.63];
+const $c1576 = [160.0, 1.56];
+const $c1577 = [180.0, 1.5];
+const $c1578 = [200.0, 1.45];
+const $c1579 = [250.0, 1.38];
+const $c1580 = [300.0, 1.31];
+const $c1581 = [350.0, 1.27];
+const $c1582 = [400.0, 1.25];
+const $c1583 = [450.0, 1.22];
+const $c1584 = [500.0, 1.2];
+const $c1585 = [550.0, 1.18];
+const $c1586 = [600.0, 1.17];
+const $c1587 = [700.0, 1.14];
+const $c1588 = [800.0, 1.12];
+const $c1589 = [900.0, 1.1];
+const $c1590 = [1000.0, 1.09];
+const $c1591 = [1500.0, 1.06];
+const $c1592 = [2000.0, 1.05];
+const $c869 = [$c1571, $c1572, $c1573, $c1574, $c1575, $c1576, $c1577, $c1578, $c1579, $c1580, $c1581, $c1582, $c1583, $c1584, $c1585, $c1586, $c1587, $c1588, $c1589, $c1590, $c1591, $c1592];
+const $c1593 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
+const $c1594 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
+const $c871 = new Map([["residual_noise", $c1593], ["coverage_factor", $c1594]]);
+const $c872 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c873 = $Decimal.of("0");
+const $c874 = new Map([["misalignment", $c1261], ["deflection", $c1263]]);
+const $c875 = new Map([["diameter", $c209], ["wrap_angle", $c211], ["overrun", $c225], ["creep_limit", $c228], ["mass", $c231]]);
+const $c876 = new Map([["spacing", $c1417], ["line_mass", $c1419], ["share", $c1421]]);
+const $c877 = new Map([["material", $c1014], ["installation", $c1016], ["area", $c1019]]);
+const $c1595 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
+const $c878 = new Map([["factor", $c1595]]);
+const $c879 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["synchronous_speed", $c1506], ["breakdown_ratio", $c1508]]);
+const $c880 = new Map([["length", $c1305], ["trough_angle", $c1307], ["centre_roll", $c1309]]);
+const $c1195 = ["dimension", "within"];
+const $c1450 = ["words"];
+const $c1596 = [0.016, 0.03];
+const $c1597 = new Map([["distance", $c1294]]);
+const $c1607 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
+const $c1605 = $made(Quantity, $c153, ["number", $c1607]);
+const $c1608 = $made(Limit, $c902, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1606 = $made(Quantity, $c153, ["rotation_speed", $c1608]);
+const $c1604 = $made(Either, $c1600, [$c1605, $c1606, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1598 = $made(Rows, $c934, [$c1604, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
@@ -9374,10 +9470,10 @@ $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c110;
+Condition.LIMITS = Condition.prototype.LIMITS = $c114;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c111;
+Point.LIMITS = Point.prototype.LIMITS = $c115;
 $sig(_UnitTextError, ["message", "remedy"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
@@ -9388,12 +9484,12 @@ Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c112;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c116;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c113;
+Drive.LIMITS = Drive.prototype.LIMITS = $c117;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c114;
+Train.LIMITS = Train.prototype.LIMITS = $c118;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
@@ -9404,19 +9500,19 @@ in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c115;
+Motor.LIMITS = Motor.prototype.LIMITS = $c119;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
-Miss.$compared = Miss.$names;
+Words.$compared = Words.$names;
 Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
-Asked.$compared = Asked.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c116;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c120;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
+Asked.$compared = Asked.$names;
 LeastTension.$compared = LeastTension.$names;
 Verdict.$compared = Verdict.$names;
 Row.$compared = Row.$names;
@@ -9441,24 +9537,24 @@ IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c117;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c121;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c118;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c122;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c119;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c123;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Description.$compared = Description.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c120;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c124;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c121;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c125;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c122;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c126;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
@@ -9466,47 +9562,47 @@ Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c873;
+Across.LIMITS = Across.prototype.LIMITS = $c874;
 DimensionText.$compared = DimensionText.$names;
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c874;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c875;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c875;
+Sag.LIMITS = Sag.prototype.LIMITS = $c876;
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c62;
-Rule.$compared = Rule.$names;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c63;
 DesignFriction.$compared = DesignFriction.$names;
 LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c876;
+Cost.LIMITS = Cost.prototype.LIMITS = $c877;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c85;
+Block.LIMITS = Block.prototype.LIMITS = $c89;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c877;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c878;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c878;
+Induction.LIMITS = Induction.prototype.LIMITS = $c879;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c879;
-State.$compared = State.$names;
+Transition.LIMITS = Transition.prototype.LIMITS = $c880;
+conveyor$State.$compared = conveyor$State.$names;
 Resistance.$compared = Resistance.$names;
+Miss.$compared = Miss.$names;
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
 $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(_Pair, ["dimension"], false);
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1595;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1597;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1596;
+SpeedList.rows = SpeedList.prototype.rows = $c1598;
 $sig(sheet__row_of, null);
 $sig(sheet__between, ["name", "first", "last", "form"], false);
 export { drive_file__drive_from_document as readDrive };
