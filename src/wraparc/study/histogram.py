@@ -12,8 +12,12 @@ from wraparc.checks.numbers import kept
 from wraparc.checks.of_rows import kept_rows
 
 #: Results whose limit is a number of the row, an upper one on their size, in the column
-#: `limit_column`.
-LIMITED = ("exit_creep", "entry_tension", "peak_shear_stress")
+#: `limit_column`, and the rule that it is checked by.
+LIMITED = {
+    "exit_creep": "creep",
+    "entry_tension": "belt_tension",
+    "peak_shear_stress": "bond_stress",
+}
 #: Results whose limit is the same for every row, a lower one.
 LEAST = {"creep_limit_margin": 1.0, "tested_slip_margin": 1.0, "gross_slip_margin": 1.0}
 _FEWEST, _MOST = 8, 30  # bars

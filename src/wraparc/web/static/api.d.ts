@@ -887,6 +887,7 @@ export interface Spread {
   edges: number[];
   counts: number[];
   limit: number | null;
+  limit_told: Text;
   at_most: boolean;
   beyond: number;
   without: number;
