@@ -181,13 +181,14 @@ def _spreads(summary: Summary, units: dict[str, Dimension | None]) -> Iterator[S
         for name, found in group.histograms.items():
             if not found.edges:
                 continue
+            told = f"{LIMITS[name]} {named(name, found.limit.least)}" if found.limit.one else ""
             yield Spread(
                 result=name,
                 where=worded(_where(group, units)),
                 edges=list(found.edges),
                 counts=list(found.counts),
                 limit=found.limit.least if found.limit.one else None,
-                limit_told=worded(f"{LIMITS[name]} {named(name, found.limit.least)}"),
+                limit_told=worded(told),
                 at_most=found.limit.at_most,
                 beyond=found.beyond,
                 without=found.total - sum(found.counts),

@@ -369,7 +369,6 @@ export interface Field {
   help: string;
   kind: string;
   required: boolean;
-  advanced: boolean;
   options: string[];
   word: string | null;
   default: string | boolean | null;
