@@ -7,7 +7,7 @@ import pytest
 
 from wraparc.checks import Level, judge
 from wraparc.checks.check import Place
-from wraparc.checks.judge import motor_load
+from wraparc.checks.of_train import motor_load
 from wraparc.train import solve_train
 from wraparc.train.file import train_from_text
 from wraparc.units import Cell, in_units, quantity

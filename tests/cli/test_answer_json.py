@@ -94,3 +94,36 @@ def test_a_run_is_written_beside_its_rows(tmp_path: Path) -> None:
     assert first["extremes"]["creep"]["value"] == pytest.approx(largest, rel=1e-3)
     assert document["outcome"] == "whole"
     assert "verdict" not in ran.out
+
+
+def test_the_json_of_a_train_has_the_verdict_on_the_train(tmp_path: Path) -> None:
+    # expected: what is printed; drives that work against each other are no fault of one pulley
+    file = tmp_path / "fights.toml"
+    file.write_text(
+        (EXAMPLES / "tandem-fabric.toml")
+        .read_text("utf-8")
+        .replace('["50 %", "50 %"]', '["130 %", "-30 %"]')
+        .replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]', 1),
+        "utf-8",
+    )
+    told = wraparc("solve", file, "--json", "-").json
+    lead = "The drives work against each other"
+    assert lead in told["verdict"]["headline"]
+    assert told["verdict"] == told["train"]["verdict"]
+    assert told["least_tension"] == told["train"]["least_tension"]
+    checks = [check["name"] for check in told["arcs"][0]["checks"]]
+    assert checks[0] == "fight"
+    dry, wet = told["conditions"]
+    assert lead in dry["headline"]
+    assert "fight" in wet["checks"]
+    assert lead in wraparc("solve", file).words
+
+
+def test_a_condition_says_on_what_its_ok_stands(tmp_path: Path) -> None:
+    file = tmp_path / "both.toml"
+    text = (EXAMPLES / "tandem-fabric.toml").read_text("utf-8")
+    file.write_text(
+        text.replace("format = 1", 'format = 1\ncondition = ["dry", "wet"]', 1), "utf-8"
+    )
+    told = wraparc("solve", file, "--table", "conditions").words
+    assert "Verdict OK, on illustrative data" in told

@@ -158,3 +158,28 @@ def test_values_no_drive_can_have_are_stepped_over() -> None:
     drive = drive_from_document(HEAD)
     assert found.now == drive.pulleys[0].wrap_angle
     assert len(found.values) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "value", "changes"),
+    [
+        ("head-drive-fabric", "pulley.head.exit_tension", "5 mm", []),
+        ("downhill-braking", "pulley.tail.entry_tension", "-3 mm", []),
+        ("tandem-fabric", "train.exit_tension", "3.3 mm", []),
+        ("tandem-fabric", "train.exit_tension", "20 mm", ['train.share=["130 %","-30 %"]']),
+    ],
+)
+def test_a_value_is_judged_as_solve_does(
+    name: str, field: str, value: str, changes: list[str]
+) -> None:
+    # expected: word and headline of `wraparc solve` with the found value put over the file
+    file, told = EXAMPLES / f"{name}.toml", [arg for c in changes for arg in ("--set", c)]
+    goal = ("--vary", field, "--result", "exit_creep", "--value", value)
+    values = json.loads(wraparc("seek", file, *goal, *told, "--json", "-").out)["found"]
+    assert values
+    for found in values:
+        now = ("--set", f"{field}={found['value']!r} N")
+        verdict = json.loads(wraparc("solve", file, *told, *now, "--json", "-").out)["verdict"]
+        assert {key: found[key] for key in ("level", "word", "headline")} == {
+            key: verdict[key] for key in ("level", "word", "headline")
+        }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from wraparc.answer.least_tension import at_least, least_name
 from wraparc.answer.sheet import NONE, Row, Table
@@ -12,6 +12,9 @@ from wraparc.arc import DriveResult
 from wraparc.checks import Check, Level, Verdict, judge
 from wraparc.checks.least_tension import least_of
 from wraparc.units import distinct
+
+if TYPE_CHECKING:
+    from wraparc.train.whole import Whole
 
 _NOTE = "Each check at the load case and pulley where it comes off worst in that condition."
 
@@ -27,14 +30,23 @@ def by_condition(result: DriveResult) -> dict[str, DriveResult]:
     return found
 
 
-def conditions_table(result: DriveResult) -> Table:
-    """Return verdict, checks and least slack-side tension with one column for each condition."""
+def _judged(part: DriveResult, whole: Whole) -> Verdict:
+    """Return what is judged of a whole drive in the load cases of one condition."""
+    cases = {"", *(case.name for case in part.drive.load_cases)}
+    return Verdict(tuple(c for c in judge(whole).checks if c.place.load_case in cases))
+
+
+def conditions_table(result: DriveResult, whole: Whole) -> Table:
+    """Return verdict, checks and least slack-side tension with one column for each condition.
+
+    `whole` is what the pulleys are of, a drive or a train: it is judged.
+    """
     parts = by_condition(result)
-    judged = {name: judge(part) for name, part in parts.items()}
+    judged = {name: _judged(part, whole) for name, part in parts.items()}
     names: dict[str, None] = {}
     for verdict in judged.values():
         names |= dict.fromkeys(c.name for c in verdict.listed if _told(c))
-    words = tuple(str(verdict.level) for verdict in judged.values())
+    words = tuple(verdict.word for verdict in judged.values())
     rows = [Row("Verdict", words)]
     rows += [_row(name, tuple(judged.values())) for name in names]
     rows.append(
@@ -46,15 +58,16 @@ def conditions_table(result: DriveResult) -> Table:
     return Table("Conditions side by side", tuple(rows), tuple(parts), _NOTE, "conditions")
 
 
-def conditions_data(result: DriveResult) -> list[dict[str, Any]]:
+def conditions_data(result: DriveResult, whole: Whole) -> list[dict[str, Any]]:
     """Return the verdict and the least slack-side tension of each condition as plain data [SI]."""
     told = []
     for name, part in by_condition(result).items():
-        verdict, least = judge(part), least_of(part, result.drive)
+        verdict, least = _judged(part, whole), least_of(part, result.drive)
         told.append(
             {
                 "condition": name,
                 "level": verdict.level.value,
+                "word": verdict.word,
                 "headline": verdict.headline(),
                 "load_cases": [case.name for case in part.drive.load_cases],
                 "checks": {c.name: c.value for c in verdict.listed if _told(c)},

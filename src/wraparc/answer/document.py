@@ -26,6 +26,7 @@ from wraparc.version import __version__
 
 if TYPE_CHECKING:
     from wraparc.train import TrainResult
+    from wraparc.train.whole import Whole
 
 #: Counts up when a name goes or changes its meaning, not when one is added.
 DOCUMENT_FORMAT = 1
@@ -38,7 +39,9 @@ _NUMBERS = re.compile(r"\[\s+(?:-?[0-9.eE+-]+|null)(?:,\s+(?:-?[0-9.eE+-]+|null)
 Data = dict[str, Any]
 
 
-def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
+def result_document(
+    results: Sequence[DriveResult], whole: "Whole | None" = None, *, file: str = ""
+) -> Data:
     """Return a solved drive as plain data.
 
     Numbers are SI (metres, newtons, pascals, radians, watts), under the names of the glossary;
@@ -49,12 +52,15 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
     ----------
     results
         The drive solved by one method or by several.
+    whole
+        What the pulleys are of, where they are those of a train: it is judged.
     file
         Where the drive was read from.
     """
-    drive = results[0].drive
-    told = judge(results[0])
-    arcs = [_arc_data(arc, result) for result in results for arc in result]
+    drive, whole = results[0].drive, whole or results[0]
+    told = judge(whole)
+    judged = [whole, *results[1:]]
+    arcs = [_arc_data(a, r, of) for r, of in zip(results, judged, strict=True) for a in r]
     conveyor = conveyor_data(drive)
     uneven = _uneven(results[0])
     return {
@@ -63,12 +69,12 @@ def result_document(results: Sequence[DriveResult], *, file: str = "") -> Data:
         "libraries": {"python": _PYTHON, "numpy": np.__version__},
         "drive": _drive_data(drive, file),
         **({"conveyor": conveyor} if conveyor else {}),
-        **({"conditions": conditions_data(results[0])} if drive.conditions else {}),
+        **({"conditions": conditions_data(results[0], whole)} if drive.conditions else {}),
         "solved": results[0].solved,
         "within_creep_limit": results[0].within_creep_limit,
         "governing": _place(results[0].governing),
         "verdict": verdict_document(told),
-        "least_tension": least_data(results[0]),
+        "least_tension": least_data(whole),
         "remarks": list(told.data),
         "arcs": arcs,
         **({"across": uneven} if uneven else {}),
@@ -91,7 +97,7 @@ def solved_document(
     file
         Where the drive was read from.
     """
-    document = result_document(results, file=file)
+    document = result_document(results, train, file=file)
     if train is not None:
         from wraparc.answer.train_document import train_document
 
@@ -132,9 +138,9 @@ def _place(result: ArcResult) -> Data:
     return {"load_case": arc.load_case, "pulley": arc.pulley, "method": result.method}
 
 
-def _arc_data(result: ArcResult, of: DriveResult) -> Data:
+def _arc_data(result: ArcResult, of: DriveResult, whole: "Whole") -> Data:
     drive = of.drive
-    judged = judge(of).at(result.arc.pulley, result.arc.load_case)
+    judged = judge(whole).at(result.arc.pulley, result.arc.load_case)
     scalars = result.scalars()
     case = drive.load_case(result.arc.load_case)
     lagging = drive.pulley(result.arc.pulley).lagging_in(case.condition)

@@ -64,7 +64,7 @@ def drive_sheet(
     if detail is None:
         detail = [first.arcs.index(first.governing)]
     of = Sources()
-    tables = [conditions_table(first)] if first.drive.conditions else []
+    tables = [conditions_table(first, whole)] if first.drive.conditions else []
     tables.append(check_table(judge(whole), of))
     least = least_table(whole)
     tables += [least] if least else []

@@ -10,13 +10,13 @@ from typing import Any
 from wraparc.alike import largest, least
 from wraparc.answer.checks_table import check_table
 from wraparc.answer.sheet import NONE, Row, Sheet, Table, Verdict, named, percent, quantity
-from wraparc.answer.words import in_words, told_twice
-from wraparc.checks import Level, judge_run
+from wraparc.answer.words import in_words, told_twice, under
+from wraparc.checks import Level, judge, judge_run
 from wraparc.checks.of_run import otherwise
 from wraparc.drive.pitch import pitch_offset
 from wraparc.motion.result import RunResult
 from wraparc.motion.vibration import ControlAnswer, StabilityResult
-from wraparc.train import Train
+from wraparc.train import Train, solve_train
 from wraparc.train.turning import surface_sentence
 from wraparc.units import GIVEN_DIGITS, Dimension, display, display_unit, either
 
@@ -213,13 +213,13 @@ def stability_document(result: StabilityResult) -> dict[str, Any]:
 
 def stability_sheet(result: StabilityResult) -> Sheet:
     """Return the answer to: will it pulsate, why, how much, and what cures it at what cost."""
-    own = result.controls[0]
+    own, train = result.controls[0], result.linear.station.train
     return Sheet(
-        title=f"{result.linear.station.train.title or 'Drive'}: will it pulsate?",
+        title=f"{train.title or 'Drive'}: will it pulsate?",
         subtitle=f"run-out of the last drum {named('exit_creep', result.run_out)}",
-        verdict=_verdict(result, own),
+        verdict=under(_verdict(result, own), judge(solve_train(train, raise_on_failure=False))),
         tables=(_sensitivity_table(result), _controls_table(result)),
-        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(result.linear.station.train)),
+        remarks=(*_LEFT_OUT, _NOT_EXCLUDED, *_surface(train)),
         sources=(result.linear.station.source,) if result.linear.station.source else (),
     )
 
@@ -227,15 +227,19 @@ def stability_sheet(result: StabilityResult) -> Sheet:
 def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
     station, run_out = result.linear.station, result.run_out
     amplitude = own.pull * run_out
-    others = [c for c in result.controls[1:] if c.stable]
-    calmest = least(others, lambda c: max(c.pull, c.pull_third))
+    others = [c for c in result.controls if c.stable]
+    calmest = least(others, lambda c: max(c.pull, c.pull_third)) if others else None
     ways = " and ".join(dict.fromkeys(d.control.words for d in station.drums))
     said = named("exit_creep", run_out)
-    cure = (
-        f"Of the usual ways to drive it, {calmest.name} is the calmest: "
-        f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
-        f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
-    )
+    cure = "None of the usual ways to drive it is calmer."
+    action = "None of the usual ways to drive it cures that."
+    if calmest is not None and calmest is not own:
+        action = f"Drive it another way: {calmest.name} is the calmest of the usual ones."
+        cure = (
+            f"Of the usual ways to drive it, {calmest.name} is the calmest: "
+            f"{percent(calmest.pull * run_out, 2)} of the pull at one wave a turn, "
+            f"{percent(calmest.pull_third * run_out, 2)} at three; {_cost(calmest)}."
+        )
     turn = result.linear.duties[-1].speed / (2.0 * math.pi)
     forced = (
         f"A run-out of {said} of the last drum makes its pull swing by "
@@ -248,7 +252,6 @@ def _verdict(result: StabilityResult, own: ControlAnswer) -> Verdict:
             f"Yes, it pulsates by itself: with {ways} a vibration of {result.frequency:.3g} Hz "
             f"doubles every {quantity(double, 'time', 2)}."
         )
-        action = f"Drive it another way: {calmest.name} is the calmest of the usual ones."
         said_of = (*_why(result), cure, forced)
         return Verdict(Level.FAILS, f"{headline} {action}", said_of, action=action)
     calm = amplitude <= _CALM and own.pull_third * run_out <= _CALM

@@ -5,13 +5,11 @@ from collections.abc import Iterator
 from typing import Any
 
 from wraparc.answer.sheet import Row, Sheet, Table, named, quantity
-from wraparc.answer.words import verdict
 from wraparc.arc import DriveResult
 from wraparc.checks import judge
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import label_of
 from wraparc.study.seek import Sought
-from wraparc.units import in_units
 
 
 def seek_sheet(found: Sought, title: str) -> Sheet:
@@ -19,10 +17,10 @@ def seek_sheet(found: Sought, title: str) -> Sheet:
     rows = tuple(
         Row(
             value_text(found, value),
-            (named(found.result, _result(found, whole)), str(judge(whole).level)),
-            note=verdict(whole).headline,
+            (named(found.result, _result(found, drive)), judge(whole).word),
+            note=judge(whole).lead,
         )
-        for value, whole in zip(found.values, found.drives, strict=True)
+        for value, whole, drive in zip(found.values, found.wholes, found.drives, strict=True)
     )
     heads = (GLOSSARY[found.result].title, "Verdict on the drive")
     return Sheet(
@@ -75,8 +73,8 @@ def value_text(found: Sought, value: float) -> str:
     return quantity(value, found.dimension, 4)
 
 
-def _result(found: Sought, whole: DriveResult) -> float:
-    return float(whole.arc(found.pulley, found.load_case).scalars()[found.result])
+def _result(found: Sought, drive: DriveResult) -> float:
+    return float(drive.arc(found.pulley, found.load_case).scalars()[found.result])
 
 
 def seek_document(found: Sought) -> dict[str, Any]:
@@ -91,11 +89,12 @@ def seek_document(found: Sought) -> dict[str, Any]:
         "found": [
             {
                 "value": value,
-                "result": _result(found, whole),
+                "result": _result(found, drive),
                 "level": judge(whole).level.value,
-                "headline": in_units(verdict(whole).headline),
+                "word": judge(whole).word,
+                "headline": judge(whole).headline(),
             }
-            for value, whole in zip(found.values, found.drives, strict=True)
+            for value, whole, drive in zip(found.values, found.wholes, found.drives, strict=True)
         ],
         "tried": {"value": list(found.tried), "result": list(found.results)},
     }

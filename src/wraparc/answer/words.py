@@ -12,6 +12,9 @@ from wraparc.checks import Level, idle, judge
 from wraparc.checks import Verdict as Judgement
 from wraparc.drive import Drive, LoadCase, Tensions
 
+#: Which drive is judged beside the answer to another question.
+AS_IT_IS = "As it is"
+
 
 def verdict(result: DriveResult) -> Verdict:
     """Return the answer for a whole drive: the check that governs, then what else is missed."""
@@ -51,18 +54,34 @@ def in_words(
     )
 
 
-def as_it_is(told: Judgement) -> str:
+def as_it_is(told: Judgement, of: str = AS_IT_IS) -> str:
     """Return the verdict on a drive in a sentence, for an answer to another question about it."""
-    return f"As it is: {told.lead}"
+    return f"{of}: {told.lead}"
 
 
-def in_short(told: Judgement) -> str:
+def in_short(told: Judgement, of: str = AS_IT_IS) -> str:
     """Return what a drive misses as it is, in a few words, or what it misses wet; else nothing."""
     worst, wet = told.governing, told.beyond_wet()
     if worst is None or not worst.missed:
         return f"{wet}." if wet else ""
     where = f" ({worst.place})" if str(worst.place) else ""
-    return f"As it is: {worst.short}{where}."
+    return f"{of}: {worst.short}{where}."
+
+
+def under(told: Verdict, judged: Judgement, of: str = AS_IT_IS) -> Verdict:
+    """Return the answer to another question about a drive under the verdict on the drive.
+
+    The worse of both leads; `of` says which drive that is.
+    """
+    level = max(told.level, judged.level, key=lambda of: of.rank)
+    as_is = [as_it_is(judged, of)] if judged.missed else []
+    return replace(
+        told,
+        level=level,
+        headline=f"{told.headline} {in_short(judged, of)}".rstrip(),
+        sentences=(*as_is, *told.sentences),
+        word=judged.word if level is Level.OK else "",
+    )
 
 
 def level_of(result: DriveResult, arc: ArcResult) -> Level:

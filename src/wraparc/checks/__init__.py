@@ -18,10 +18,12 @@ binding check is kept.
 
 from wraparc.checks.check import Check, Level, Place, Verdict, keeps, placed
 from wraparc.checks.gross_slip import Margins, margins_of
-from wraparc.checks.judge import TRAIN_BALANCE, before, judge
+from wraparc.checks.judge import before, judge
 from wraparc.checks.least_tension import Figure, LeastTension, least_tension
 from wraparc.checks.of_run import judge_run
-from wraparc.checks.rules import RULES, idle
+from wraparc.checks.of_train import TRAIN_BALANCE
+from wraparc.checks.rule import idle
+from wraparc.checks.rules import RULES
 
 __all__ = [
     "RULES",

@@ -137,7 +137,8 @@ class Check:
     more
         Further quantities by name: value [SI] and dimension.
     binding
-        Whether a design must keep it: the least slack-side tension does.
+        Whether a design must keep it; of these the least slack-side tension keeps what a tension
+        helps against.
     miss
         What it says where a value misses its limit; None where nothing is compared.
     """

@@ -15,8 +15,9 @@ from wraparc.checks.check import Level, Place
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import lift, rises
 from wraparc.checks.least_numbers import Pull, least_for_slip
-from wraparc.checks.of_arc import design_slack
-from wraparc.checks.rules import idle, tension_factor
+from wraparc.checks.of_arc import design_slack, spot_of
+from wraparc.checks.rule import Rule, Spot, idle
+from wraparc.checks.rules import OF_PULLEY
 from wraparc.conveyor import Conveyor
 from wraparc.drive import Drive, LoadCase
 from wraparc.train import TrainResult
@@ -200,56 +201,46 @@ def _figures(
 ) -> Iterator[Figure]:
     """Yield what every check asks of the take-up: all tensions rise with `end`, what it holds."""
     for index, result in enumerate(arcs):
-        arc, place = result.arc, Place(result.arc.pulley, case.name)
-        tight = max(arc.entry_tension, arc.exit_tension)
-        slack = min(arc.entry_tension, arc.exit_tension)
-        offset = end - slack
+        spot = spot_of(drive, case, drive.pulley(result.arc.pulley), result)
+        place, offset = spot.place, end - spot.state.slack
         if _pulls(result):
             least = result.capacities.least_exit_tension
             yield Figure("creep", "Creep", offset + (inf if math.isnan(least) else least), place)
             yield from _slip(result, offset, place)
-            yield from _standard(drive, case, result, offset, place)
+            yield from _standard(spot, offset)
             yield _gross_slip(drive, case, arcs, index, end)
-        yield from _pressures(drive, case, arc, end - slack, end - tight, place)
-    if drive.criteria.sag is not None:
-        place = Place("", case.name)
-        lift = end - drive.slack_end(case)
-        yield Figure("sag", "Belt sag", drive.criteria.sag.tension + lift, place)
+        for rule in OF_PULLEY:
+            yield from _of_tension(rule, spot, end)
 
 
-def _pressures(
-    drive: Drive, case: LoadCase, arc: WrapArc, of_slack: float, of_tight: float, place: Place
-) -> Iterator[Figure]:
-    belt, tested, area = drive.belt, arc.law.tested, arc.width * arc.radius
-    if tested is not None:
-        low, high = (p * area + arc.centrifugal for p in (tested.pressure_min, tested.pressure_max))
-        yield Figure("tested_pressure_min", "Least wrap pressure, tested", of_slack + low, place)
-        title = "Largest wrap pressure, tested"
-        yield Figure("tested_pressure_max", title, of_tight + high, place, at_least=False)
-    if belt.largest_wrap_pressure is not None:
-        title, most = (
-            "Pressure on the pulley face",
-            belt.largest_wrap_pressure * area + arc.centrifugal,
-        )
-        yield Figure("face_pressure", title, of_tight + most, place, at_least=False)
-    if belt.rating is not None:
-        most = of_tight + tension_factor(belt, case.kind) * belt.rating * belt.width
-        yield Figure("belt_tension", "Belt tension", most, place, at_least=False)
+def _of_tension(rule: Rule, of: Spot, end: float) -> Iterator[Figure]:
+    """Yield what a check of a tension, or of its pressure, asks for: all of them rise alike.
+
+    The safety factor of a belt, its tension the other way round, asks for what its rating does.
+    """
+    words, value = rule.words and rule.words(of), rule.value
+    asks = rule.tension and rule.firm is None and not rule.of_solution
+    if not asks or value is None or words is None or words.missing:
+        return
+    more, least = of.state.width * 1e3, rule.tension == "raise"
+    allowed = rule.allowed(of) if rule.allowed else None
+    limit = rule.limited(nan if allowed is None else allowed, of.state)
+    now = value(of.state)
+    rise = (limit - now) / (value(of.state.raised(more)) - now) * more
+    yield Figure(rule.name, words.title, end + rise, of.place, at_least=least)
 
 
-def _standard(
-    drive: Drive, case: LoadCase, result: ArcResult, offset: float, place: Place
-) -> Iterator[Figure]:
-    criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
-    rule = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
+def _standard(of: Spot, offset: float) -> Iterator[Figure]:
+    criteria, pulley = of.drive.criteria, of.pulley
+    rule = asked(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
     if rule is None:
         return
     binding, tension = criteria.standard.binding, inf  # none keeps a rule that cannot be applied
     if not math.isnan(rule.wrap_factor):
-        tension = offset + design_slack(drive, case, result, rule.wrap_factor)
+        tension = offset + design_slack(of, rule.wrap_factor)
     elif not (binding and criteria.standard.name):
         return
-    yield Figure("design_standard", rule.rule, tension, place, binding=binding)
+    yield Figure("design_standard", rule.rule, tension, of.place, binding=binding)
 
 
 def _slip(result: ArcResult, offset: float, place: Place) -> Iterator[Figure]:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import floor, inf, isfinite, isnan, nan, pi
-from typing import NamedTuple
+from typing import Generic, NamedTuple
 
 from wraparc.arc.quantities import Buffer
+from wraparc.arrays import Number
 from wraparc.drive.pitch import USUAL_OFFSET
 
 #: Pull over tension that counts as none [-].
@@ -128,34 +129,34 @@ def usual(value: float, least: float, most: float) -> bool:
     return not (value < least or (value > most and isfinite(value)))
 
 
-class Sizes(NamedTuple):
+class Sizes(NamedTuple, Generic[Number]):
     """What is given of belt, pulley and lagging; nan where something is not [SI]."""
 
-    width: float
-    modulus: float
-    speed: float
-    diameter: float
-    idle_wrap: float  # wrap angle of a pulley that does not pull, else nan
-    wrap_angle: float  # of one that does
-    creep_limit: float
-    overrun: float
-    thickness: float
-    shear_modulus: float
-    compression_modulus: float
-    rating: float
-    strength: float
-    bond_strength: float
-    fatigue_limit: float
-    face_pressure: float
-    least_diameter: float
-    sag: float
-    entry: float
-    leaving: float
-    pull: float  # nan where there is none, or where it is found and not given
-    mass: float  # of the belt per length
+    width: Number
+    modulus: Number
+    speed: Number
+    diameter: Number
+    idle_wrap: Number  # wrap angle of a pulley that does not pull, else nan
+    wrap_angle: Number  # of one that does
+    creep_limit: Number
+    overrun: Number
+    thickness: Number
+    shear_modulus: Number
+    compression_modulus: Number
+    rating: Number
+    strength: Number
+    bond_strength: Number
+    fatigue_limit: Number
+    face_pressure: Number
+    least_diameter: Number
+    sag: Number
+    entry: Number
+    leaving: Number
+    pull: Number  # nan where there is none, or where it is found and not given
+    mass: Number  # of the belt per length
 
 
-def compared_sizes(of: Sizes) -> list[float]:
+def compared_sizes(of: Sizes[Number]) -> list[Number]:
     """Sizes, and the ratios between them that a wrong unit shows in, in the order of their ends."""
     return [
         of.width, of.modulus, of.speed, of.diameter, of.idle_wrap, of.wrap_angle,
@@ -180,15 +181,6 @@ def compared_motor(
 ) -> list[float]:
     """What `USUAL_MOTORS` are the ends of; speeds of motor and drum in rad/s, nan if unknown."""
     return [power, speed, drum * radius / belt]
-
-
-def safety_of(strength: float, tension: float, asked: float) -> float:
-    """Breaking strength of a belt over its tension [-].
-
-    What is asked, where the tension is the one that leaves it in the four digits it is compared in.
-    """
-    safety = strength / tension
-    return asked if safety < asked and same_shown(tension, strength / asked) else safety
 
 
 def held_alike(least: float, most: float) -> bool:

@@ -9,8 +9,9 @@ import numpy as np
 
 from wraparc.across import AcrossResult, AcrossStatus, slack_words
 from wraparc.checks.check import Check, Level, Place, escaped
-from wraparc.checks.of_drive import judged, not_checked, origin, tests_of
-from wraparc.checks.rules import ACROSS_RULES, tension_factor
+from wraparc.checks.of_drive import NO_RATING, tension_factor, tests_of
+from wraparc.checks.rule import Words, not_checked, origin
+from wraparc.checks.rules import ACROSS_RULES
 from wraparc.drive import Belt, Drive, LoadCase, Pulley, Transition
 
 #: Tension at an edge that a belt may bear over its rating [-].
@@ -47,19 +48,14 @@ def across(drive: Drive, case: LoadCase, result: AcrossResult) -> Iterator[Check
                 (result.largest_running_tension, result.tightest_strip_tension), place)  # fmt: skip
     yield from _worst_place(drive, pulley, result, place)
     yield _wear(result, place)
-    yield judged(
-        ACROSS_RULES["across_balance"],
-        "Energy balance across the width",
-        result.identity_error,
-        BALANCE,
-        "number",
+    words = Words(
+        title="Energy balance across the width",
         source="tolerance of the program",
         short="out of balance",
         says="The energy balance across the width misses by {value}, more than {limit}.",
         remedy="Please report the drive file; until then use another number of strips.",
-        place=place,
-        binding=False,
     )
+    yield ACROSS_RULES["across_balance"].judged(result.identity_error, BALANCE, place, words)
 
 
 def _carried(result: AcrossResult, place: Place) -> Check:
@@ -89,15 +85,11 @@ def _edge(
     """
     value, strip = tension
     if belt.rating is None:
-        return not_checked(name, title, "the rating of the belt is not given", place)
+        return not_checked(name, title, NO_RATING, place)
     factor = EDGE_FACTOR * tension_factor(belt, case.kind)
     share = 100.0 * value / belt.rating
-    return judged(
-        ACROSS_RULES[name],
-        title,
-        value,
-        factor * belt.rating,
-        "force_per_width",
+    words = Words(
+        title=title,
         source=f"{_EDGE}; rating: {origin(belt.sources.get('rating', belt.provenance))}",
         short="edge over rating",
         says="At its tightest the belt carries {value}, more than the {limit} allowed; that is "
@@ -105,9 +97,8 @@ def _edge(
         remedy="Even out the pulley, lengthen the transition, or lower the tension.",
         otherwise="Even out the pulley, or lengthen the transition.",
         more={"strip": (strip, "force_per_width")},
-        place=place,
-        binding=False,
     )
+    return ACROSS_RULES[name].judged(value, factor * belt.rating, place, words)
 
 
 def _static(
@@ -121,39 +112,30 @@ def _static(
                 (result.largest_static_tension, float(np.max(result.static_tension))),
                 place)  # fmt: skip
     least = float(np.min(result.static_tension))
-    yield judged(
-        ACROSS_RULES["static_centre_tension"],
-        "Centre of the belt at standstill",
-        least,
-        0.0,
-        "force_per_width",
+    words = Words(
+        title="Centre of the belt at standstill",
         source="centre not below 0; Goodyear, belt maintenance manual (2010)",
         short="buckles",
         says="At standstill the transition leaves {value} in the slackest strip: it buckles.",
         remedy="Lengthen the transition, or raise the pulley to half the depth of the trough.",
-        place=place,
-        binding=False,
     )
+    yield ACROSS_RULES["static_centre_tension"].judged(least, 0.0, place, words)
     title, belt = "Length of the trough transition", drive.belt
     if belt.rating is None or belt.kind not in _TRANSITIONS:
         why = "carcass and rating of the belt are not given"
         yield not_checked("transition_length", title, why, place)
         return
     share = result.wide.arc.entry_tension / (belt.rating * belt.width)
-    yield judged(
-        ACROSS_RULES["transition_length"],
-        title,
-        before.length,
-        least_transition(belt, before, share),
-        "length",
+    words = Words(
+        title=title,
         source=_TRANSITION_SOURCE,
         short="transition short",
         says=f"The transition, {{value}}, is shorter than the {{limit}} that is customary for "
         f"{belt.kind}; it carries {100.0 * share:.3g} % of its rating.",
         remedy="Lengthen it, flatten the last troughs, or raise the pulley to half the trough.",
-        place=place,
-        binding=False,
     )
+    least_length = least_transition(belt, before, share)
+    yield ACROSS_RULES["transition_length"].judged(before.length, least_length, place, words)
 
 
 def least_transition(belt: Belt, transition: Transition, share: float) -> float:
@@ -170,46 +152,53 @@ def _worst_place(
     """Check pressure, shear and creep of the strip that comes off worst."""
     lagging, tested = pulley.lagging, pulley.lagging.law.tested
     strip = "The worst strip"
-    even = "Even out the pulley, or choose a larger pulley or less tension."
     plain = "Even out the pulley, or choose a larger pulley."
-    slips = (
-        "Even out the pulley, raise the slack-side tension, or choose a lagging with more friction."
-    )
-    no_tension = "Even out the pulley, or choose a lagging with more friction."
+    advice = {
+        "": (plain, plain),
+        "lower": (f"{plain[:-1]} or less tension.", plain),
+        "raise": (
+            "Even out the pulley, raise the slack-side tension, or choose a lagging with more "
+            "friction.",
+            "Even out the pulley, or choose a lagging with more friction.",
+        ),
+    }
     limits = [
         ("uneven_pressure", "Largest wrap pressure across the width, tested",
-         result.largest_pressure, None if tested is None else tested.pressure_max, "pressure",
+         result.largest_pressure, None if tested is None else tested.pressure_max,
          tests_of(pulley) if tested else "",
          f"{strip} presses with {{value}}, above the {{limit}} tested on lagging "
          f"{escaped(lagging.name)}.", "pressure above tests"),
         ("uneven_face_pressure", "Pressure on the pulley face across the width",
-         result.largest_pressure, drive.belt.largest_wrap_pressure, "pressure",
+         result.largest_pressure, drive.belt.largest_wrap_pressure,
          origin(drive.belt.source_of("largest_wrap_pressure")),
          f"{strip} presses on the pulley face with {{value}}, more than {{limit}}.",
          "face pressure"),
         ("uneven_bond_stress", "Shear stress of the bond across the width",
-         float(np.max(result.peak_shear_stress)), lagging.bond_strength, "pressure",
+         float(np.max(result.peak_shear_stress)), lagging.bond_strength,
          origin(lagging.source_of("bond_strength")),
          f"{strip} shears lagging and bond with {{value}}, more than {{limit}}.",
          "bond overstressed"),
         ("uneven_fatigue_stress", "Shear stress of the bond across the width, at every pass",
-         float(np.max(result.peak_shear_stress)), lagging.fatigue_limit, "pressure",
+         float(np.max(result.peak_shear_stress)), lagging.fatigue_limit,
          origin(lagging.source_of("fatigue_limit")),
          f"{strip} is sheared by {{value}} at every pass, fatigue limit {{limit}}.",
          "lagging tires"),
         ("uneven_creep", "Creep at exit across the width", abs(result.largest_creep),
-         result.wide.arc.creep_limit, "length", "as for the even belt",
+         result.wide.arc.creep_limit, "as for the even belt",
          f"{strip} creeps {{value}}, more than the limit of {{limit}}.", "over creep limit"),
     ]  # fmt: skip
-    for name, title, value, limit, dimension, source, says, short in limits:
+    for name, title, value, limit, source, says, short in limits:
         if limit is not None:
-            yield judged(
-                ACROSS_RULES[name], title, value, limit, dimension,  # type: ignore[arg-type]
-                source=source, says=says, short=short, place=place,
-                remedy=slips if name == "uneven_creep" else even,
-                otherwise=no_tension if name == "uneven_creep" else plain,
-                binding=False,
-            )  # fmt: skip
+            remedy, otherwise = advice[ACROSS_RULES[name].tension]
+            words = Words(
+                title=title,
+                source=source,
+                says=says,
+                short=short,
+                remedy=remedy,
+                otherwise=otherwise,
+            )
+            yield ACROSS_RULES[name].judged(value, limit, place, words)
     yield from _crown(drive, pulley)
 
 
@@ -219,21 +208,17 @@ def _crown(drive: Drive, pulley: Pulley) -> Iterator[Check]:
         return
     cord = drive.belt.kind == "steel cord"
     on_diameter = 2.0 * shell.crown
-    yield judged(
-        ACROSS_RULES["crown"],
-        "Crown of the pulley, on diameter",
-        on_diameter,
-        0.0 if cord else LARGEST_CROWN * drive.belt.width,
-        "length",
+    words = Words(
+        title="Crown of the pulley, on diameter",
         source="at most 1/8 in per foot of width for fabric, none for steel cord; customary",
         short="crowned too high",
         says="Steel-cord belts run on pulleys without a crown; this one has {value} on diameter."
         if cord
         else "The crown, {value} on diameter, is higher than the customary {limit}.",
         remedy="Turn the crown off, or train the belt by its idlers.",
-        place=Place(pulley.name),
-        binding=False,
     )
+    most = 0.0 if cord else LARGEST_CROWN * drive.belt.width
+    yield ACROSS_RULES["crown"].judged(on_diameter, most, Place(pulley.name), words)
 
 
 def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
@@ -242,21 +227,17 @@ def _extent(belt: Belt, pulley: Pulley) -> Iterator[Check]:
     for name, profile in (pulley.across.profiles() if pulley.across else {}).items():
         if not profile.position or profile.position[-1] - profile.position[0] >= least:
             continue
-        yield judged(
-            ACROSS_RULES["profile_extent"],
-            f"Extent of the profile {name}",
-            profile.position[-1] - profile.position[0],
-            least,
-            "length",
+        words = Words(
+            title=f"Extent of the profile {name}",
             source="a tenth of the width: a profile of the face reaches further",
             short="profile too narrow",
             says=f"The rows of {name} reach over {{value}} of a belt {{width}} wide: were inches "
             "read as millimetres?",
             more={"width": (belt.width, "length")},
             remedy="Give every position its unit, and rows over the whole face.",
-            place=Place(pulley.name),
-            binding=False,
         )
+        extent = profile.position[-1] - profile.position[0]
+        yield ACROSS_RULES["profile_extent"].judged(extent, least, Place(pulley.name), words)
 
 
 def _wear(result: AcrossResult, place: Place) -> Check:

@@ -3,28 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from wraparc.alike import largest
 from wraparc.arc import ArcResult, Status
+from wraparc.arrays import Number
 from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.design_standard import asked
 from wraparc.checks.gross_slip import rises, sliding
-from wraparc.checks.numbers import asked_slack, balance_miss, steepest
-from wraparc.checks.of_drive import (
-    MORE_CREEP,
-    judged,
-    not_checked,
-    origin,
-    tests_of,
-)
-from wraparc.checks.rules import NO_GRIP, RULES, idle, standard_rule, start_factor
+from wraparc.checks.numbers import asked_slack, balance_miss, idles, steepest
+from wraparc.checks.of_drive import MORE_CREEP, tests_of
+from wraparc.checks.rule import At, Rule, Spot, State, Words, idle, not_checked, origin
 from wraparc.checks.sliding import CREEP, MOST, NOT_CARRIED, SLIDES, TESTED, Sliding
-from wraparc.drive import CREEP_LIMIT, Drive, LoadCase, Pulley, TakeUp
-from wraparc.drive.pitch import turns_an_hour
+from wraparc.drive import CREEP_LIMIT, Criteria, Drive, LoadCase, Pulley, TakeUp
+from wraparc.drive.pitch import centrifugal_of, turns_an_hour
 from wraparc.units import Dimension
 
 #: Largest miss of the energy balance that a solution is trusted with [-]; the usual mesh misses by
@@ -42,6 +37,8 @@ NO_TENSION = (
     "friction."
 )
 GRIP = "Safety against gross slip, {}"
+#: Where gross slip cannot be avoided, whatever its safety factor.
+NO_GRIP = Level.FAILS
 #: What comes first where a belt slides: in a title, and as a sentence begins.
 FIRST = {
     CREEP: ("by creep", "The belt slides (creep of {slides})"),
@@ -57,17 +54,10 @@ def no_state(result: ArcResult) -> str:
     return "in gross slip the belt has no state at rest"
 
 
-def _known(check: Check, result: ArcResult) -> Check:
-    """Return a check of what an arc does, as not made where it is not solved."""
-    if result.status.solved or check.level is Level.NOT_CHECKED:
-        return check
-    return not_checked(check.name, check.title, no_state(result), check.place)
-
-
 def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) -> Check:
     """Check whether an arc carries its load, and with which factor in hand."""
     result = arcs[index]
-    take_up, name = drive.criteria.take_up, RULES["gross_slip"].name
+    take_up, name = drive.criteria.take_up, GROSS_SLIP.name
     place = Place(result.arc.pulley, case.name)
     title = GRIP.format(case.kind)
     if result.status is Status.UNSOLVED:
@@ -86,7 +76,7 @@ def grip(drive: Drive, case: LoadCase, arcs: Sequence[ArcResult], index: int) ->
 def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) -> Check:
     """Return the check of the pull at which the belt slides, by what comes first there."""
     safety, take_up, lagging = drive.criteria.safety, drive.criteria.take_up, result.arc.pulley
-    rule, factor, gone = RULES["gross_slip"], safety.of(case.kind), not result.status.solved
+    rule, factor, gone = GROSS_SLIP, safety.of(case.kind), not result.status.solved
     by, first = FIRST[found.cause]
     title = f"{GRIP.format(case.kind)}, {by}"
     place = Place(result.arc.pulley, case.name)
@@ -97,12 +87,8 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
     first = first.replace("⟦lagging⟧", escaped(drive.pulley(lagging).lagging.name))
     says = f"{first} at {{value}} times the pull, below {{limit}}; safety factor {case.kind}, "
     says += f"{held_words(take_up)}."
-    check = judged(
-        rule,
-        title,
-        min(found.place, NOT_CARRIED) if gone else found.place,
-        factor,
-        "number",
+    words = Words(
+        title=title,
         source=f"safety factor {case.kind}: {safety.source or OWN_FACTORS}",
         short="pull beyond tests" if found.cause == TESTED else "near gross slip",
         says=says,
@@ -110,12 +96,19 @@ def of_sliding(drive: Drive, case: LoadCase, result: ArcResult, found: Sliding) 
         remedy=MORE_GRIP,
         otherwise=NO_TENSION,
         more={"slides": (SLIDES, "length")},
-        place=place,
     )
+    value = min(found.place, NOT_CARRIED) if gone else found.place
+    check = rule.judged(value, factor, place, words)
     if not gone:
         return check
     says = f"Gross slip: no creep carries the pull. {says}"
     return replace(check, level=NO_GRIP, says=says, short="gross slip", miss=None)
+
+
+GROSS_SLIP = Rule(
+    "gross_slip", "the safety against gross slip", at_most=False, fails_beyond=1.0,
+    tension="raise",
+)  # fmt: skip
 
 
 def held_words(take_up: TakeUp) -> str:
@@ -126,68 +119,79 @@ def held_words(take_up: TakeUp) -> str:
     return f"{escaped(where)} held (gravity take-up)"
 
 
-def standard(drive: Drive, case: LoadCase, result: ArcResult) -> Check | None:
-    """Check the slack side against the design standard; None where none is asked for."""
-    criteria, lagging = drive.criteria, drive.pulley(result.arc.pulley).lagging
-    found = asked(criteria.standard, criteria.take_up, lagging, result.arc.wrap_angle)
-    if found is None or idle(result.arc):
-        return None
-    place = Place(result.arc.pulley, case.name)
+def _standard(of: Spot) -> Iterator[Check]:
+    """Check the slack side against the design standard, where one is asked for."""
+    criteria, pulley = of.drive.criteria, of.pulley
+    found = asked(criteria.standard, criteria.take_up, pulley.lagging, pulley.wrap_angle)
+    tensions, rule = of.case.tensions[pulley.name], DESIGN_STANDARD.held(of.drive)
+    if found is None or idles(tensions.entry, tensions.exit):
+        return
     if math.isnan(found.wrap_factor):
         title = f"Slack side by {found.rule}"
         if not criteria.standard.name:
-            return not_checked("design_standard", title, found.why_not, place)
-        return Check(
-            name="design_standard",
+            yield not_checked(rule.name, title, found.why_not, of.place)
+            return
+        yield Check(
+            name=rule.name,
             title=title,
-            level=Level.FAILS if criteria.standard.binding else Level.ATTENTION,
-            place=place,
+            level=rule.missed,
+            place=of.place,
             short="standard not applicable",
             says=escaped(f"{found.rule} was chosen and cannot be applied: {found.why_not}."),
             remedy="Give what it asks for, or choose another design standard.",
-            binding=criteria.standard.binding,
+            binding=rule.binding,
         )
-    slack = min(result.arc.entry_tension, result.arc.exit_tension)
-    limit = design_slack(drive, case, result, found.wrap_factor)
+        return
     chosen = "" if criteria.standard.name else " No standard was chosen: CEMA was taken."
-    start, (rule, _, how) = "", found.rule.partition(", ")
-    if criteria.standard.start_factor != 1.0 and case.kind == "running":
+    start, (name, _, how) = "", found.rule.partition(", ")
+    if criteria.standard.start_factor != 1.0 and of.case.kind == "running":
         start = f" at {criteria.standard.start_factor:g} times the pull"
-    return judged(
-        standard_rule(criteria),
-        f"Slack side by {found.rule}",
-        slack,
-        limit,
-        "force",
+    limit = design_slack(of, found.wrap_factor)
+    words = Words(
+        title=f"Slack side by {found.rule}",
         source=found.source,
         short="below standard",
-        says=f"Slack side {{value}} is below the {{limit}} of {rule}; {how}{start}.{chosen}",
+        says=f"Slack side {{value}} is below the {{limit}} of {name}; {how}{start}.{chosen}",
         remedy="Raise the slack-side tension, or choose the design standard.",
         otherwise="Choose the design standard.",
-        binding=criteria.standard.binding,
-        place=place,
     )
+    yield rule.judged(of.state.slack, limit, of.place, words)
 
 
-def design_slack(drive: Drive, case: LoadCase, result: ArcResult, factor: float) -> float:
+def design_slack(of: At, factor: float) -> float:
     """Slack-side tension by a wrap factor, Cw times the pull that is designed for [N]."""
-    start = start_factor(drive.criteria, case.kind)
-    return asked_slack(factor, start, result.arc.effective_tension)
+    start = start_factor(of.drive.criteria, of.case.kind)
+    return asked_slack(factor, start, of.case.tensions[of.pulley.name].effective)
 
 
-def creep(drive: Drive, result: ArcResult) -> Check:
-    """Check the creep at the exit."""
-    title, place = "Creep at exit", Place(result.arc.pulley, result.arc.load_case)
-    if not result.status.solved:
-        return not_checked("creep", title, no_state(result), place)
-    limit = result.arc.creep_limit
-    return judged(
-        RULES["creep"],
-        title,
-        abs(result.exit_creep),
-        limit,
-        "length",
-        place=place,
+def start_factor(criteria: Criteria, kind: str) -> float:
+    """Pull that the design standard is applied to over that of a load case [-]."""
+    return criteria.standard.start_factor if kind == "running" else 1.0
+
+
+def _binds(drive: Drive) -> bool:
+    return drive.criteria.standard.binding
+
+
+DESIGN_STANDARD = Rule(
+    "design_standard", "the design standard", at_most=False, dimension="force", tension="raise",
+    firm=_binds, pulls=True, of_runs=False, asked=_standard,
+)  # fmt: skip
+
+
+def _creep(state: State[Number]) -> Number:
+    return state.creep
+
+
+def _creep_limit(_: Number, state: State[Number]) -> Number:
+    return state.creep_limit
+
+
+def _creeps(of: Spot) -> Words:
+    """Of the creep at the exit."""
+    limit = of.state.creep_limit
+    return Words(
+        title="Creep at exit",
         source="conservative limit, 1/4 in; B. DeVries, A model of lagging friction"
         if limit == CREEP_LIMIT
         else "given",
@@ -195,70 +199,84 @@ def creep(drive: Drive, result: ArcResult) -> Check:
         more={
             "fabric": (MORE_CREEP["fabric"], "force_per_width"),
             "slides": (SLIDES, "length"),
-            "allowed": (RULES["creep"].tolerates, "length"),
+            "allowed": (EXIT_CREEP.tolerates, "length"),
         },
         says="Creeps {value}, more than the limit of {limit}.",
-        allows=_qualifies(drive, limit),
+        allows=_qualifies(of.drive, limit),
         because="A belt that creeps more than {slides} slides.",
         remedy=MORE_GRIP,
         otherwise=NO_TENSION,
     )
 
 
+EXIT_CREEP = Rule(
+    "creep", "the creep limit", fails_beyond=SLIDES, tolerates=2.0 * CREEP_LIMIT,
+    dimension="length", tension="raise", of_solution=True, value=_creep, limit=_creep_limit,
+    of_runs=False, words=_creeps,
+)  # fmt: skip
 #: Of a law that does not say what its slip includes, on a belt with a cover.
 COVER_UNKNOWN = "Whether the tested slip includes the shear of the belt cover is not known"
 
 
-def cover_creep(result: ArcResult) -> Check | None:
+def _cover_creep(of: Spot) -> Iterator[Check]:
     """Check the creep with the cover of the belt in series, where the law may include its shear."""
-    place, found = Place(result.arc.pulley, result.arc.load_case), result.covered_creep
-    title = "Creep at exit, with the cover of the belt in series"
-    if result.arc.cover_left_out == 0.0:
-        return None
-    if not result.status.solved:
-        return not_checked("cover_creep", title, no_state(result), place)
+    rule, title = COVER_CREEP, "Creep at exit, with the cover of the belt in series"
+    if of.result is None or of.result.arc.cover_left_out == 0.0:
+        return
+    if of.unknown:
+        yield not_checked(rule.name, title, of.unknown, of.place)
+        return
+    found = of.result.covered_creep
     told = "the creep is {value}" if math.isfinite(found) else "the belt slips through"
-    return judged(
-        RULES["cover_creep"],
-        title,
-        abs(found),
-        result.arc.creep_limit,
-        "length",
-        place=place,
+    words = Words(
+        title=title,
         source="shear of the cover of the belt",
         short="limit within belt cover",
         says=f"{COVER_UNKNOWN}: with the cover in series {told}, beyond the limit of {{limit}}.",
         remedy="State the cover of the test belt with the shear tests, or raise the slack-side "
         "tension.",
         otherwise="State the cover of the test belt with the shear tests.",
-        binding=False,
     )
+    yield rule.judged(abs(found), of.state.creep_limit, of.place, words)
 
 
-def creep_interval(drive: Drive, result: ArcResult) -> Check | None:
+COVER_CREEP = Rule(
+    "cover_creep", "the creep limit, with the cover of the belt in series", dimension="length",
+    tension="raise", binding=False, of_solution=True, of_runs=False, asked=_cover_creep,
+)  # fmt: skip
+
+
+def creep_interval(of: Spot) -> Iterator[Check]:
     """Check the end of the interval that the uncertainty of a fitted law leaves of the creep."""
-    place, ends = Place(result.arc.pulley, result.arc.load_case), result.creep_interval
-    if result.arc.fit is not None and result.arc.fit.knots and not result.status.solved:
-        return not_checked("creep_interval", INTERVAL, no_state(result), place)
+    if of.result is None:
+        return
+    fit = of.result.arc.fit
+    if fit is not None and fit.knots and of.unknown:
+        yield not_checked(CREEP_INTERVAL.name, INTERVAL, of.unknown, of.place)
+        return
+    ends = of.result.creep_interval
     if math.isnan(ends[0]):
-        return None
+        return
     most = largest(ends, abs)
     told = "reaches {value}" if math.isfinite(most) else "reaches gross slip"
-    return judged(
-        RULES["creep_interval"],
-        INTERVAL,
-        abs(most),
-        result.arc.creep_limit,
-        "length",
-        place=place,
-        source=tests_of(drive.pulley(result.arc.pulley)),
+    words = Words(
+        title=INTERVAL,
+        source=tests_of(of.pulley),
         short="limit within uncertainty",
         says=f"By the uncertainty of the friction law the creep {told}, beyond {{limit}}; that is "
         "the end of its 95 % interval.",
         remedy="Raise the slack-side tension, or test more samples of the lagging.",
         otherwise="Test more samples of the lagging.",
-        binding=False,
     )
+    yield CREEP_INTERVAL.judged(abs(most), of.state.creep_limit, of.place, words)
+
+
+CREEP_INTERVAL = Rule(
+    "creep_interval", "the creep limit, at the end of the interval of the law",
+    dimension="length", tension="raise", binding=False, of_solution=True, of_rows=False,
+    of_runs=False, asked=creep_interval,
+)  # fmt: skip
+OF_GRIP = (DESIGN_STANDARD, EXIT_CREEP, COVER_CREEP, CREEP_INTERVAL)
 
 
 def _qualifies(drive: Drive, limit: float) -> str:
@@ -285,116 +303,127 @@ def _qualifies(drive: Drive, limit: float) -> str:
     )
 
 
-def lagging_stress(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
-    """Check the peak shear stress against bond and fatigue of the lagging."""
-    place = Place(pulley.name, result.arc.load_case)
-    yield _known(bond(pulley, result.peak_shear_stress, place), result)
-    often = ""
-    more: dict[str, tuple[float, Dimension]] = {}
-    if result.arc.belt_speed is not None:
-        often = "; the belt passes {passes} times an hour"
-        pitch = result.arc.radius + result.arc.offset
-        more["passes"] = turns_an_hour(result.arc.belt_speed, pitch), "number"
-    fatigue = _stress(
-        pulley, result.peak_shear_stress, place, "fatigue_stress", "fatigue_limit",
-        "Shear stress of lagging and bond, at every pass", "lagging tires",
-        "At every pass the shear stress reaches {value}, above the fatigue limit {limit}"
-        f"{often}.",
-        more,
-    )  # fmt: skip
-    yield _known(fatigue, result)
+def _shear(state: State[Number]) -> Number:
+    return state.shear
 
 
-def bond(pulley: Pulley, stress: float, place: Place) -> Check:
-    """Check a shear stress against what lagging and bond bear once."""
+def _bond_strength(of: At) -> float | None:
+    return of.pulley.lagging.bond_strength
+
+
+def _bond(of: Spot) -> Words:
     title = "Shear stress of lagging and bond, steady"
-    if place.event:
+    if of.place.event:
         title = "Largest shear stress of lagging and bond"
-    return _stress(
-        pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed",
-        "The shear stress of lagging and bond, {value}, is above their {limit}.",
-    )  # fmt: skip
+    says = "The shear stress of lagging and bond, {value}, is above their {limit}."
+    return _of_stress(of, "bond_strength", title, "bond overstressed", says)
 
 
-def _stress(
-    pulley: Pulley, stress: float, place: Place, name: str, key: str, title: str, short: str,
-    says: str, more: Mapping[str, tuple[float, Dimension]] | None = None,
-) -> Check:  # fmt: skip
-    lagging = pulley.lagging
-    limit = getattr(lagging, key)
-    if limit is None:
+BOND_STRESS = Rule(
+    "bond_stress", "the bond strength of the lagging", dimension="pressure", of_solution=True,
+    value=_shear, allowed=_bond_strength, words=_bond,
+)  # fmt: skip
+
+
+def _fatigue_limit(of: At) -> float | None:
+    return of.pulley.lagging.fatigue_limit
+
+
+def _tires(of: Spot) -> Words:
+    often, speed, more = "", of.drive.belt.speed, dict[str, tuple[float, Dimension]]()
+    if speed is not None and of.result is not None:
+        often = "; the belt passes {passes} times an hour"
+        pitch = of.result.arc.radius + of.result.arc.offset
+        more["passes"] = turns_an_hour(speed, pitch), "number"
+    title = "Shear stress of lagging and bond, at every pass"
+    says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}"
+    found = _of_stress(of, "fatigue_limit", title, "lagging tires", f"{says}{often}.")
+    return replace(found, more=more)
+
+
+FATIGUE_STRESS = Rule(
+    "fatigue_stress", "the fatigue limit of the lagging", dimension="pressure", of_solution=True,
+    value=_shear, allowed=_fatigue_limit, of_runs=False, words=_tires,
+)  # fmt: skip
+OF_LAGGING = (BOND_STRESS, FATIGUE_STRESS)
+
+
+def _of_stress(of: Spot, key: str, title: str, short: str, says: str) -> Words:
+    lagging = of.pulley.lagging
+    if getattr(lagging, key) is None:
         why = f"the {key.replace('_', ' ')} of lagging {lagging.name} is not given"
-        return not_checked(name, title, why, place)
-    return judged(
-        RULES[name],
-        title,
-        stress,
-        limit,
-        "pressure",
+        return Words(title=title, missing=why)
+    return Words(
+        title=title,
         source=origin(lagging.source_of(key)),
         short=short,
         says=says,
         remedy="Choose a lagging with a stronger bond, a larger pulley, or less pull.",
-        place=place,
-        more=more,
     )
 
 
-def tested_slip(pulley: Pulley, result: ArcResult) -> Iterator[Check]:
-    """Check slip and slip speed of an arc against the tests of the lagging."""
-    place = Place(pulley.name, result.arc.load_case)
-    slip = speed = math.inf
-    if result.status.solved:
-        slip, speed = largest_slip(result), slip_speed(result)
-    elif result.arc.belt_speed is None:
-        speed = math.nan
-    for check in slip_in_tests(pulley, slip, speed, place):
-        yield _known(check, result)
+def _slip(state: State[Number]) -> Number:
+    return state.slip
 
 
-def slip_in_tests(pulley: Pulley, slip: float, speed: float, place: Place) -> Iterator[Check]:
-    """Check slip and slip speed against the tests of the lagging, where its law states any."""
-    tested = pulley.lagging.law.tested
-    if tested is None:
-        return
-    yield judged(
-        RULES["tested_slip"],
-        "Largest slip, tested",
-        slip,
-        tested.slip_max,
-        "length",
-        source=tests_of(pulley),
+def _slip_max(of: At) -> float | None:
+    tested = of.pulley.lagging.law.tested
+    return None if tested is None else tested.slip_max
+
+
+def _slips(of: Spot) -> Words | None:
+    if of.pulley.lagging.law.tested is None:
+        return None
+    return Words(
+        title="Largest slip, tested",
+        source=tests_of(of.pulley),
         short="slip beyond tests",
         says="The slip {value} is beyond the {limit} that lagging "
-        f"{escaped(pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
+        f"{escaped(of.pulley.lagging.name)} was tested to: there the friction is an extrapolation.",
         remedy="Raise the slack-side tension, or test the lagging to this slip.",
         otherwise="Test the lagging to this slip.",
-        place=place,
     )
-    title = "Slip speed, tested"
+
+
+TESTED_SLIP = Rule(
+    "tested_slip", "the largest slip tested", dimension="length", tension="raise",
+    of_solution=True, value=_slip, allowed=_slip_max, words=_slips,
+)  # fmt: skip
+
+
+def _slip_speed(state: State[Number]) -> Number:
+    return state.slip_speed
+
+
+def _tested_speed(of: At) -> float | None:
+    tested = of.pulley.lagging.law.tested
+    return None if tested is None else tested.slip_speed
+
+
+def _slips_fast(of: Spot) -> Words | None:
+    tested, title = of.pulley.lagging.law.tested, "Slip speed, tested"
+    if tested is None:
+        return None
     if tested.slip_speed is None:
         why = "the friction law does not say at which speed it was tested"
-        unchecked = not_checked("tested_slip_speed", title, why, place)
-        found = speed if math.isfinite(speed) else math.nan
-        yield replace(unchecked, value=found, dimension="speed")
-    elif math.isnan(speed):
-        yield not_checked("tested_slip_speed", title, "the belt speed is not given", place)
-    else:
-        yield judged(
-            RULES["tested_slip_speed"],
-            title,
-            speed,
-            tested.slip_speed,
-            "speed",
-            source=tests_of(pulley),
-            short="slips faster than tests",
-            says="The belt slips at up to {value}, lagging "
-            f"{escaped(pulley.lagging.name)} was tested at {{limit}}: how its friction changes "
-            "with speed is not known.",
-            remedy="Test the lagging at this speed, or keep a larger safety factor.",
-            binding=False,
-            place=place,
-        )
+        return Words(title=title, missing=why, told=True)
+    if of.drive.belt.speed is None or (math.isnan(of.state.slip_speed) and not of.unknown):
+        return Words(title=title, missing="the belt speed is not given")
+    return Words(
+        title=title,
+        source=tests_of(of.pulley),
+        short="slips faster than tests",
+        says="The belt slips at up to {value}, lagging "
+        f"{escaped(of.pulley.lagging.name)} was tested at {{limit}}: how its friction changes "
+        "with speed is not known.",
+        remedy="Test the lagging at this speed, or keep a larger safety factor.",
+    )
+
+
+TESTED_SLIP_SPEED = Rule(
+    "tested_slip_speed", "the slip speed tested", dimension="speed", binding=False,
+    of_solution=True, value=_slip_speed, allowed=_tested_speed, words=_slips_fast,
+)  # fmt: skip
 
 
 def largest_slip(result: ArcResult) -> float:
@@ -413,24 +442,62 @@ def slip_speed(result: ArcResult) -> float:
     return speed * steepest(position, slip, len(position), pitch, pitch * arc.wrap_angle)
 
 
-def balance(result: ArcResult) -> Check | None:
+def _balance(of: Spot) -> Iterator[Check]:
     """Check the energy balance of the solution: a miss is a fault of the program."""
-    error = result.energy.identity_error
-    if not result.status.solved or math.isnan(error):
-        return None
-    arc = result.arc
+    result = of.result
+    if result is None or of.unknown or math.isnan(result.energy.identity_error):
+        return
+    error, arc = result.energy.identity_error, result.arc
     pull, g = result.effective_tension, result.entry_creep_ratio
     value = balance_miss(error, pull, g, arc.entry_tension, arc.compliance)
-    return judged(
-        RULES["balance"],
-        "Energy balance of the solution",
-        value,
-        BALANCE,
-        "number",
+    words = Words(
+        title="Energy balance of the solution",
         source="tolerance of the program",
         short="out of balance",
         says="The energy balance of the solution misses by {value}, more than {limit}.",
         remedy="Please report the drive file; until then change a value slightly.",
-        place=Place(arc.pulley, arc.load_case),
-        binding=False,
+    )
+    yield ENERGY_BALANCE.judged(value, BALANCE, of.place, words)
+
+
+ENERGY_BALANCE = Rule(
+    "balance", "the energy balance", missed=Level.FAULT, binding=False, of_rows=False,
+    of_runs=False, asked=_balance,
+)  # fmt: skip
+OF_SLIP = (TESTED_SLIP, TESTED_SLIP_SPEED, ENERGY_BALANCE)
+
+
+def spot_of(drive: Drive, case: LoadCase, pulley: Pulley, result: ArcResult | None = None) -> Spot:
+    """Return a pulley in a load case as its checks are asked, with its arc if that is solved."""
+    tensions, belt = case.tensions[pulley.name], drive.belt
+    known = result is not None and result.status.solved
+    creep = slip = speed = shear = math.nan
+    if result is not None and known:
+        creep, shear = abs(result.exit_creep), result.peak_shear_stress
+        slip, speed = largest_slip(result), slip_speed(result)
+    first, last = drive.pulleys[0], drive.pulleys[-1]
+    driving = case.tensions[first.name].entry >= case.tensions[last.name].exit
+    slack = last if driving else first
+    return Spot(
+        drive=drive,
+        case=case,
+        pulley=pulley,
+        place=Place(pulley.name, case.name),
+        state=State(
+            tight=max(tensions.entry, tensions.exit),
+            slack=min(tensions.entry, tensions.exit),
+            slack_end=drive.slack_end(case) if pulley.name == slack.name else math.nan,
+            width=belt.width,
+            diameter=pulley.diameter,
+            strength=math.nan if belt.breaking_strength is None else belt.breaking_strength,
+            centrifugal=centrifugal_of(belt),
+            creep_limit=drive.creep_limit_of(pulley),
+            creep=creep,
+            slip=slip,
+            slip_speed=speed,
+            shear=shear,
+            motor=math.nan,
+        ),
+        result=result,
+        unknown="" if result is None or known else no_state(result),
     )

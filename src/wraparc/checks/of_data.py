@@ -6,9 +6,8 @@ import math
 from collections.abc import Iterator
 
 from wraparc.checks.check import Check, Level, Place, escaped
-from wraparc.checks.of_drive import origin
-from wraparc.checks.rules import RULES
-from wraparc.drive import Drive, Lagging, LoadCase, Pulley
+from wraparc.checks.rule import Rule, Spot, origin
+from wraparc.drive import Drive, Lagging, Pulley
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import DRY, SCALED, Condition
 from wraparc.drive.pitch import covered
@@ -26,27 +25,27 @@ def wet_factor(lagging: Lagging) -> float:
         return math.nan
 
 
-def condition(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+def _condition(of: Spot) -> Iterator[Check]:
     """Ask for attention where a law stands for a surface that it was not tested on."""
-    lagging = pulley.lagging
+    lagging = of.pulley.lagging
     if SCALED in lagging.sources:
         grounds, _ = law_words(lagging)
-        of = "one without tests" if "untested" in grounds else "a tested one"
-        of = "an illustrative one" if "illustrative" in grounds else of
-        says = f"its law is {of} scaled as a whole ({lagging.notes[-1]})"
-        yield _untested(case, pulley, lagging.condition, SCALED, says)
+        law = "one without tests" if "untested" in grounds else "a tested one"
+        law = "an illustrative one" if "illustrative" in grounds else law
+        says = f"its law is {law} scaled as a whole ({lagging.notes[-1]})"
+        yield _untested(of, lagging.condition, SCALED, says)
     if WORN in lagging.sources:
         says = "its law is that of before, and what wear takes off the friction is not known"
-        yield _untested(case, pulley, WORN, WORN, says)
+        yield _untested(of, WORN, WORN, says)
 
 
-def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) -> Check:
-    lagging = pulley.lagging
+def _untested(of: Spot, state: str, part: str, says: str) -> Check:
+    lagging = of.pulley.lagging
     return Check(
-        name=RULES["condition"].name,
+        name=CONDITION.name,
         title=f"Friction of {lagging.name}, {state}",
-        level=Level.ATTENTION,
-        place=Place(pulley.name, case.name),
+        level=CONDITION.missed,
+        place=of.place,
         source=origin(lagging.sources[part]),
         short=f"not tested {state}",
         says=escaped(f"Lagging {lagging.name} was not tested {state}: {says}."),
@@ -55,18 +54,23 @@ def _untested(case: LoadCase, pulley: Pulley, state: str, part: str, says: str) 
     )
 
 
-def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
+CONDITION = Rule(
+    "condition", "friction that was not tested in the condition", binding=False, asked=_condition
+)
+
+
+def _fit(of: Spot) -> Iterator[Check]:
     """Ask for attention where the fit of a law left word that it does not describe its tests."""
-    lagging = pulley.lagging
+    lagging = of.pulley.lagging
     if lagging.fit is None or not lagging.fit.misfit:
         return
     first, *more = lagging.fit.misfit
     others = f" (and {len(more)} more of its lagging file)" if more else ""
     yield Check(
-        name=RULES["fit"].name,
+        name=FIT.name,
         title=f"Friction of {lagging.name}, fit to its tests",
-        level=Level.ATTENTION,
-        place=Place(pulley.name, case.name),
+        level=FIT.missed,
+        place=of.place,
         source=origin(lagging.sources.get("law", lagging.provenance)),
         short="does not fit its tests",
         says=escaped(
@@ -76,6 +80,10 @@ def fit(case: LoadCase, pulley: Pulley) -> Iterator[Check]:
         remedy="Mend or repeat those tests and fit again.",
         binding=False,
     )
+
+
+FIT = Rule("fit", "friction that does not fit its tests", binding=False, asked=_fit)
+OF_LAW = (CONDITION, FIT)
 
 
 def _accepted(reason: str) -> str:

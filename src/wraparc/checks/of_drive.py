@@ -3,33 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
 
 from wraparc.alike import falling
-from wraparc.checks.check import Check, Level, Miss, Place, escaped, keeps
+from wraparc.arrays import Number
+from wraparc.checks.check import Check, Level, Place, escaped
 from wraparc.checks.numbers import (
     COVERS_APART,
     LEAST_SHIFT,
+    USUAL_STRENGTH,
     held_alike,
     idles,
-    safety_of,
+    same_shown,
     trim_shift,
 )
-from wraparc.checks.rules import (
-    CUSTOMARY_SAFETY,
-    RULES,
-    Rule,
-    asked_safety,
-    rated,
-    tension_factor,
-    tension_rule,
-    wrap_pressure,
-)
+from wraparc.checks.rule import At, Rule, Spot, State, Words, origin
 from wraparc.drive import Belt, Drive, LoadCase, Pulley
-from wraparc.drive.pitch import centrifugal_of, pitch_offset
-from wraparc.provenance import Provenance
-from wraparc.units import Dimension
+from wraparc.drive.pitch import pitch_offset
 
 #: Part by which tensions of neighbouring pulleys may differ: rounding of what was typed [-].
 MEETS = 0.02
@@ -37,6 +27,12 @@ MEETS = 0.02
 COVERS = "Give the pulley cover, carry cover and carcass of the belt."
 #: Belts that may creep more than the customary limit, by carcass: rating above which [N/m].
 MORE_CREEP = {"steel cord": 1600e3, "fabric": 140e3}
+#: Breaking strength over the largest tension that is customary, by carcass, where no rating says
+#: it: 15 % of the strength of steel cord, 8 of fabric; and the least of any belt [-].
+CUSTOMARY_SAFETY, WEAKEST = {"steel cord": 1.0 / 0.15, "fabric": 8.0}, 3.0
+#: Strength over rating of any belt, at least: a rating that leaves less is not one to rely on [-].
+LEAST_RATED = USUAL_STRENGTH[0]
+NO_RATING = "the rating of the belt is not given"
 
 
 def unknown_trims(belt: Belt, pulleys: Sequence[Pulley], at: Place) -> Iterator[Check]:
@@ -74,9 +70,9 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
             "{apart} shift it by {shift} %."
         )
     return Check(
-        name="belt_thickness",
+        name=BELT_THICKNESS.name,
         title="Trim by the thickness of the belt",
-        level=Level.ATTENTION,
+        level=BELT_THICKNESS.missed,
         place=place,
         short="trim without belt thickness",
         says=f"The trim of {escaped(place.pulley)} is that of a belt without thickness: {why}",
@@ -89,25 +85,66 @@ def unknown_trim(first: str, shift: float, opposite: bool, place: Place) -> Chec
     )
 
 
-def of_belt(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Check]:
-    """Yield what the belt must bear at a pulley."""
-    yield belt_tension(drive, case, pulley)
-    yield belt_safety(drive, case, pulley)
-    yield face_pressure(drive, case, pulley)
+BELT_THICKNESS = Rule("belt_thickness", "a trim without the thickness of the belt")
 
 
-def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
-    """Check the larger tension at a pulley against the rating, with the factor of the load case."""
-    belt, tensions = drive.belt, case.tensions[pulley.name]
-    momentary = case.kind != "running"
-    title = "Belt tension, momentary" if momentary else "Belt tension, running"
-    rule = tension_rule(case.kind)
-    value = max(tensions.entry, tensions.exit)
-    place = Place(pulley.name, case.name)
+def _tight(state: State[Number]) -> Number:
+    return state.tight
+
+
+def _tight_pressure(state: State[Number]) -> Number:
+    return wrap_pressure(state.tight, state)
+
+
+def _slack_pressure(state: State[Number]) -> Number:
+    return wrap_pressure(state.slack, state)
+
+
+def wrap_pressure(tension: Number, state: State[Number]) -> Number:
+    """Pressure of the belt on the pulley, 2 (T - m v^2)/(B D) [Pa]."""
+    return 2.0 * (tension - state.centrifugal) / (state.width * state.diameter)
+
+
+def _over_width(allowed: Number, state: State[Number]) -> Number:
+    return allowed * state.width
+
+
+def tension_factor(belt: Belt, kind: str) -> float:
+    """Tension allowed in a kind of load case over the rating of the belt [-]."""
+    return 1.0 if kind == "running" else belt.momentary_factor or 1.0
+
+
+def allowed_tension(belt: Belt, kind: str) -> float | None:
+    """Tension that a belt is allowed in a kind of load case [N/m]; None without a rating."""
+    return None if belt.rating is None else tension_factor(belt, kind) * belt.rating
+
+
+def tension_rule(kind: str) -> Rule:
+    """Return the rule of the belt tension in a kind of load case."""
+    return BELT_TENSION if kind == "running" else MOMENTARY_TENSION
+
+
+def _running_tension(of: At) -> float | None:
+    return allowed_tension(of.drive.belt, of.case.kind) if of.case.kind == "running" else None
+
+
+def _momentary_tension(of: At) -> float | None:
+    return allowed_tension(of.drive.belt, of.case.kind) if of.case.kind != "running" else None
+
+
+def _running(of: Spot) -> Words | None:
+    return _of_tension(of, "Belt tension, running") if of.case.kind == "running" else None
+
+
+def _momentary(of: Spot) -> Words | None:
+    return _of_tension(of, "Belt tension, momentary") if of.case.kind != "running" else None
+
+
+def _of_tension(of: Spot, title: str) -> Words:
+    belt, momentary = of.drive.belt, of.case.kind != "running"
     if belt.rating is None:
-        return not_checked(rule.name, title, "the rating of the belt is not given", place)
-    factor = tension_factor(belt, case.kind)
-    limit = factor * belt.rating * belt.width
+        return Words(title=title, missing=NO_RATING)
+    factor = tension_factor(belt, of.case.kind)
     said = f"its rating times {factor:g}" if factor != 1.0 else "its rating"
     remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or "
     remedy, otherwise = f"{remedy}stronger belt.", "Take a wider or stronger belt."
@@ -117,13 +154,8 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
             "braking; else take a stronger belt."
         )
         otherwise = ""
-    share = 100.0 * value / (belt.rating * belt.width)
-    return judged(
-        rule,
-        title,
-        value,
-        limit,
-        "force",
+    return Words(
+        title=title,
         source=f"rating of the belt{f' times {factor:g}' if factor != 1.0 else ''}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
@@ -131,46 +163,81 @@ def belt_tension(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
         "of the rating.",
         remedy=remedy,
         otherwise=otherwise,
-        more={"share": (share, "number")},
-        place=place,
+        more={"share": (100.0 * of.state.tight / (belt.rating * belt.width), "number")},
     )
 
 
-def belt_safety(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
-    """Check the strength of the belt over its larger tension at a pulley."""
-    tensions = case.tensions[pulley.name]
-    largest = max(tensions.entry, tensions.exit)
-    return safety_factor(drive.belt, case.kind, largest, Place(pulley.name, case.name))
+BELT_TENSION = Rule(
+    "belt_tension", "the rating of the belt", missed=Level.FAILS, dimension="force",
+    tension="lower", value=_tight, allowed=_running_tension, limit=_over_width, of_runs=False,
+    words=_running,
+)  # fmt: skip
+MOMENTARY_TENSION = Rule(
+    "momentary_tension", "the momentary rating of the belt", missed=Level.FAILS, dimension="force",
+    tension="lower", value=_tight, allowed=_momentary_tension, limit=_over_width, of_runs=False,
+    words=_momentary,
+)  # fmt: skip
 
 
-def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
-    """Check the strength of a belt over a tension [N] in a kind of load case.
+def asked_safety(belt: Belt, kind: str) -> float:
+    """Breaking strength over tension that a belt is to have in a kind of load case [-].
 
-    Against what the rating leaves, as its maker asks, or what is customary without one, or where
-    it leaves less than any belt has.
+    What its rating leaves, the demand of its maker; without one, or where it leaves less than any
+    belt has, what is customary for its carcass; nan where its strength is not known, or neither of
+    them. Never less than 1.
     """
-    rule, momentary = RULES["belt_safety"], kind != "running"
-    title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
-    strength, asked, factor = belt.breaking_strength, asked_safety(belt, kind), ""
+    strength, rating = belt.breaking_strength, belt.rating
     if strength is None:
-        return not_checked(rule.name, title, "the strength of the belt is not given", place)
-    if math.isnan(asked):
+        return math.nan
+    asked = CUSTOMARY_SAFETY.get(belt.kind, math.nan if rating is None else LEAST_RATED)
+    if rating is not None and rated(belt):
+        asked = strength / rating
+    asked /= tension_factor(belt, kind)
+    return max(asked, 1.0)
+
+
+def rated(belt: Belt) -> bool:
+    """Whether the rating of a belt leaves a safety factor to rely on."""
+    strength, rating = belt.breaking_strength, belt.rating
+    return strength is not None and rating is not None and strength >= LEAST_RATED * rating
+
+
+def _belt_safety(state: State[Number]) -> Number:
+    return state.strength * state.width / state.tight
+
+
+def _rounded_safety(safety: float, asked: float, state: State[float]) -> float:
+    """What is asked, where the tension leaves it in the four digits it is compared in."""
+    allowed = state.strength * state.width / asked
+    return asked if safety < asked and same_shown(state.tight, allowed) else safety
+
+
+def _asked_safety(of: At) -> float:
+    return asked_safety(of.drive.belt, of.case.kind)
+
+
+def _rated(drive: Drive) -> bool:
+    return rated(drive.belt)
+
+
+def _safety(of: Spot) -> Words:
+    """Against what the rating leaves, as its maker asks, or what is customary without one."""
+    belt, momentary, factor = of.drive.belt, of.case.kind != "running", ""
+    title = f"Safety factor of the belt, {'momentary' if momentary else 'running'}"
+    if belt.breaking_strength is None:
+        return Words(title=title, missing="the strength of the belt is not given")
+    if math.isnan(asked_safety(belt, of.case.kind)):
         why = "neither rating nor kind of the belt tells what it is to be"
-        return not_checked(rule.name, title, why, place)
+        return Words(title=title, missing=why)
     if momentary and belt.momentary_factor is not None:
         factor = f" over momentary_factor, {belt.momentary_factor:g}"
     source = f"customary for {belt.kind}, by works that follow DIN 22101{factor}"
     if belt.kind not in CUSTOMARY_SAFETY:
         source = f"the least that any belt is rated with{factor}"
     if rated(belt):
-        rule = replace(rule, missed=Level.FAILS)
         source = f"strength over rating of the belt{factor}: {origin(belt.source_of('rating'))}"
-    return judged(
-        rule,
-        title,
-        safety_of(strength * belt.width, tension, asked),
-        asked,
-        "number",
+    return Words(
+        title=title,
         source=source,
         short="belt safety factor",
         says="The strength of the belt is {value} times its tension, below {limit} times.",
@@ -178,29 +245,109 @@ def safety_factor(belt: Belt, kind: str, tension: float, place: Place) -> Check:
         remedy="Lower the slack-side tension as far as the other checks allow, or take a wider or "
         "stronger belt.",
         otherwise="Take a wider or stronger belt.",
-        binding=rated(belt),
-        place=place,
     )
 
 
-def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
-    """Check the diameter of a pulley against the least that its belt may bend over."""
-    belt, title, why = drive.belt, "Pulley diameter, least for the belt", ""
-    ends = [case.tensions[pulley.name] for case in drive.load_cases]
-    least = belt.least_pulley_diameter
-    if least is None:
-        why = "the least pulley of the belt is not given"
-    elif all(idles(at.entry, at.exit) for at in ends):
+BELT_SAFETY = Rule(
+    "belt_safety", "the safety factor of the belt", at_most=False, fails_beyond=WEAKEST,
+    tension="lower", firm=_rated, value=_belt_safety, allowed=_asked_safety,
+    rounded=_rounded_safety, of_runs=False, words=_safety,
+)  # fmt: skip
+
+
+def _face_pressure(of: At) -> float | None:
+    return of.drive.belt.largest_wrap_pressure
+
+
+def _on_face(of: Spot) -> Words:
+    belt, title = of.drive.belt, "Pressure on the pulley face"
+    if belt.largest_wrap_pressure is None:
+        return Words(title=title, missing="the largest wrap pressure of the belt is not given")
+    return Words(
+        title=title,
+        source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
+        short="face pressure",
+        says="The belt presses on the pulley face with {value}, more than {limit}.",
+        remedy="Take a larger or wider pulley, or less tension.",
+        otherwise="Take a larger or wider pulley.",
+    )
+
+
+FACE_PRESSURE = Rule(
+    "face_pressure", "the pressure on the pulley face", dimension="pressure", tension="lower",
+    value=_tight_pressure, allowed=_face_pressure, words=_on_face,
+)  # fmt: skip
+#: What the belt must bear at a pulley.
+OF_BELT = (BELT_TENSION, MOMENTARY_TENSION, BELT_SAFETY, FACE_PRESSURE)
+
+
+def _pressure_max(of: At) -> float | None:
+    tested = of.pulley.lagging.law.tested
+    return None if tested is None else tested.pressure_max
+
+
+def _pressure_min(of: At) -> float | None:
+    tested = of.pulley.lagging.law.tested
+    return None if tested is None else tested.pressure_min
+
+
+def _tested_max(of: Spot) -> Words:
+    if of.pulley.lagging.law.tested is None:  # of both ends, once
+        why = "the friction law states no tests"
+        return Words(title="Wrap pressure within the tests", missing=why)
+    otherwise = "Take a larger or wider pulley, or test the lagging at this pressure."
+    return _of_pressure(of, "Largest", "above", "Lower the tension, t", otherwise)
+
+
+def _tested_min(of: Spot) -> Words | None:
+    if of.pulley.lagging.law.tested is None:
+        return None
+    otherwise = "Test the lagging at this pressure."
+    return _of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise)
+
+
+def _of_pressure(of: Spot, end: str, beyond: str, tension: str, otherwise: str) -> Words:
+    return Words(
+        title=f"{end} wrap pressure, tested",
+        source=tests_of(of.pulley),
+        short=f"pressure {beyond} tests",
+        says=f"The wrap pressure {{value}} is {beyond} the {{limit}} tested on lagging "
+        f"{escaped(of.pulley.lagging.name)}: there the friction is an extrapolation.",
+        remedy=f"{tension}{otherwise[1:]}",
+        otherwise=otherwise,
+    )
+
+
+PRESSURE_MAX = Rule(
+    "tested_pressure_max", "the largest wrap pressure tested", dimension="pressure",
+    tension="lower", value=_tight_pressure, allowed=_pressure_max, words=_tested_max,
+)  # fmt: skip
+PRESSURE_MIN = Rule(
+    "tested_pressure_min", "the least wrap pressure tested", at_most=False, dimension="pressure",
+    tension="raise", value=_slack_pressure, allowed=_pressure_min, words=_tested_min,
+)  # fmt: skip
+OF_TESTS = (PRESSURE_MAX, PRESSURE_MIN)
+
+
+def _diameter(state: State[Number]) -> Number:
+    return state.diameter
+
+
+def _least_diameter(of: At) -> float | None:
+    return of.drive.belt.least_pulley_diameter
+
+
+def _bends(of: Spot) -> Words:
+    """Of a pulley, in all load cases."""
+    belt, title, pulley = of.drive.belt, "Pulley diameter, least for the belt", of.pulley
+    ends = [case.tensions[pulley.name] for case in of.drive.load_cases]
+    if belt.least_pulley_diameter is None:
+        return Words(title=title, missing="the least pulley of the belt is not given")
+    if all(idles(at.entry, at.exit) for at in ends):
         why = "that of the belt is the least drive pulley, and this one pulls nothing"
-    if why or least is None:
-        return not_checked("pulley_diameter", title, why, Place(pulley.name))
-    return judged(
-        RULES["pulley_diameter"],
-        title,
-        pulley.diameter,
-        least,
-        "length",
-        place=Place(pulley.name),
+        return Words(title=title, missing=why)
+    return Words(
+        title=title,
         source=origin(belt.sources.get("least_pulley_diameter", belt.provenance)),
         short="pulley too small",
         says=f"Pulley {escaped(pulley.name)}, {{value}}, is smaller than the least for its "
@@ -208,64 +355,44 @@ def pulley_diameter(drive: Drive, pulley: Pulley) -> Check:
     )
 
 
-def face_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Check:
-    """Check the largest wrap pressure against what the belt may bear on the pulley face."""
-    belt, title = drive.belt, "Pressure on the pulley face"
-    place = Place(pulley.name, case.name)
-    if belt.largest_wrap_pressure is None:
-        why = "the largest wrap pressure of the belt is not given"
-        return not_checked("face_pressure", title, why, place)
-    tensions = case.tensions[pulley.name]
-    tight = max(tensions.entry, tensions.exit)
-    value = wrap_pressure(tight, belt.width, pulley.diameter, centrifugal_of(belt))
-    return judged(
-        RULES["face_pressure"],
-        title,
-        value,
-        belt.largest_wrap_pressure,
-        "pressure",
-        source=origin(belt.sources.get("largest_wrap_pressure", belt.provenance)),
-        short="face pressure",
-        says="The belt presses on the pulley face with {value}, more than {limit}.",
-        remedy="Take a larger or wider pulley, or less tension.",
-        otherwise="Take a larger or wider pulley.",
-        place=place,
+PULLEY_DIAMETER = Rule(
+    "pulley_diameter", "the least pulley of the belt", missed=Level.FAILS, at_most=False,
+    dimension="length", value=_diameter, allowed=_least_diameter, pulls=True, words=_bends,
+)  # fmt: skip
+
+
+def _slack_end(state: State[Number]) -> Number:
+    return state.slack_end
+
+
+def _sag_tension(of: At) -> float | None:
+    return None if of.drive.criteria.sag is None else of.drive.criteria.sag.tension
+
+
+def _sags(of: Spot) -> Words | None:
+    """Of the pulley where the belt leaves the drives slack."""
+    title, limits = "Slack-side tension, for sag", of.drive.criteria.sag
+    if math.isnan(of.state.slack_end):
+        return None
+    if limits is None:
+        return Words(title=title, missing="idler spacing and mass are not given")
+    return Words(
+        title=title,
+        source=limits.SOURCE,
+        short="sags",
+        says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
+        "spacing; that takes {limit}.",
+        remedy="Raise the slack-side tension, or set the idlers closer.",
+        otherwise="Set the idlers closer.",
     )
 
 
-def tested_pressure(drive: Drive, case: LoadCase, pulley: Pulley) -> Iterator[Check]:
-    """Check both ends of the wrap pressure against the tests of the lagging."""
-    tested = pulley.lagging.law.tested
-    place = Place(pulley.name, case.name)
-    if tested is None:
-        why = "the friction law states no tests"
-        yield not_checked("tested_pressure", "Wrap pressure within the tests", why, place)
-        return
-    tensions = case.tensions[pulley.name]
-    for name, title, tension, limit, of_tension, otherwise in (
-        ("tested_pressure_max", "Largest wrap pressure, tested",
-         max(tensions.entry, tensions.exit), tested.pressure_max,
-         "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this "
-         "pressure."),
-        ("tested_pressure_min", "Least wrap pressure, tested",
-         min(tensions.entry, tensions.exit), tested.pressure_min,
-         "Raise the slack-side tension, or test", "Test the lagging at this pressure."),
-    ):  # fmt: skip
-        more = "above" if RULES[name].at_most else "below"
-        yield judged(
-            RULES[name],
-            title,
-            wrap_pressure(tension, drive.belt.width, pulley.diameter, centrifugal_of(drive.belt)),
-            limit,
-            "pressure",
-            source=tests_of(pulley),
-            short=f"pressure {more} tests",
-            says=f"The wrap pressure {{value}} is {more} the {{limit}} tested on lagging "
-            f"{escaped(pulley.lagging.name)}: there the friction is an extrapolation.",
-            remedy=f"{of_tension}{otherwise[4:]}",
-            otherwise=otherwise,
-            place=place,
-        )
+SAG = Rule(
+    "sag", "the sag of the belt", at_most=False, dimension="force", tension="raise",
+    value=_slack_end, allowed=_sag_tension, words=_sags,
+)  # fmt: skip
+#: What a belt that nowhere hangs slack asks for; the take-up of a conveyor is held to it.
+TAUT = Rule("taut", "a belt that nowhere hangs slack", at_most=False, of_rows=False)
 
 
 def take_up(drive: Drive) -> Iterator[Check]:
@@ -343,104 +470,6 @@ def meeting(before: str, leaves: float, after: str, enters: float, place: Place)
     )
 
 
-def sag(drive: Drive, case: LoadCase) -> Check | None:
-    """Check the tension of the belt that leaves the drives slack against its sag; None if idle."""
-    first, last = (case.tensions[p.name] for p in (drive.pulleys[0], drive.pulleys[-1]))
-    driving = first.entry >= last.exit
-    tension = last.exit if driving else first.entry
-    return sags(drive, tension, Place(drive.pulleys[-1 if driving else 0].name, case.name))
-
-
-def sags(drive: Drive, tension: float, place: Place) -> Check:
-    """Check a tension of the slack side against its sag."""
-    title, limits = "Slack-side tension, for sag", drive.criteria.sag
-    if limits is None:
-        return not_checked("sag", title, "idler spacing and mass are not given", place)
-    return judged(
-        RULES["sag"],
-        title,
-        tension,
-        limits.tension,
-        "force",
-        place=place,
-        source=limits.SOURCE,
-        short="sags",
-        says=f"The slack side, {{value}}, sags more than {100.0 * limits.share:g} % of the idler "
-        "spacing; that takes {limit}.",
-        remedy="Raise the slack-side tension, or set the idlers closer.",
-        otherwise="Set the idlers closer.",
-    )
-
-
 def tests_of(pulley: Pulley) -> str:
     """Return where the tested range of a lagging came from."""
     return f"tests of lagging {pulley.lagging.name}: {origin(pulley.lagging.source_of('law'))}"
-
-
-def origin(provenance: Provenance) -> str:
-    """Return where a limit came from, in words."""
-    return str(provenance)
-
-
-def not_checked(name: str, title: str, why: str, place: Place) -> Check:
-    """Return a check that could not be made, with the reason."""
-    return Check(
-        name=name,
-        title=title,
-        level=Level.NOT_CHECKED,
-        place=place,
-        says=escaped(f"{title}: not checked, {why}."),
-        short=why,
-    )
-
-
-def judged(
-    rule: Rule,
-    title: str,
-    value: float,
-    limit: float,
-    dimension: Dimension,
-    *,
-    place: Place,
-    source: str = "",
-    says: str = "",
-    remedy: str = "",
-    otherwise: str = "",
-    short: str = "",
-    because: str = "",
-    allows: str = "",
-    binding: bool = True,
-    more: Mapping[str, tuple[float, Dimension]] | None = None,
-) -> Check:
-    """Return a check of a value against its limit: OK, or what its rule says where it misses."""
-    kept = not math.isnan(value) and keeps(value, limit, at_most=rule.at_most)
-    miss = Miss(
-        rule.missed,
-        short,
-        says,
-        remedy,
-        rule.fails_beyond,
-        because,
-        rule.tolerates,
-        allows,
-        otherwise,
-    )
-    level, says = miss.at(value, rule.at_most)
-    return Check(
-        name=rule.name,
-        title=title,
-        level=Level.OK if kept else level,
-        miss=miss,
-        value=value,
-        limit=limit,
-        dimension=dimension,
-        at_most=rule.at_most,
-        says="" if kept else says,
-        remedy="" if kept else remedy,
-        otherwise="" if kept else otherwise,
-        short="" if kept else short,
-        place=place,
-        source=source,
-        binding=binding,
-        more=more or {},
-    )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -19,51 +19,37 @@ from wraparc.batch.scaled import solve_scaled
 from wraparc.checks.check import ADVICE, Level, ahead, behind, keeps, margin_to
 from wraparc.checks.design_standard import wrap_factors
 from wraparc.checks.gross_slip import given_up, rises_of
-from wraparc.checks.numbers import (
-    IDLE,
-    NUMBERLESS,
-    USUAL_SIZES,
-    Sizes,
-    compared_sizes,
-    safety_of,
-)
-from wraparc.checks.of_drive import open_shift
-from wraparc.checks.rules import (
-    ACROSS_CHECKS,
-    LEAST_RATED,
+from wraparc.checks.numbers import IDLE, NUMBERLESS, USUAL_SIZES, Sizes, compared_sizes
+from wraparc.checks.of_arc import (
+    COVER_CREEP,
+    DESIGN_STANDARD,
+    GROSS_SLIP,
     NO_GRIP,
-    RULES,
-    asked_safety,
     start_factor,
-    tension_factor,
-    wrap_pressure,
 )
+from wraparc.checks.of_data import CONDITION, FIT
+from wraparc.checks.of_drive import BELT_THICKNESS, open_shift
+from wraparc.checks.of_train import OF_MOTORS
+from wraparc.checks.rule import At, Rule, State
+from wraparc.checks.rules import ACROSS_CHECKS, RULES
 from wraparc.checks.sliding import CREEP, NOT_CARRIED, TESTED
 from wraparc.checks.sliding_rows import LoadedRows, pulls_at_sliding
-from wraparc.checks.usual import least_margin
+from wraparc.checks.usual import USUAL_RULE, least_margin, sizes_of
 from wraparc.drive import Drive
 from wraparc.drive.changes import WORN
 from wraparc.drive.conditions import SCALED
 
 #: Words of a verdict by its code; a row that is no drive at all is not checked.
 LEVELS = tuple(Level)
-_NOT_OF_ROWS = (
-    "creep_interval", "balance", "train_balance", "motor_heat", "taut",
-)  # fmt: skip
+_OF_ROWS = tuple(rule for rule in RULES.values() if rule.of_rows)
 #: Checks by their code: what governs a row. "" where nothing could be checked.
-NAMES = (
-    "",
-    *(name for name in RULES if name not in _NOT_OF_ROWS),
-    *sorted(ACROSS_CHECKS),
-)
+NAMES = ("", *(rule.name for rule in _OF_ROWS), *sorted(ACROSS_CHECKS))
 #: What `judge` checks of one drive and no row is checked for, in words.
 NOT_CHECKED = (
     "the energy balance of each solution",
     "the interval of the creep by a fitted law (draw the law instead)",
     "the torque of motors, where the load of a train is not divided anew in every row",
 )
-#: Fields of `Held` on motors, known where the load of a train is divided anew.
-MOTORS = ("motor", "motor_load", "momentary_load")
 #: Relative distance within which two numbers may be the same in the digits that are shown.
 _NEAR = 2e-3
 
@@ -74,6 +60,15 @@ class Held:
 
     Attributes
     ----------
+    allowed, firm
+        What each drive is allowed by name of the check, as `Rule.allowed` has it, and whether the
+        check is firm.
+    state
+        What is compared and known before the arcs are solved.
+    sizes
+        What is given of belt, pulley and lagging.
+    odd
+        Least margin of sizes beside those that are asked about, infinite for none [-].
     safety
         Safety factor on gross slip [-].
     tight_rise, slack_rise
@@ -81,69 +76,65 @@ class Held:
     standard
         Slack-side tension that the design standard asks for [N]; infinite where a chosen one
         cannot be applied.
-    binding
-        Whether the standard binds.
-    alone
-        Whether no other pulley pulls the belt.
-    rating, strength, mass
-        Of the belt [N/m, kg/m].
     cover_left_out
         h_b/G_b of a belt cover that the slip of the law may include or not [m/Pa].
-    belt_tension, momentary_tension
-        Largest tension: one of them, by the kind of the load case [N].
-    belt_safety, customary
-        Least strength over tension [-], and whether no rating to rely on asks for it.
-    face_pressure, bond_stress, fatigue_stress
-        Largest pressures and stresses [Pa].
-    slack, sag
-        Tension of the slack end of the whole drive where the belt leaves it here, and the least of
-        it [N].
-    diameter
-        Least diameter [m].
     scaled
         Whether the law was not tested in its condition, but scaled to it, or before wear.
     misfit
         Whether the law does not describe its tests.
     open_trim
         Whether the trim against another drum is open without the thickness of the belt.
-    odd
-        Least margin of sizes beside those of the arc that are asked about, infinite for none [-].
-    motor, motor_load, momentary_load
-        Torque of the motors over the rated one, and the largest of it: one of them, by the kind of
-        the load case [-].
     """
 
+    allowed: Mapping[str, Array]
+    firm: Mapping[str, Flags]
+    state: State[Array]
+    sizes: Sizes[Array]
+    odd: Array
     safety: Array
     tight_rise: Array
     slack_rise: Array
     standard: Array
-    binding: Flags
-    alone: Flags
-    rating: Array
-    strength: Array
-    mass: Array
     cover_left_out: Array
-    belt_tension: Array
-    momentary_tension: Array
-    belt_safety: Array
-    customary: Flags
-    face_pressure: Array
-    bond_stress: Array
-    fatigue_stress: Array
-    slack: Array
-    sag: Array
-    diameter: Array
     scaled: Flags
     misfit: Flags
     open_trim: Flags
-    odd: Array
-    motor: Array
-    motor_load: Array
-    momentary_load: Array
 
     def rows(self, which: slice | Integers) -> Held:
         """Return some of the rows."""
-        return replace(self, **{f.name: getattr(self, f.name)[which] for f in fields(self)})
+        taken: dict[str, Any] = {}
+        for of in fields(self):
+            value = getattr(self, of.name)
+            if isinstance(value, Mapping):
+                taken[of.name] = {name: column[which] for name, column in value.items()}
+            elif isinstance(value, Sizes):
+                taken[of.name] = Sizes(*(column[which] for column in value))
+            else:
+                some = _row(value, which) if isinstance(value, State) else value[which]
+                taken[of.name] = some
+        return Held(**taken)
+
+    def columns(self) -> Iterator[Array]:
+        """Yield every column but those of the motors."""
+        motors = {rule.name for rule in OF_MOTORS}
+        for of in fields(self):
+            value = getattr(self, of.name)
+            if isinstance(value, Mapping):
+                yield from (value[name] for name in sorted(value.keys() - motors))
+            elif isinstance(value, State):
+                yield from (getattr(value, f.name) for f in fields(value) if f.name != "motor")
+            else:
+                yield from value if isinstance(value, Sizes) else (value,)
+
+    def with_motors(self, load: Array, name: str, most: float) -> Held:
+        """Return the same with the torque of motors, and what they bear over their rating [-]."""
+        allowed = {**self.allowed, name: np.full(len(load), most)}
+        return replace(self, allowed=allowed, state=replace(self.state, motor=load))
+
+    def limit(self, rule: Rule) -> Array:
+        """Return the limit of a check that needs no solution, nan where it has none [SI]."""
+        none = np.full(len(self.safety), math.nan)
+        return rule.limited(self.allowed.get(rule.name, none), self.state)
 
 
 def held_by(
@@ -170,79 +161,115 @@ def held_by(
     entry, leaving = tensions
     names = [p.name for p in drives[0].pulleys]
     index = names.index(pulley)
-    numbers = np.array([_numbers(d, pulley, load_case) for d in drives], dtype=float).T
-    (
-        safety, start, binding, running, momentary, face, bond, fatigue, sag, least, scaled,
-        misfit, rating, strength, mass, cover, odd, asked,
-    ) = (column[which] for column in numbers)  # fmt: skip
+    every = [At(drive=d, case=d.load_case(load_case), pulley=d.pulley(pulley)) for d in drives]
+
+    def column(of: Callable[[At], float | None]) -> Array:
+        return np.array([of(at) for at in every], dtype=float)[which]
+
     lost = np.zeros(len(arcs))
     for take_up in {d.criteria.take_up for d in drives}:
         places = [i for i, d in enumerate(drives) if d.criteria.take_up == take_up]
         rows = np.flatnonzero(np.isin(which, places))
         lost[rows] = given_up((entry - leaving)[:, rows], names, take_up)
     tight_rise, slack_rise = rises_of(entry - leaving, index, lost)
-    driving = entry[0] >= leaving[-1]
-    slack = np.full(len(arcs), math.nan)
-    for place, end, side in ((len(entry) - 1, leaving[-1], driving), (0, entry[0], ~driving)):
-        if place == index:
-            slack = np.where(side, end, slack)
     factors = _factors(drives, which, pulley, arcs.wrap_angle)
     never = np.isinf(factors)
-    pull = start * np.abs(arcs.entry_tension - arcs.exit_tension)
-    standard = np.where(never, math.inf, np.where(never, 0.0, factors) * pull)
+    pull = column(_start) * np.abs(arcs.entry_tension - arcs.exit_tension)
+    firm = {r.name: column(_firm(r.firm)) > 0.0 for r in _OF_ROWS if r.firm is not None}
+    strength = column(lambda at: at.drive.belt.breaking_strength)
     return Held(
-        safety=safety,
+        allowed={r.name: column(r.allowed) for r in _OF_ROWS if r.allowed is not None},
+        firm=firm,
+        state=_state(arcs, strength, _slack_end(entry, leaving, index)),
+        sizes=_sizes(every, which, arcs, alone=len(names) == 1),
+        odd=column(lambda at: least_margin(at.drive)),
+        safety=column(lambda at: at.drive.criteria.safety.of(at.case.kind)),
         tight_rise=tight_rise,
         slack_rise=slack_rise,
-        standard=standard,
-        binding=binding > 0.0,
-        alone=np.full(len(arcs), len(names) == 1),
-        rating=rating,
-        strength=strength,
-        mass=mass,
-        cover_left_out=cover,
-        belt_tension=running * arcs.belt_width,
-        momentary_tension=momentary * arcs.belt_width,
-        belt_safety=asked,
-        customary=np.isnan(rating) | (strength < LEAST_RATED * rating),
-        face_pressure=face,
-        bond_stress=bond,
-        fatigue_stress=fatigue,
-        slack=slack,
-        sag=sag,
-        diameter=least,
-        scaled=scaled > 0.0,
-        misfit=misfit > 0.0,
+        standard=np.where(never, math.inf, np.where(never, 0.0, factors) * pull),
+        cover_left_out=column(_cover_left_out),
+        scaled=column(_scaled) > 0.0,
+        misfit=column(_misfit) > 0.0,
         open_trim=_open_trims(drives, which, index, tensions),
-        odd=odd,
-        **dict.fromkeys(MOTORS, np.full(len(arcs), math.nan)),
     )
 
 
-def _numbers(drive: Drive, pulley: str, load_case: str) -> tuple[float | None, ...]:
-    criteria, belt, kind = drive.criteria, drive.belt, drive.load_case(load_case).kind
-    lagging = drive.pulley(pulley).lagging
-    allowed = tension_factor(belt, kind) * belt.rating if belt.rating is not None else None
-    return (
-        criteria.safety.of(kind),
-        start_factor(criteria, kind),
-        float(criteria.standard.binding),
-        allowed if kind == "running" else None,
-        allowed if kind != "running" else None,
-        belt.largest_wrap_pressure,
-        lagging.bond_strength,
-        lagging.fatigue_limit,
-        criteria.sag.tension if criteria.sag is not None else None,
-        belt.least_pulley_diameter,
-        float(SCALED in lagging.sources or WORN in lagging.sources),
-        float(lagging.fit is not None and bool(lagging.fit.misfit)),
-        belt.rating,
-        belt.breaking_strength,
-        belt.mass,
-        of_belt(belt, drive.pulley(pulley).side, lagging.law)["cover_left_out"],
-        least_margin(drive),
-        asked_safety(belt, kind),
+def _firm(of: Callable[[Drive], bool]) -> Callable[[At], float]:
+    return lambda at: float(of(at.drive))
+
+
+def _start(at: At) -> float:
+    return start_factor(at.drive.criteria, at.case.kind)
+
+
+def _cover_left_out(at: At) -> float:
+    return of_belt(at.drive.belt, at.pulley.side, at.pulley.lagging.law)["cover_left_out"]
+
+
+def _scaled(at: At) -> float:
+    sources = at.pulley.lagging.sources
+    return float(SCALED in sources or WORN in sources)
+
+
+def _misfit(at: At) -> float:
+    fit = at.pulley.lagging.fit
+    return float(fit is not None and bool(fit.misfit))
+
+
+def _slack_end(entry: Array, leaving: Array, index: int) -> Array:
+    """Tension of the slack end of the drive where the belt leaves it at a pulley, else nan [N]."""
+    driving = entry[0] >= leaving[-1]
+    found = np.full(entry.shape[1], math.nan)
+    for place, end, side in ((len(entry) - 1, leaving[-1], driving), (0, entry[0], ~driving)):
+        if place == index:
+            found = np.where(side, end, found)
+    return found
+
+
+def _state(arcs: Arcs, strength: Array, slack_end: Array) -> State[Array]:
+    none = np.full(len(arcs), math.nan)
+    return State(
+        tight=np.maximum(arcs.entry_tension, arcs.exit_tension),
+        slack=np.minimum(arcs.entry_tension, arcs.exit_tension),
+        slack_end=slack_end,
+        width=arcs.belt_width,
+        diameter=arcs.diameter,
+        strength=strength,
+        centrifugal=arcs.centrifugal_force,
+        creep_limit=arcs.creep_limit,
+        creep=none,
+        slip=none,
+        slip_speed=none,
+        shear=none,
+        motor=none,
     )
+
+
+def _sizes(every: Sequence[At], which: Integers, arcs: Arcs, *, alone: bool) -> Sizes[Array]:
+    given = Sizes(*np.array([sizes_of(at.drive, at.case, at.pulley) for at in every]).T[:, which])
+    none, idle = np.full(len(arcs), math.nan), _idle(arcs.entry_tension, arcs.exit_tension)
+    pull = np.where(idle, none, arcs.entry_tension - arcs.exit_tension)
+    return given._replace(
+        width=arcs.belt_width,
+        modulus=arcs.belt_modulus,
+        speed=arcs.belt_speed,
+        diameter=arcs.diameter,
+        idle_wrap=np.where(idle, arcs.wrap_angle, none),
+        wrap_angle=np.where(idle, none, arcs.wrap_angle),
+        creep_limit=arcs.creep_limit,
+        overrun=arcs.overrun,
+        thickness=arcs.lagging_thickness,
+        shear_modulus=arcs.shear_modulus,
+        compression_modulus=arcs.compression_modulus,
+        entry=arcs.entry_tension,
+        leaving=arcs.exit_tension,
+        pull=pull if alone else none,
+    )
+
+
+def _row(state: State[Array], which: Any) -> State[Any]:
+    """Return some rows of a state, or one as plain numbers."""
+    return State(**{f.name: getattr(state, f.name)[which] for f in fields(state)})
 
 
 def _open_trims(
@@ -326,80 +353,74 @@ def _checks(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
 ) -> Iterator[tuple[str, Array, Array]]:
     """Yield name, rank of the level and margin of every check in the order of `RULES`."""
-    yield _gross_slip(solved, held, factors, setting)
-    for name, value, limit in _compared(solved, held, factors, setting):
-        missed = np.full(len(value), RULES[name].missed.rank)
-        if name == "design_standard":
-            missed[held.binding] = Level.FAILS.rank
-        if name == "belt_safety":
-            missed[~held.customary] = Level.FAILS.rank
-        fails = RULES[name].fails_beyond
-        missed[value > fails if RULES[name].at_most else value < fails] = Level.FAILS.rank
-        never = np.isinf(limit) & (name == "design_standard")
+    arcs, n = solved.arcs, len(solved.arcs)
+    none = np.full(n, math.nan)
+    idle = _idle(arcs.entry_tension, arcs.exit_tension)
+    state = replace(
+        held.state,
+        creep=np.abs(solved["exit_creep"]),
+        slip=solved.largest_slip,
+        slip_speed=solved.slip_speed,
+        shear=solved["peak_shear_stress"],
+    )
+    flags = {CONDITION: held.scaled, FIT: held.misfit, BELT_THICKNESS: held.open_trim}
+    for rule in _OF_ROWS:
+        if rule is GROSS_SLIP:
+            yield rule.name, *_gross_slip(solved, held, factors, setting)
+        elif rule is DESIGN_STANDARD:
+            standard = np.where(idle, none, held.standard)
+            yield rule.name, *_compared(rule, held, state.slack, standard)
+        elif rule is COVER_CREEP:
+            there = solved.solved & (held.cover_left_out > 0.0)
+            if there.any():
+                creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
+                limit = np.where(there, arcs.creep_limit, none)
+                yield rule.name, *_compared(rule, held, creep, limit)
+        elif rule is USUAL_RULE:
+            yield rule.name, *_usual_sizes(held)
+        elif rule in flags:
+            yield (
+                rule.name,
+                np.where(flags[rule], rule.missed.rank, 0),
+                np.full(len(arcs), math.inf),
+            )
+        elif rule.value is not None:
+            value, limit = rule.value(state), held.limit(rule)
+            there = ~np.isnan(value) & (solved.solved | (not rule.of_solution))
+            limit = np.where(there & ~(idle & rule.pulls), limit, none)
+            yield rule.name, *_compared(rule, held, _rounded(rule, value, limit, state), limit)
+
+
+def _rounded(rule: Rule, value: Array, limit: Array, state: State[Array]) -> Array:
+    """Return values, those near their limits as they are rounded."""
+    if rule.rounded is None:
+        return value
+    for i in np.flatnonzero(np.abs(value / limit - 1.0) < _NEAR):  # digits decide
+        value[i] = rule.rounded(float(value[i]), float(limit[i]), _row(state, i))
+    return value
+
+
+def _compared(rule: Rule, held: Held, value: Array, limit: Array) -> tuple[Array, Array]:
+    """Rank of the level and margin of a value against a limit; of a limit of nan there is none."""
+    missed, firm = np.full(len(value), rule.missed.rank), held.firm.get(rule.name)
+    if firm is not None:
+        missed[firm] = Level.FAILS.rank
+    fails = rule.fails_beyond
+    missed[value > fails if rule.at_most else value < fails] = Level.FAILS.rank
+    if rule is not DESIGN_STANDARD or firm is None:
+        ranks, margins = _ranks(value, limit, missed, at_most=rule.at_most)
+        advice = (ranks > Level.OK.rank) & (rule.name in ADVICE)
+    else:
+        never = np.isinf(limit)  # it cannot be applied
         ranks, margins = _ranks(
-            value, np.where(never, math.nan, limit), missed, at_most=RULES[name].at_most
+            value, np.where(never, math.nan, limit), missed, at_most=rule.at_most
         )
         # what has no number comes first where it binds a design, and last where it does not
-        first = np.where(held.binding, NUMBERLESS, math.inf)
-        ranks, margins = np.where(never, missed, ranks), np.where(never, first, margins)
-        advice = ranks > Level.OK.rank
-        advice &= ~held.binding if name == "design_standard" else name in ADVICE
-        margins = np.where(advice & np.isinf(value), math.inf, margins)  # has no number: last
-        yield name, ranks, np.where(advice, behind(margins), margins)
-        if name == "tested_pressure_min":
-            for told, flags in (("condition", held.scaled), ("fit", held.misfit)):
-                ranks = np.where(flags, RULES[told].missed.rank, 0)
-                yield told, ranks, np.full(len(value), math.inf)
-    ranks = np.where(held.open_trim, RULES["belt_thickness"].missed.rank, 0)
-    yield "belt_thickness", ranks, np.full(len(ranks), math.inf)
-    yield _usual_sizes(solved.arcs, held)
-
-
-def _compared(
-    solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> Iterator[tuple[str, Array, Array]]:
-    """Yield name, value and limit of what is compared; a limit of nan is none."""
-    arcs = solved.arcs
-    tight = np.maximum(arcs.entry_tension, arcs.exit_tension)
-    slack = np.minimum(arcs.entry_tension, arcs.exit_tension)
-    low, high, slip_max = arcs.laws.tested[arcs.law].T
-    speed, pulls = arcs.laws.tested_speed[arcs.law], ~_idle(arcs.entry_tension, arcs.exit_tension)
-    yield "design_standard", slack, np.where(pulls, held.standard, math.nan)
-    yield "creep", np.abs(solved["exit_creep"]), _where(solved.solved, arcs.creep_limit)
-    there = solved.solved & (held.cover_left_out > 0.0)
-    if there.any():
-        creep = _covered_creep(arcs, held, factors, setting, np.flatnonzero(there))
-        yield "cover_creep", creep, _where(there, arcs.creep_limit)
-    yield "belt_tension", tight, held.belt_tension
-    yield "momentary_tension", tight, held.momentary_tension
-    yield "belt_safety", _safety(held, arcs, tight), held.belt_safety
-    pressure = wrap_pressure(tight, arcs.belt_width, arcs.diameter, arcs.centrifugal_force)
-    yield "face_pressure", pressure, held.face_pressure
-    stress = solved["peak_shear_stress"]
-    yield "bond_stress", stress, _where(solved.solved, held.bond_stress)
-    yield "fatigue_stress", stress, _where(solved.solved, held.fatigue_stress)
-    yield "tested_pressure_max", pressure, high
-    yield (
-        "tested_pressure_min",
-        wrap_pressure(slack, arcs.belt_width, arcs.diameter, arcs.centrifugal_force),
-        low,
-    )
-    yield "tested_slip", solved.largest_slip, _where(solved.solved, slip_max)
-    slips = solved.slip_speed
-    yield "tested_slip_speed", slips, _where(solved.solved & ~np.isnan(slips), speed)
-    yield "sag", held.slack, _where(~np.isnan(held.slack), held.sag)
-    yield "pulley_diameter", arcs.diameter, _where(pulls, held.diameter)
-    yield "motor_load", held.motor, held.motor_load
-    yield "momentary_load", held.motor, held.momentary_load
-
-
-def _safety(held: Held, arcs: Arcs, tight: Array) -> Array:
-    """Strength of the belt over its tension, as `safety_of` has it [-]."""
-    strength = held.strength * arcs.belt_width
-    safety = strength / tight
-    for i in np.flatnonzero(np.abs(safety / held.belt_safety - 1.0) < _NEAR):  # digits decide
-        safety[i] = safety_of(*map(float, (strength[i], tight[i], held.belt_safety[i])))
-    return np.asarray(safety)
+        ranks = np.where(never, missed, ranks)
+        margins = np.where(never, np.where(firm, NUMBERLESS, math.inf), margins)
+        advice = (ranks > Level.OK.rank) & ~firm
+    margins = np.where(advice & np.isinf(value), math.inf, margins)  # has no number: last
+    return ranks, np.where(advice, behind(margins), margins)
 
 
 def _covered_creep(
@@ -416,10 +437,6 @@ def _covered_creep(
     again = solve_scaled(covered, friction, slip, setting=setting, capacities=False)
     found[which] = np.where(again.solved, np.abs(again["exit_creep"]), math.inf)
     return found
-
-
-def _where(there: Flags, limit: Array) -> Array:
-    return np.where(there, limit, math.nan)
 
 
 def _idle(entry: Array, leaving: Array) -> Flags:
@@ -452,8 +469,8 @@ def _ranks(value: Array, limit: Array, missed: Array, *, at_most: bool) -> tuple
 
 def _gross_slip(
     solved: BatchResult, held: Held, factors: tuple[Array, Array], setting: Setting
-) -> tuple[str, Array, Array]:
-    """Return name, rank and margin of the safety against gross slip."""
+) -> tuple[Array, Array]:
+    """Return rank and margin of the safety against gross slip."""
     arcs, status, limit = solved.arcs, solved["status"], held.safety
     gone, idle, fault = (
         status == BREAKAWAY,
@@ -468,32 +485,22 @@ def _gross_slip(
     rises = held.tight_rise[which], held.slack_rise[which]
     factor[which], cause[which] = pulls_at_sliding(of.rows(which), rises)
     factor = np.where(gone, np.minimum(factor, NOT_CARRIED), factor)
-    missed = np.full(len(factor), RULES["gross_slip"].missed.rank)
-    missed[(factor < RULES["gross_slip"].fails_beyond) & (cause != TESTED)] = Level.FAILS.rank
+    missed = np.full(len(factor), GROSS_SLIP.missed.rank)
+    missed[(factor < GROSS_SLIP.fails_beyond) & (cause != TESTED)] = Level.FAILS.rank
     ranks, margins = _ranks(factor, limit, missed, at_most=False)
     ranks, margins = np.where(idle, Level.OK.rank, ranks), np.where(idle, math.inf, margins)
     ranks = np.where(np.isnan(factor), 0, ranks)
     ranks = np.where(gone, NO_GRIP.rank, ranks)
     ranks = np.where(fault, Level.FAULT.rank, ranks)
     leads = ranks == Level.FAILS.rank
-    return "gross_slip", ranks, np.where(leads, ahead(margins), margins)
+    return ranks, np.where(leads, ahead(margins), margins)
 
 
-def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
-    """Return name, rank and margin of the sizes that conveyor drives have."""
-    missed = RULES["usual_sizes"].missed.rank
+def _usual_sizes(held: Held) -> tuple[Array, Array]:
+    """Return rank and margin of the sizes that conveyor drives have."""
+    missed = USUAL_RULE.missed.rank
     ranks, margins = np.where(np.isfinite(held.odd), missed, Level.OK.rank), held.odd
-    idle = _idle(arcs.entry_tension, arcs.exit_tension)
-    pull = np.where(idle | ~held.alone, math.nan, arcs.entry_tension - arcs.exit_tension)
-    wraps = (np.where(of, arcs.wrap_angle, math.nan) for of in (idle, ~idle))
-    given: Any = [
-        arcs.belt_width, arcs.belt_modulus, arcs.belt_speed, arcs.diameter, *wraps,
-        arcs.creep_limit, arcs.overrun, arcs.lagging_thickness, arcs.shear_modulus,
-        arcs.compression_modulus, held.rating, held.strength, held.bond_stress, held.fatigue_stress,
-        held.face_pressure, held.diameter, held.sag, arcs.entry_tension, arcs.exit_tension, pull,
-        held.mass,
-    ]  # fmt: skip
-    values: list[Any] = compared_sizes(Sizes(*given))
+    values: list[Any] = compared_sizes(held.sizes)
     for value, (least, most) in zip(values, USUAL_SIZES, strict=True):
         low, high = value < least, (value > most) & np.isfinite(value)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -501,4 +508,4 @@ def _usual_sizes(arcs: Arcs, held: Held) -> tuple[str, Array, Array]:
             found = np.where(high, margin_to(value, most, at_most=True), under)
         ranks = np.where(low | high, missed, ranks)
         margins = np.minimum(margins, found)
-    return "usual_sizes", ranks, margins
+    return ranks, margins

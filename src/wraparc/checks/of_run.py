@@ -13,14 +13,16 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from wraparc.checks import of_arc, of_data, of_drive
+from wraparc.checks import of_data, of_drive
 from wraparc.checks.check import Check, Level, Place, Verdict
-from wraparc.checks.judge import motor_load, sound
+from wraparc.checks.judge import diameters, sound
 from wraparc.checks.numbers import usual
-from wraparc.checks.of_drive import judged, not_checked, origin
-from wraparc.checks.rules import RULES, tension_factor, tension_rule
+from wraparc.checks.of_arc import EXIT_CREEP, GROSS_SLIP, spot_of
+from wraparc.checks.of_train import MOTOR_HEAT, motor_load
+from wraparc.checks.rule import Spot, Words, not_checked, origin
+from wraparc.checks.rules import OF_PULLEY
 from wraparc.checks.sliding import SLIDES
-from wraparc.checks.usual import Ends, Owner, of_train, unusual, usual_sizes
+from wraparc.checks.usual import Ends, Owner, owners_of, unusual, usual_sizes
 from wraparc.conveyor import GRAVITY
 from wraparc.drive import Drive, Lagging, LoadCase, Pulley, Tensions
 from wraparc.errors import InputError
@@ -120,27 +122,19 @@ def _checks(run: RunResult) -> Iterator[Check]:
     case = _case(run)
     drive = drive_with(run.station.train, [case]).in_case(case)
     yield from _end(run)
+    slackest = min(_slack_ends(run))
     for pulley, drum in zip(drive.pulleys, run, strict=True):
-        place = Place(pulley.name, event=run.event.name)
-        yield from _creeps(drive, pulley, drum, place, bool(run.event.moves))
-        yield of_arc.bond(pulley, drum.extremes.shear.value, place)
-        slip = drum.extremes
-        yield from of_arc.slip_in_tests(pulley, slip.slip.value, slip.slip_speed.value, place)
-        of_pulley = (
-            of_drive.face_pressure(drive, case, pulley),
-            *of_drive.tested_pressure(drive, case, pulley),
-            *of_data.condition(case, pulley),
-            *of_data.fit(case, pulley),
-        )
-        yield from (replace(check, place=place) for check in of_pulley)
-        yield of_drive.pulley_diameter(drive, pulley)
-        yield from _motors(run, drum, place)
+        spot = _spot(drive, case, pulley, drum, slackest)
+        yield from _creeps(drive, pulley, drum, spot.place, bool(run.event.moves))
+        for rule in OF_PULLEY:
+            yield from rule.checks(spot) if rule.of_runs else ()
+        yield from _motors(run, drum, spot.place)
+    yield from diameters(drive)
     of, at = run.station.train, Place(event=run.event.name)
     yield from of_drive.unknown_trims(of.belt, of.pulleys, at)
     yield _vibration(run)
     yield _tension(run, case)
-    yield _safety(run, case)
-    yield _sag(drive, run)
+    yield from _safety(run, drive, case)
     yield from _pull_over_weight(run)
     sizes = [*usual_sizes(drive, *of_run(run.station, run.event))]
     yield from sizes
@@ -149,9 +143,31 @@ def _checks(run: RunResult) -> Iterator[Check]:
     yield from (of_data.data(drive, pulley) for pulley in drive.pulleys)
 
 
+def _slack_ends(run: RunResult) -> Iterator[tuple[float, str]]:
+    """Yield the least tension of the belt before and behind all drums, and of which it is."""
+    yield run.drums[0].extremes.least_entry_tension.value, run.drums[0].name
+    yield run.drums[-1].extremes.least_exit_tension.value, run.drums[-1].name
+
+
+def _spot(
+    drive: Drive, case: LoadCase, pulley: Pulley, drum: DrumHistory, slackest: tuple[float, str]
+) -> Spot:
+    """Return a pulley at the extremes that it came to."""
+    spot, found = spot_of(drive, case, pulley), drum.extremes
+    state = replace(
+        spot.state,
+        slack_end=slackest[0] if pulley.name == slackest[1] else math.nan,
+        creep=found.creep.value,
+        slip=found.slip.value,
+        slip_speed=found.slip_speed.value,
+        shear=found.shear.value,
+    )
+    return replace(spot, place=Place(pulley.name, event=case.name), state=state)
+
+
 def of_run(station: Station, event: Event) -> Iterator[Owner]:
     """Yield what moves, and what happens to it."""
-    yield from of_train(station.train)
+    yield from owners_of(station.train)
     yield _moving(station, "")
     yield from (_moving(of, f"of event {event.name}") for of in (event, *event.happenings))
     for name, drum in zip(station.names, station.drums, strict=True):
@@ -289,24 +305,20 @@ def _creeps(
     if creep.value > max(SLIDES, limit):
         slides = _slides(place, creep.value, creep.time, remedy)
         yield replace(slides, otherwise=otherwise)
-    yield judged(
-        RULES["creep"],
-        "Largest creep at exit",
-        creep.value,
-        limit,
-        "length",
-        place=place,
+    words = Words(
+        title="Largest creep at exit",
         short="over creep limit",
         says=f"Creeps {{value}} at {quantity(creep.time, 'time')}, more than the limit of "
         f"{{limit}}; it is over it for {quantity(drum.over_limit, 'time', 2)}.",
         remedy=remedy,
         otherwise=otherwise,
     )
+    yield EXIT_CREEP.judged(creep.value, limit, place, words)
 
 
 def _slides(place: Place, creep: float, time: float, remedy: str) -> Check:
     return Check(
-        name=RULES["gross_slip"].name,
+        name=GROSS_SLIP.name,
         title="Carries its load",
         level=Level.FAILS,
         place=place,
@@ -344,19 +356,15 @@ def _motors(run: RunResult, drum: DrumHistory, place: Place) -> Iterator[Check]:
     ):
         heat = max(heat + (load * load - 1.0) * time, 0.0)
         most = max(most, heat)
-    yield judged(
-        RULES["motor_heat"],
-        HEATING,
-        float(most),
-        HEAT,
-        "time",
+    words = Words(
+        title=HEATING,
         source="IEC 60034-1: 1.5 times the rated current for 2 min",
         short="motor overheated",
         says="The motors are heated by their overload for {value}, and bear {limit}; that "
         "is loss over rated loss, of 1.5 times the rated torque for 2 min.",
         remedy="Start and stop less hard, wait longer between starts, or take larger motors.",
-        place=place,
     )
+    yield MOTOR_HEAT.judged(float(most), HEAT, place, words)
 
 
 def _vibration(run: RunResult) -> Check:
@@ -393,44 +401,31 @@ def _vibration(run: RunResult) -> Check:
 
 def _tension(run: RunResult, case: LoadCase) -> Check:
     belt, peak = run.station.train.belt, run.peak_tension
-    rule, title = tension_rule(case.kind), "Largest belt tension"
-    place = Place(event=run.event.name)
-    if belt.rating is None:
-        return not_checked(rule.name, title, "the rating of the belt is not given", place)
-    factor = tension_factor(belt, case.kind)
-    return judged(
-        rule,
-        title,
-        peak.value,
-        factor * belt.rating * belt.width,
-        "force",
-        place=place,
-        source=f"rating of the belt times {factor:g}: "
+    rule, title = of_drive.tension_rule(case.kind), "Largest belt tension"
+    place, allowed = Place(event=run.event.name), of_drive.allowed_tension(belt, case.kind)
+    if allowed is None:
+        return not_checked(rule.name, title, of_drive.NO_RATING, place)
+    words = Words(
+        title=title,
+        source=f"rating of the belt times {of_drive.tension_factor(belt, case.kind):g}: "
         f"{origin(belt.sources.get('rating', belt.provenance))}",
         short="over belt rating",
         says=f"The tension, {{value}} at {quantity(peak.time, 'time')}, is more than the belt "
         f"allows, {{limit}}; it is {peak.place}.",
         remedy=_stronger(run),
     )
+    return rule.judged(peak.value, allowed * belt.width, place, words)
 
 
-def _safety(run: RunResult, case: LoadCase) -> Check:
-    place, peak = Place(event=run.event.name), run.peak_tension.value
-    check = of_drive.safety_factor(run.station.train.belt, case.kind, peak, place)
-    stronger = replace(check, remedy=_stronger(run), otherwise="")
-    return stronger if check.missed else check
+def _safety(run: RunResult, drive: Drive, case: LoadCase) -> Iterator[Check]:
+    spot = spot_of(drive, case, drive.pulleys[0])
+    state = replace(spot.state, tight=run.peak_tension.value)
+    spot = replace(spot, place=Place(event=run.event.name), state=state)
+    for check in of_drive.BELT_SAFETY.checks(spot):
+        stronger = replace(check, remedy=_stronger(run), otherwise="")
+        yield stronger if check.missed else check
 
 
 def _stronger(run: RunResult) -> str:
     slower = "Start more slowly, or take" if run.event.moves else "Take"
     return f"{slower} a stronger belt."
-
-
-def _sag(drive: Drive, run: RunResult) -> Check:
-    """Check the slackest belt before or behind all drums."""
-    first, last = run.drums[0], run.drums[-1]
-    tension, pulley = min(
-        (first.extremes.least_entry_tension.value, first.name),
-        (last.extremes.least_exit_tension.value, last.name),
-    )
-    return of_drive.sags(drive, tension, Place(pulley, event=run.event.name))

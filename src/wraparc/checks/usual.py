@@ -23,7 +23,7 @@ from wraparc.checks.numbers import (
     idles,
     usual,
 )
-from wraparc.checks.rules import RULES
+from wraparc.checks.rule import Rule
 from wraparc.conveyor import (
     EMPTIEST,
     FULLEST,
@@ -39,6 +39,8 @@ from wraparc.train.motors import VariableSpeed
 from wraparc.units import Dimension, meant_by
 
 Ends = tuple[float, float]
+
+USUAL_RULE = Rule("usual_sizes", "an unusual size", binding=False)
 
 #: Least and most of a field by its class [SI]; 0 is none.
 USUAL: dict[str, dict[str, Ends]] = {
@@ -122,7 +124,7 @@ def usual_sizes(drive: Drive, *others: Owner) -> Iterator[Check]:
     yield from odd.values()
     if not odd:
         title = "What is given is of usual size"
-        yield Check(name="usual_sizes", title=title, level=Level.OK, binding=False)
+        yield Check(name=USUAL_RULE.name, title=title, level=Level.OK, binding=False)
 
 
 def least_margin(drive: Drive) -> float:
@@ -138,7 +140,7 @@ def unusual_sizes(drive: Drive, odd: bool) -> Iterator[Check]:
     for case in drive.load_cases:
         for pulley in drive.in_case(case).pulleys:
             names = _names(pulley, case)
-            values = compared_sizes(_sizes(drive, case, pulley))
+            values = compared_sizes(sizes_of(drive, case, pulley))
             for (name, dimension, place), value, (least, most) in zip(
                 names, values, USUAL_SIZES, strict=True
             ):
@@ -243,7 +245,7 @@ def _law_sizes(lagging: Lagging) -> Iterator[Check]:
             return
 
 
-def of_train(train: Train) -> Iterator[Owner]:
+def owners_of(train: Train) -> Iterator[Owner]:
     """Yield the motors of a train, or the speeds that its drums are given."""
     division = train.cases[0].division
     if isinstance(division, Speeds) and division.absolute:
@@ -348,9 +350,9 @@ def unusual(
     if name == _MASS and value > most:
         remedy = "Is it that of the whole belt? Give the mass of a metre."
     return Check(
-        name="usual_sizes",
+        name=USUAL_RULE.name,
         title=f"Usual {name}",
-        level=RULES["usual_sizes"].missed,
+        level=USUAL_RULE.missed,
         place=place,
         value=value,
         limit=most if value > most else least,
@@ -423,7 +425,8 @@ def _names(pulley: Pulley, case: LoadCase) -> list[tuple[str, Dimension, Place]]
     ]
 
 
-def _sizes(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes:
+def sizes_of(drive: Drive, case: LoadCase, pulley: Pulley) -> Sizes[float]:
+    """Return what is given of belt, pulley and lagging in a load case."""
     belt, lagging, sag = drive.belt, pulley.lagging, drive.criteria.sag
     tensions = case.tensions[pulley.name]
 

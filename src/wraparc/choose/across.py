@@ -11,7 +11,7 @@ import numpy as np
 from wraparc.across import AcrossResult, AcrossSolver, wide_arc
 from wraparc.arrays import Array, Integers
 from wraparc.checks.of_across import EDGE_FACTOR
-from wraparc.checks.rules import tension_factor
+from wraparc.checks.of_drive import tension_factor
 from wraparc.choose.search import Grid, Search
 from wraparc.drive import Belt, LoadCase
 

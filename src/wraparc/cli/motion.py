@@ -8,12 +8,12 @@ from contextlib import contextmanager
 
 import click
 
-from wraparc.checks import judge_run
+from wraparc.checks import Level, judge_run
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
-from wraparc.cli.solve import FAILS, SOLVED, code_of
+from wraparc.cli.solve import code_of
 from wraparc.errors import input_error
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
@@ -126,8 +126,9 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
         answer.write(
             "map", lambda: plot_stability_map(stability_map(motion.station, what=over)).save
         )
-    answer.give(lambda: stability_sheet(result), lambda: stability_document(result))
-    return SOLVED if result.stable else FAILS
+    told = stability_sheet(result)
+    answer.give(lambda: told, lambda: stability_document(result))
+    return code_of(told.verdict.level if told.verdict else Level.OK)
 
 
 def _picture(result: RunResult, units: System) -> Content:

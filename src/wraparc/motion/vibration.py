@@ -131,7 +131,7 @@ class StabilityResult:
     @property
     def stable(self) -> bool:
         """Whether no vibration grows."""
-        return not self.root.real > 0.0
+        return not self.root.real > CALM
 
     @property
     def frequency(self) -> float:

@@ -14,7 +14,7 @@ from wraparc.checks import judge_run
 from wraparc.errors import InputError, shown
 from wraparc.motion.file import load_motion
 from wraparc.motion.follow import simulate
-from wraparc.motion.linear import Linear
+from wraparc.motion.linear import CALM, Linear
 from wraparc.motion.result import RunResult
 from wraparc.schema.kinds import Count, Name, Rows, Text
 from wraparc.schema.overrides import Overrides, load
@@ -233,7 +233,7 @@ def _row(values: Sequence[str], run: RunResult, root: complex) -> EventRow:
         least_tension=run.least_tension.value,
         swing=0.5 * float(np.ptp(pull)) / mean if mean > 0.0 else math.nan,
         friction_energy=math.fsum(d.friction_energy for d in run),
-        pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > 0.0 else 0.0,
+        pulsates=abs(root.imag) / (2.0 * math.pi) if root.real > CALM else 0.0,
         level=str(verdict.level),
         word=verdict.word,
         said=verdict.headline(),

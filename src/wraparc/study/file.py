@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,6 @@ from wraparc.batch import BatchResult, Setting
 from wraparc.batch.arcs import COLUMNS
 from wraparc.checks import before
 from wraparc.checks.of_data import wet_factor
-from wraparc.checks.of_rows import MOTORS
 from wraparc.drive import DESIGN, Drive, Lagging
 from wraparc.errors import InputError, nearest
 from wraparc.files.drive_file import overridden
@@ -370,7 +369,7 @@ def _same(one: Rows, other: Rows, within: float) -> bool:
     """Whether two single arcs are the same, with their laws and what they are held against."""
     numbers = [
         [getattr(rows.arcs, name)[0] for name in COLUMNS]
-        + [getattr(rows.held, f.name)[0] for f in fields(rows.held) if f.name not in MOTORS]
+        + [column[0] for column in rows.held.columns()]
         for rows in (one, other)
     ]
     a, b = np.array(numbers, dtype=float)

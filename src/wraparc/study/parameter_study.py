@@ -16,8 +16,9 @@ from wraparc.arrays import Array, Codes, Flags, Integers
 from wraparc.batch import Setting
 from wraparc.batch.arcs import Arcs, present
 from wraparc.batch.scaled import solve_scaled
+from wraparc.checks.of_arc import BOND_STRESS, NO_GRIP
+from wraparc.checks.of_drive import BELT_TENSION, MOMENTARY_TENSION
 from wraparc.checks.of_rows import LEVELS, NAMES, Held, kept_rows, worst_of_rows
-from wraparc.checks.rules import NO_GRIP
 from wraparc.drive import GRAVITY, Drive
 from wraparc.provenance import Provenance
 from wraparc.study.across_rows import solve_rows
@@ -334,7 +335,7 @@ class Study:
                 n: rows.of_train[n][some] if n in rows.of_train else missing for n in TRAIN_OUTPUTS
             }
             tension = np.maximum(part.entry_tension, part.exit_tension)
-            safety = rows.held.strength[some] * part.belt_width / tension
+            safety = rows.held.state.strength[some] * part.belt_width / tension
             masses = np.array([d.pulley(rows.pulley).mass or np.nan for d in rows.drives])
             weight, force = masses[rows.which[some]] * GRAVITY, solved["resultant_force"]
             loads = (safety, force + weight, np.abs(force - weight))
@@ -349,8 +350,8 @@ def _limits(rows: Rows) -> Mapping[str, Array]:
     held = rows.held
     return {
         "exit_creep": rows.arcs.creep_limit,
-        "entry_tension": np.fmin(held.belt_tension, held.momentary_tension),
-        "peak_shear_stress": held.bond_stress,
+        "entry_tension": np.fmin(held.limit(BELT_TENSION), held.limit(MOMENTARY_TENSION)),
+        "peak_shear_stress": held.limit(BOND_STRESS),
     }
 
 

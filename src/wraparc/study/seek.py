@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
 from wraparc.arc import ArcResult, Distributed, DriveResult, Method, WrapArc
-from wraparc.arc import solve as solve_drive
-from wraparc.drive import Drive, Limit
+from wraparc.drive import Limit
 from wraparc.errors import InputError, input_error, nearest, placed, shown
 from wraparc.glossary import GLOSSARY
 from wraparc.schema.kinds import Quantity
@@ -20,8 +20,9 @@ from wraparc.schema.quantity_text import quantity_text
 from wraparc.schema.source import Document
 from wraparc.study.fields import SCALING, canonical, kind_of
 from wraparc.study.parameter_study import CAPACITY_OUTPUTS, OUTPUTS
-from wraparc.train.file import any_drive_from_document
+from wraparc.train.file import any_drive_from_document, drive_or_train_from_document
 from wraparc.train.keys import TRAIN_FILE
+from wraparc.train.whole import Whole, by_pulley, solved
 from wraparc.units import Dimension, parse_quantity
 
 #: Values tried over the range before any is searched for between two of them.
@@ -90,8 +91,8 @@ class Sought:
         The input and the result as they are [SI]; nan where there is none.
     values
         Values of the input that give it, the nearest to the present one first [SI].
-    drives
-        The drive solved with each.
+    wholes
+        The whole drive solved with each, as every door solves it.
     tried, results
         Values that were tried over the range and what they give [SI]; nan where nothing.
     """
@@ -105,9 +106,14 @@ class Sought:
     now: float
     result_now: float
     values: tuple[float, ...]
-    drives: tuple[DriveResult, ...]
+    wholes: tuple[Whole, ...]
     tried: tuple[float, ...]
     results: tuple[float, ...]
+
+    @cached_property
+    def drives(self) -> tuple[DriveResult, ...]:
+        """The same pulley by pulley."""
+        return tuple(map(by_pulley, self.wholes))
 
 
 def seek(document: Document, goal: Goal, *, method: Method | None = None, **where: Any) -> Sought:
@@ -171,15 +177,14 @@ def seek(document: Document, goal: Goal, *, method: Method | None = None, **wher
         now=now,
         result_now=result_at(now) if math.isfinite(now) else math.nan,
         values=tuple(values),
-        drives=tuple(_whole(_put(document, goal.field, v, kind), method, where) for v in values),
+        wholes=tuple(_whole(_put(document, goal.field, v, kind), method, where) for v in values),
         tried=tuple(tried),
         results=tuple(results),
     )
 
 
-def _whole(document: Document, method: Method | None, where: dict[str, Any]) -> DriveResult:
-    drive: Drive = any_drive_from_document(document, **where)
-    return solve_drive(drive, method=method or Distributed(), raise_on_failure=False)
+def _whole(document: Document, method: Method | None, where: dict[str, Any]) -> Whole:
+    return solved(drive_or_train_from_document(document, **where), method)
 
 
 def _kind(field: str, document: Document) -> Quantity:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -14,6 +14,7 @@ from wraparc.batch import Setting
 from wraparc.batch.arcs import COLUMNS, Arcs
 from wraparc.batch.laws import LawBank
 from wraparc.checks.of_rows import Held, held_by
+from wraparc.checks.of_train import MOMENTARY_LOAD, MOTOR_LOAD
 from wraparc.drive import Drive, Lagging, Tensions, with_peaks
 from wraparc.drive.pitch import centrifugal_force, pitch_offset
 from wraparc.drive.tension_rules import LoadGiven
@@ -271,9 +272,9 @@ class DriveSource:
         load = np.abs(of_train["motor_load"])
         if not isinstance(motor, Motor):
             return held
-        if self.drive.load_case(load_case).kind == "running":
-            return replace(held, motor=load, motor_load=np.full(len(load), motor.bears(False)))
-        return replace(held, motor=load, momentary_load=np.full(len(load), motor.bears(True)))
+        momentary = self.drive.load_case(load_case).kind != "running"
+        rule = MOMENTARY_LOAD if momentary else MOTOR_LOAD
+        return held.with_motors(load, rule.name, motor.bears(momentary))
 
     def _of_train(self, divided: Divided | None, entries: Array, exits: Array) -> dict[str, Array]:
         """What the pulley has within the whole drive."""

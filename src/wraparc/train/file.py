@@ -73,15 +73,15 @@ def load_drive_or_train(
         if conditions:
             with placed("--conditions", str(more.get("file", ""))):
                 document = asking(document, conditions)
-        return drive_or_train(document, also, **more)
+        return drive_or_train_from_document(document, also, **more)
 
     return load(path, read, overrides, TRAIN_FILE, allow_paths=allow_paths)
 
 
-def drive_or_train(
+def drive_or_train_from_document(
     document: Document, also: Callable[..., None] | None = None, **more: Any
 ) -> Drive | Train:
-    """Return what a document describes; see `load_drive_or_train`."""
+    """Return what a drive file describes that is already parsed, see `load_drive_or_train`."""
     reader = train_from_document if "train" in document else drive_from_document
     if also is None:
         return reader(document, **more)

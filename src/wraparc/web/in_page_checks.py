@@ -13,11 +13,11 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from wraparc.arc import ArcResult, Capacities, DriveResult, Energy, Status, WrapArc
-from wraparc.checks.check import Check, Level, Place, Verdict
+from wraparc.checks.check import Check, Level, Verdict
 from wraparc.checks.gross_slip import Rise, rises
 from wraparc.checks.of_arc import INTERVAL
 from wraparc.checks.of_data import WEAK_KINDS, law_words, weak_sources, wet_factor
-from wraparc.checks.rules import idle
+from wraparc.checks.rule import Spot, idle
 from wraparc.checks.sliding import Sliding
 from wraparc.drive import Drive
 from wraparc.train import Train, TrainCase
@@ -221,16 +221,16 @@ def slip_speed(result: FoundArc) -> float:
     return result.found.slip_speed
 
 
-def creep_interval(_drive: Drive, result: ArcResult) -> Check | None:
+def creep_interval(of: Spot) -> Iterator[Check]:
     """Say of a fitted law what is left to the program: no bare OK."""
-    place, fit = Place(result.arc.pulley, result.arc.load_case), result.arc.fit
+    fit = None if of.result is None else of.result.arc.fit
     if fit is None or not fit.knots:
-        return None
-    return Check(
+        return
+    yield Check(
         name="creep_interval",
         title=INTERVAL,
         level=Level.ATTENTION,
-        place=place,
+        place=of.place,
         says="By the uncertainty of the friction law the creep may be beyond its limit: this page "
         "does not find the interval.",
         remedy="Solve the file with wraparc solve, which does.",

@@ -29,14 +29,19 @@ from wraparc.answer.across_tables import (
     worst_first,
 )
 from wraparc.answer.checks_table import check_table
-from wraparc.answer.words import in_words, verdict
-from wraparc.arc import Distributed, DriveResult, solve
+from wraparc.answer.sheet import Verdict as ToldVerdict
+from wraparc.answer.train_words import train_verdict
+from wraparc.answer.words import in_words, under, verdict
+from wraparc.checks import Verdict as Judgement
 from wraparc.checks import judge
 from wraparc.checks.rules import ACROSS_CHECKS
+from wraparc.choose.what_if import redivided
 from wraparc.drive import Drive, LoadCase, Pulley
+from wraparc.drive.changes import with_thickness
 from wraparc.errors import InputError, input_error
 from wraparc.files.across_keys import ACROSS
-from wraparc.train import Train, solve_train
+from wraparc.train import Train, TrainResult
+from wraparc.train.whole import Described, Whole, by_pulley, solved
 from wraparc.units import GIVEN_DIGITS, Dimension, parse_quantity, quantity
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import (
@@ -139,8 +144,8 @@ class ProfileAnswer(Answer):
 
 def solve_width(asked: AcrossRequest) -> AcrossAnswer:
     """A pulley across its width: verdict, maps, profiles, shares of the defects."""
-    thing = read(asked.document)
-    result = _whole(thing)
+    whole = solved(read(asked.document))
+    result, judged = by_pulley(whole), judge(whole)
     drive = result.drive
     pulley, case = asked_for(drive, asked.pulley, asked.load_case)
     if asked.load_case is None:
@@ -154,37 +159,33 @@ def solve_width(asked: AcrossRequest) -> AcrossAnswer:
             for r in across_of(result)
             if (r.wide.arc.pulley, r.wide.arc.load_case) == (pulley.name, case.name)
         )
-    solved = found.status is AcrossStatus.SOLVED
-    own = judge(result).at(pulley.name, case.name)
-    told = verdict(result) if asked.load_case is None else in_words(own, own.others)
+    carried = found.status is AcrossStatus.SOLVED
+    own = judged.at(pulley.name, case.name)
+    told = in_words(own, own.others) if asked.load_case is not None else _told(whole)
     return AcrossAnswer(
         pulley=pulley.name,
         load_case=case.name,
         even=pulley.across is None,
-        solved=solved,
+        solved=carried,
         status_text=worded(slack_words(found) or str(found.status)),
         verdict=Verdict.of(told),
-        remarks=texts(judge(result).data),
+        remarks=texts(judged.data),
         bars=bars(own.listed),
-        checks=_checks(result, pulley, case),
-        tables=_tables(drive, found, solved),
-        numbers=numbers(found.scalars()) if solved else {},
-        levelling_depth=rounded(found.levelling_depth) if solved else [],
+        checks=_checks(judged, pulley, case),
+        tables=_tables(drive, found, carried),
+        numbers=numbers(found.scalars()) if carried else {},
+        levelling_depth=rounded(found.levelling_depth) if carried else [],
         rating=drive.belt.rating,
-        map=_map(found) if solved else None,
-        profiles=_profiles(found) if solved else None,
+        map=_map(found) if carried else None,
+        profiles=_profiles(found) if carried else None,
     )
 
 
-def _whole(thing: Drive | Train) -> DriveResult:
-    """Return the solved drive, judged like everywhere."""
-    if isinstance(thing, Train):
-        return solve_train(thing, raise_on_failure=False).drive_result()
-    return solve(thing, method=Distributed(), raise_on_failure=False)
+def _told(whole: Whole) -> ToldVerdict:
+    return train_verdict(whole) if isinstance(whole, TrainResult) else verdict(whole)
 
 
-def _checks(result: DriveResult, pulley: Pulley, case: LoadCase) -> Table | None:
-    told = judge(result)
+def _checks(told: Judgement, pulley: Pulley, case: LoadCase) -> Table | None:
     own = tuple(
         c
         for c in told.checks
@@ -233,17 +234,17 @@ def _profiles(found: AcrossResult) -> WidthProfiles:
     )
 
 
-def _asked(asked: AcrossRequest) -> tuple[Drive, Pulley, LoadCase]:
+def _asked(asked: AcrossRequest) -> tuple[Described, Drive, Pulley, LoadCase]:
     thing = read(asked.document)
     drive = divided(thing) if isinstance(thing, Train) else thing
-    return drive, *asked_for(drive, asked.pulley, asked.load_case)
+    return thing, drive, *asked_for(drive, asked.pulley, asked.load_case)
 
 
 def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
     """Wear marched on: whether it heals or runs away, and when to re-lag."""
     least = _quantity("least_thickness", asked.least_thickness, "length")
     depth = None if asked.depth is None else _quantity("depth", asked.depth, "length")
-    drive, pulley, case = _asked(asked)
+    thing, drive, pulley, case = _asked(asked)
     strips = min(_WEAR_STRIPS, pulley.across.strips if pulley.across else _WEAR_STRIPS)
     now = solve_across(drive, pulley.name, case.name, strips=strips, raise_on_failure=False)
     if not now.status.solved:
@@ -263,7 +264,7 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
         per_depth=_PER_DEPTH,
     )
     return AcrossWearAnswer(
-        verdict=Verdict.of(wear_verdict(now, history, least)),
+        verdict=Verdict.of(under(wear_verdict(now, history, least), judge(solved(thing)))),
         table=tables([wear_table(history)], ["wear"])[0],
         heals=history.heals,
         grows=now.wear_grows,
@@ -278,10 +279,13 @@ def wear_width(asked: AcrossWearRequest) -> AcrossWearAnswer:
 def thickness_width(asked: AcrossThicknessRequest) -> AcrossThicknessAnswer:
     """What thicker laggings cushion of the same unevenness."""
     wanted = sorted(_quantity("thicknesses", text, "length") for text in asked.thicknesses)
-    drive, pulley, case = _asked(asked)
+    thing, drive, pulley, case = _asked(asked)
     found = cushion(drive, wanted, pulley.name, case.name, strips=_WEAR_STRIPS)
+    changed = with_thickness(drive, pulley.name, wanted[-1])
+    thick = redivided(thing, changed) if isinstance(thing, Train) else changed
+    told, of = cushion_verdict(found), f"With {quantity(wanted[-1], 'length', GIVEN_DIGITS)}"
     return AcrossThicknessAnswer(
-        verdict=Verdict.of(cushion_verdict(found)),
+        verdict=Verdict.of(under(told, judge(solved(thick)), of)),
         table=tables([cushion_table(found)], ["thickness"])[0],
     )
 

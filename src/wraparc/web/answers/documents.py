@@ -58,12 +58,12 @@ def read(document: Document) -> Drive | Train:
     InputError
         With everything that is wrong; paths of files are refused, and more than a page can show.
     """
-    from wraparc.train.file import drive_or_train
+    from wraparc.train.file import drive_or_train_from_document
 
     document = without_none(document)
     if "motion" in document:  # the room of drives in time is loaded for these alone
         from wraparc.motion.file import check_motion
-    found = drive_or_train(document, check_motion if "motion" in document else None)
+    found = drive_or_train_from_document(document, check_motion if "motion" in document else None)
     cases = found.load_cases if isinstance(found, Drive) else found.cases
     _check_arcs(len(found.pulleys), len(cases))
     return Train.of(found) if isinstance(found, Drive) and len(found.pulleys) > 1 else found

@@ -229,7 +229,7 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
         governing=Place(pulley=governing.pulley, load_case=governing.load_case),
         verdict=(train and train.verdict) or Verdict.of(verdict(first)),
         remarks=_remarks(first),
-        conditions=_conditions(first),
+        conditions=_conditions(first, whole),
         checks=tables([check_table(judge(whole))], ["checks"])[0],
         least_tension=_least(whole),
         summary=summary[0] if len(first) > 1 else None,
@@ -247,10 +247,10 @@ def solve_all(asked: SolveRequest) -> SolveAnswer:
     )
 
 
-def _conditions(result: DriveResult) -> Table | None:
+def _conditions(result: DriveResult, whole: Whole) -> Table | None:
     if not result.drive.conditions:
         return None
-    return tables([conditions_table(result)], ["conditions"])[0]
+    return tables([conditions_table(result, whole)], ["conditions"])[0]
 
 
 def _least(result: DriveResult | TrainResult) -> LeastTension | None:

@@ -1,10 +1,9 @@
 """Which value of an input gives a wanted result, as ``wraparc seek`` finds it."""
 
 from wraparc.answer.seek_sheet import seek_document, sentence, value_text
-from wraparc.answer.words import verdict
-from wraparc.arc import DriveResult
 from wraparc.checks import Level, judge
 from wraparc.study.seek import Goal, Sought, seek
+from wraparc.train.whole import Whole
 from wraparc.web.answers.documents import read, without_none
 from wraparc.web.answers.shown import Answer, Numbers, Text, rounded, worded
 from wraparc.web.asked import SeekRequest
@@ -16,6 +15,7 @@ class FoundValue(Answer):
     value: float
     shown: Text
     level: Level
+    word: str
     headline: Text
 
 
@@ -36,16 +36,17 @@ def seek_value(asked: SeekRequest) -> SeekAnswer:
     data = seek_document(found)
     return SeekAnswer(
         sentence=worded(sentence(found)),
-        found=[_value(found, *pair) for pair in zip(found.values, found.drives, strict=True)],
+        found=[_value(found, *pair) for pair in zip(found.values, found.wholes, strict=True)],
         tried=rounded(data["tried"]["value"]),
         results=rounded(data["tried"]["result"]),
     )
 
 
-def _value(found: Sought, value: float, whole: DriveResult) -> FoundValue:
+def _value(found: Sought, value: float, whole: Whole) -> FoundValue:
     return FoundValue(
         value=value,
         shown=worded(value_text(found, value)),
         level=judge(whole).level,
-        headline=worded(verdict(whole).headline),
+        word=judge(whole).word,
+        headline=worded(judge(whole).lead),
     )

@@ -2133,7 +2133,7 @@ export function sheet__named(name, value) {
 }
 
 /** Whether an arc hands nothing over: its pulley is not driven. */
-export function rules__idle(arc) {
+export function rule__idle(arc) {
   return numbers__idles(arc.entry_tension, arc.exit_tension);
 }
 
@@ -2153,7 +2153,7 @@ export function train_words___shares(case_) {
   }
   return [...case_.members]
     .map((m) =>
-      rules__idle(m.arc.arc)
+      rule__idle(m.arc.arc)
         ? "" + $text(m.name) + " is not driven"
         : "" + $text(m.name) + " carries " + $text(percent(m.share)),
     )
@@ -2179,7 +2179,7 @@ export function train_words___fights(case_) {
 }
 
 export function train_words___fight(case_) {
-  let loaded = [...case_.members].filter((m) => !rules__idle(m.arc.arc));
+  let loaded = [...case_.members].filter((m) => !rule__idle(m.arc.arc));
   let forward = [...loaded].filter((m) => m.arc.effective_tension > 0.0).map((m) => m.name);
   let back = [...loaded].filter((m) => m.arc.effective_tension < 0.0).map((m) => m.name);
   let lost = train_words___against(case_);
@@ -2357,7 +2357,7 @@ export function* train_words___matching(case_, cases) {
   for (const each1 of $enumerate(case_.members)) {
     [i, m] = each1;
     slope = train_words___steepest(case_, cases, i);
-    if (i === 0 || slope === 0.0 || rules__idle(m.arc.arc)) {
+    if (i === 0 || slope === 0.0 || rule__idle(m.arc.arc)) {
       continue;
     }
     how = own_way ? " with its motors as they are" : "";
@@ -2443,7 +2443,7 @@ export function* train_words__case_sentences(case_, cases) {
   if (case_.members.length > 1) {
     for (const each1 of case_.members.slice(1)) {
       m = each1;
-      if (!rules__idle(m.arc.arc)) {
+      if (!rule__idle(m.arc.arc)) {
         yield train_words___speed_sentence(case_, m);
       }
     }
@@ -2488,7 +2488,7 @@ export function train_sheet__signed(ratio) {
 }
 
 export function train_sheet___share(m) {
-  return rules__idle(m.arc.arc) && !Number.isNaN(m.share) ? "not driven" : percent(m.share);
+  return rule__idle(m.arc.arc) && !Number.isNaN(m.share) ? "not driven" : percent(m.share);
 }
 
 /** Return the rise of tension before each pulley, where there is any. */
@@ -2565,7 +2565,7 @@ export function train_sheet___creep_row(case_) {
 /** Return what creep costs; of a drum that is not driven nothing but rounding is left. */
 export function train_sheet___lost(m) {
   let loss = m.arc.energy.power_loss;
-  return sheet__named("power_loss", rules__idle(m.arc.arc) && !Number.isNaN(loss) ? 0.0 : loss);
+  return sheet__named("power_loss", rule__idle(m.arc.arc) && !Number.isNaN(loss) ? 0.0 : loss);
 }
 
 export function train_sheet___loss_note(case_) {

@@ -476,6 +476,7 @@ export interface FoundValue {
   value: number;
   shown: Text;
   level: Level;
+  word: string;
   headline: Text;
 }
 export interface Impossible {

@@ -1324,9 +1324,9 @@ yield $b.str($bound(source, "kind"));
 }
 function in_page_checks__idle_in(drive) {
 
-return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rules__idle(arc); } })());
+return $b.any((function* () { for (const arc of $iter(in_page_checks__arcs_of(drive))) { yield rule__idle(arc); } })());
 }
-function rules__idle(arc) {
+function rule__idle(arc) {
 
 return numbers__idles($bound(arc, "entry_tension"), $bound(arc, "exit_tension"));
 }
@@ -1366,50 +1366,50 @@ yield check;
 function* judge___of_members(result) {
 let adrift, case_, check, title;
 for (case_ of $iter(result)) {
-yield* $iter(judge___of_train($bound(result, "train"), case_));
+yield* $iter(of_train__of_case($bound(result, "train"), case_));
 if ($truth($b.isinstance(case_.case.division, Pulls))) {
-yield* $iter(judge___meeting(case_));
+yield* $iter(of_train__meetings(case_));
 }
 }
 (adrift = new Set((function* () { for (const case_ of $iter(result)) { if (!($truth(case_.adrift))) continue; yield case_.case.name; } })()));
-for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__of_train($bound(result, "train")))))) {
+for (check of $iter(judge___drive(result.drive_result(), ...$iter(usual__owners_of($bound(result, "train")))))) {
 if ((($eq(check.name, "gross_slip")) && ($in(check.place.load_case, adrift)))) {
 (title = $m.format("Safety against gross slip, {}", [$bound(result.train.case($bound(check.place, "load_case")), "kind")], $map([])));
-yield of_drive__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
+yield rule__not_checked($bound(check, "name"), title, "no division of the load is found", $bound(check, "place"));
 } else {
 yield check;
 }
 }
 }
-function* judge___of_train(train, case_) {
+function* of_train__of_case(train, case_) {
 let driven, driven_by, helps, lost, motors, overrun, place, several;
 
 (place = new Place("", $bound(case_.case, "name")));
 if (($truth(case_.adrift) || ($in(case_.status, ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", "The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly."])))) {
-(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), judge___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
-yield judge__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
+(overrun = $b.any((function* () { for (const [m, motor] of $iter($b.zip($bound(case_, "members"), of_train___motors($bound(case_, "case")), $k({strict: false})))) { if (!($truth($b.isinstance(motor, Motor)))) continue; yield $and((m.motor != null), () => $and((m.motor.motor_load < 0.0), () => !$truth(motor.brakes))); } })()));
+yield of_train__operating_point($bound(case_, "status"), $bound(case_, "reason"), place, overrun);
 }
 (several = ($b.len($bound(case_, "members")) > 1));
 if (!$truth($told($c4a3b, case_.status, "solved"))) {
-yield* $iter(($truth(several) ? judge__not_working(place) : []));
+yield* $iter(($truth(several) ? of_train__not_working(place) : []));
 return null;
 }
 if ($truth(several)) {
 (lost = numbers__pull_against([...(function* () { for (const m of $iter(case_.members)) { yield m.arc.effective_tension; } })()]));
-yield judge__fight(lost, place, $bound(case_.case, "division"));
-(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rules__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
+yield of_train__fight(lost, place, $bound(case_.case, "division"));
+(driven = [...(function* () { for (const [p, m] of $iter($b.zip($bound(train, "pulleys"), $bound(case_, "members"), $k({strict: true})))) { if (!(!$truth(rule__idle($bound(m.arc, "arc"))))) continue; yield p; } })()]);
 yield* $iter(of_drive__unknown_trims($bound(train, "belt"), driven, place));
 }
-yield judge__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
-(motors = judge___motors($bound(case_, "case")));
+yield of_train__train_balance($b.max($bound(case_, "tension_error"), $bound(case_, "speed_error")), place);
+(motors = of_train___motors($bound(case_, "case")));
 (driven_by = [...$iter($b.zip($bound(case_, "members"), motors, $k({strict: false})))]);
-(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
-yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield judge___motor(m, motor, $bound(case_, "case"), helps); } })());
+(helps = !$truth($b.all((function* () { for (const [m, motor] of $iter(driven_by)) { yield of_train___motor(m, motor, $bound(case_, "case"), true).missed; } })())));
+yield* $iter((function* () { for (const [m, motor] of $iter(driven_by)) { yield of_train___motor(m, motor, $bound(case_, "case"), helps); } })());
 }
-function judge___motors(case_) {
+function of_train___motors(case_) {
 return ($truth($b.isinstance(case_.division, Motors)) ? case_.division.motors : []);
 }
-function judge__operating_point(status, reason, place, overrun = false) {
+function of_train__operating_point(status, reason, place, overrun = false) {
 let _, fault, remedy, says, shorts;
 
 ([says, _, remedy] = $m.partition($b.str(status), ". "));
@@ -1424,14 +1424,14 @@ function check__escaped(text) {
 
 return $m.replace($m.replace(text, "{", "{{"), "}", "}}");
 }
-function* judge__not_working(place) {
+function* of_train__not_working(place) {
 let name, title;
 
 for ([name, title] of $iter([["fight", "Drives work together"], ["train_balance", "Tensions, speeds and torques of the train agree"]])) {
-yield of_drive__not_checked(name, title, "the drives do not carry the load", place);
+yield rule__not_checked(name, title, "the drives do not carry the load", place);
 }
 }
-function of_drive__not_checked(name, title, why, place) {
+function rule__not_checked(name, title, why, place) {
 
 return new Check(name, title, "NOT CHECKED", place, undefined, undefined, undefined, undefined, undefined, why, check__escaped(("" + $str(title) + ": not checked, " + $str(why) + ".")));
 }
@@ -1444,7 +1444,7 @@ return 0.0;
 }
 return $b.min($b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max(p, 0.0); } })()), $b.sum((function* () { for (const p of $iter(pulls)) { yield $b.max($neg(p), 0.0); } })()));
 }
-function judge__fight(lost, place, division) {
+function of_train__fight(lost, place, division) {
 let fights, remedy;
 
 (fights = (lost > 0.0));
@@ -1495,58 +1495,32 @@ if ($truth(opposite)) {
 }
 return new Check("belt_thickness", "Trim by the thickness of the belt", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "trim without belt thickness", ("" + "The trim of " + $str(check__escaped($bound(place, "pulley"))) + " is that of a belt without thickness: " + $str(why)), "Give the pulley cover, carry cover and carcass of the belt.", undefined, $map([["shift", [$mul(100.0, shift), "number"]], [($truth(opposite) ? "apart" : "layer"), [($truth(opposite) ? 0.004 : 0.01), "length"]]]), false);
 }
-function judge__train_balance(error, place) {
+function of_train__train_balance(error, place) {
+let words;
 
-return of_drive__judged($at($c1dc5, "train_balance"), "Tensions, speeds and torques of the train agree", error, 1e-05, "number", place, "tolerance of the program", "Tensions, speeds and torques of the train miss each other by {value}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
+(words = new Words("Tensions, speeds and torques of the train agree", "tolerance of the program", "out of balance", "Tensions, speeds and torques of the train miss each other by {value}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
+return $cb138.judged(error, 1e-05, place, words);
 }
-function of_drive__judged(rule, title, value, limit, dimension, place, source = "", says = "", remedy = "", otherwise = "", short = "", because = "", allows = "", binding = true, more = null) {
-let kept, level, miss;
-
-(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, rule.at_most)));
-(miss = new Miss($bound(rule, "missed"), short, says, remedy, $bound(rule, "fails_beyond"), because, $bound(rule, "tolerates"), allows, otherwise));
-([level, says] = miss.at(value, $bound(rule, "at_most")));
-return new Check(rule.name, title, ($truth(kept) ? "OK" : level), place, value, limit, dimension, rule.at_most, source, ($truth(kept) ? "" : short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : remedy), ($truth(kept) ? "" : otherwise), $or(more, () => $map([])), binding, miss);
-}
-function check__keeps(value, limit, at_most = true) {
-
-return numbers__kept(value, limit, at_most);
-}
-function numbers__kept(value, limit, at_most) {
-let within;
-
-if ($truth($math.isnan(value))) {
-return false;
-}
-(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
-return $or(within, () => numbers__same_shown(value, limit));
-}
-function numbers__same_shown(value, limit) {
-
-if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
-return ($eq(value, limit));
-}
-return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
-}
-function judge___motor(member, motor, case_, helps) {
+function of_train___motor(member, motor, case_, helps) {
 let at, momentary;
 
 ([at, momentary] = [new Place($bound(member, "name"), $bound(case_, "name")), (!$eq(case_.kind, "running"))]);
 if (((member.motor == null) || !$truth($b.isinstance(motor, Motor)))) {
-return judge__unrated(momentary, at);
+return of_train__unrated(momentary, at);
 }
-return judge__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
+return of_train__motor_load($bound(member.motor, "motor_load"), motor.bears(momentary), momentary, at, helps);
 }
-function judge__unrated(momentary, place) {
+function of_train__unrated(momentary, place) {
 let name, why;
 
 (name = ($truth(momentary) ? "momentary_load" : "motor_load"));
 (why = "a drive that follows another gives no rating of its motors");
-return of_drive__not_checked(name, $at($c784e, momentary), why, place);
+return rule__not_checked(name, $at($c625f, momentary), why, place);
 }
-function judge__motor_load(load, most, momentary, place, helps) {
-let other, remedy, title;
+function of_train__motor_load(load, most, momentary, place, helps) {
+let other, remedy, title, words;
 
-(title = $at($c784e, momentary));
+(title = $at($c625f, momentary));
 (remedy = "Divide the load otherwise (diameters, speeds, torque sharing), or take larger motors.");
 if (!$truth(helps)) {
 (remedy = "Take larger motors: no other division of the load helps.");
@@ -1555,9 +1529,10 @@ if ($truth(momentary)) {
 (other = ($truth(helps) ? "divide the load otherwise, " : ""));
 (remedy = ("" + "Start and stop more slowly, " + $str(other) + "or take larger motors."));
 }
-return of_drive__judged($at($c1dc5, ($truth(momentary) ? "momentary_load" : "motor_load")), title, $b.abs(load), most, "number", place, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "The motors work at {percent} % of their rated torque, and may at {most} %.", remedy, undefined, "motor overloaded", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]]));
+(words = new Words(title, ($truth(momentary) ? "IEC 60034-1: 1.6 times the rated torque for 15 s; no stall at 90 % of the voltage (NEMA MG 1-12.44, condensed edition of 2011: torque falls with its square)" : "rating of the motor, continuous duty"), "motor overloaded", "The motors work at {percent} % of their rated torque, and may at {most} %.", "The usual service factor, 1.15, does not cover that (NEMA MG 1-14.37: up to that of the nameplate).", undefined, remedy, undefined, $map([["percent", [$mul(100.0, $b.abs(load)), "number"]], ["most", [$mul(100.0, most), "number"]]])));
+return ($truth(momentary) ? $c58a5 : $c0dbc).judged($b.abs(load), most, place, words);
 }
-function* judge___meeting(case_) {
+function* of_train__meetings(case_) {
 let ends, one, other, place;
 
 for ([one, other] of $iter($b.pairwise((function* () { for (const m of $iter(case_.members)) { yield m.arc.arc; } })()))) {
@@ -1573,7 +1548,7 @@ return null;
 }
 yield new Check("meeting", "Tensions of neighbouring pulleys meet", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "tensions do not meet", ("" + "The belt leaves pulley " + $str(check__escaped(before)) + " with {leaves} and enters pulley " + $str(check__escaped(after)) + " with {enters}: taken as what the run between them adds."), ("" + "If none does, correct the tensions or the order of the pulleys; if one does, give what the run before pulley " + $str(check__escaped(after)) + " adds."), undefined, $map([["leaves", [leaves, "force"]], ["enters", [enters, "force"]]]), false);
 }
-function* usual__of_train(train) {
+function* usual__owners_of(train) {
 let division, kinds, motor, pulley, turns;
 
 (division = $at(train.cases, 0).division);
@@ -1602,50 +1577,37 @@ if ($truth($b.any((function* () { for (const pulley of $iter(drive.pulleys)) { y
 yield* $iter(in_page_checks__across(result));
 }
 yield* $iter(of_drive__take_up(drive));
-for (pulley of $iter(drive.pulleys)) {
-yield of_drive__pulley_diameter(drive, pulley);
-}
+yield* $iter(judge__diameters(drive));
 yield* $iter(usual__usual_sizes(drive, ...$iter(others)));
 for (pulley of $iter(drive.pulleys)) {
 yield of_data__data(drive, pulley);
 }
 }
 function* judge___case(drive, case_, arcs) {
-let balanced, found, index, pulley, result, sag;
+let index, pulley, result, rule, spot;
 for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
-(found = [of_arc__grip(drive, case_, arcs, index), of_arc__standard(drive, case_, result), of_arc__creep(drive, result), of_arc__cover_creep(result), in_page_checks__creep_interval(drive, result)]);
-yield* $iter((function* () { for (const check of $iter(found)) { if (!((check != null))) continue; yield check; } })());
-yield* $iter(of_drive__of_belt(drive, case_, pulley));
-yield* $iter(of_arc__lagging_stress(pulley, result));
-yield* $iter(of_drive__tested_pressure(drive, case_, pulley));
-yield* $iter(of_data__condition(case_, pulley));
-yield* $iter(of_data__fit(case_, pulley));
-yield* $iter(of_arc__tested_slip(pulley, result));
-if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rules__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rules__idle($bound(result, "arc")))))) {
+yield of_arc__grip(drive, case_, arcs, index);
+(spot = of_arc__spot_of(drive, case_, pulley, result));
+for (rule of $iter($cedd5)) {
+yield* $iter(rule.checks(spot));
+}
+if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rule__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rule__idle($bound(result, "arc")))))) {
 yield of_drive__sense(case_, pulley);
 }
-(balanced = of_arc__balance(result));
-if ((balanced != null)) {
-yield balanced;
-}
-}
-(sag = of_drive__sag(drive, case_));
-if ((sag != null)) {
-yield sag;
 }
 }
 function of_arc__grip(drive, case_, arcs, index) {
 let name, place, result, rise, take_up, title;
 
 (result = $at(arcs, index));
-([take_up, name] = [drive.criteria.take_up, $at($c1dc5, "gross_slip").name]);
+([take_up, name] = [drive.criteria.take_up, "gross_slip"]);
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 (title = $m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([])));
 if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
 return new Check(name, title, "FAULT OF THE PROGRAM", place, undefined, undefined, undefined, undefined, undefined, "not solved", check__escaped($b.str($bound(result, "status"))));
 }
-if ($truth(rules__idle($bound(result, "arc")))) {
+if ($truth(rule__idle($bound(result, "arc")))) {
 return new Check(name, "No pull to carry", "OK", place, undefined, undefined, undefined, undefined, undefined, "not driven");
 }
 (rise = gross_slip__rises([...(function* () { for (const r of $iter(arcs)) { yield r.arc; } })()], index, take_up));
@@ -1656,15 +1618,15 @@ function in_page_checks__sliding(result, _rise) {
 return new Sliding($bound(result.found, "place"), $bound(result.found, "cause"));
 }
 function of_arc__of_sliding(drive, case_, result, found) {
-let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title;
+let by, check, factor, first, gone, lagging, place, rule, safety, says, take_up, title, value, words;
 
 ([safety, take_up, lagging] = [drive.criteria.safety, drive.criteria.take_up, result.arc.pulley]);
-([rule, factor, gone] = [$at($c1dc5, "gross_slip"), safety.of($bound(case_, "kind")), !$truth($told($c4a3b, result.status, "solved"))]);
+([rule, factor, gone] = [$c84c4, safety.of($bound(case_, "kind")), !$truth($told($c4a3b, result.status, "solved"))]);
 ([by, first] = $at($c48c7, found.cause));
 (title = ("" + $str($m.format("Safety against gross slip, {}", [$bound(case_, "kind")], $map([]))) + ", " + $str(by)));
 (place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
 if (($truth($math.isnan($bound(found, "place"))) && !$truth(gone))) {
-return of_drive__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
+return rule__not_checked($bound(rule, "name"), title, "where the belt slides was not found", place);
 }
 if (($eq(found.cause, 1))) {
 (rule = $replaced(rule, new Map([["fails_beyond", NaN]])));
@@ -1672,7 +1634,9 @@ if (($eq(found.cause, 1))) {
 (first = $m.replace(first, "⟦lagging⟧", check__escaped($bound(drive.pulley(lagging).lagging, "name"))));
 (says = ("" + $str(first) + " at {value} times the pull, below {limit}; safety factor " + $str(case_.kind) + ", "));
 (says = $add(says, ("" + $str(of_arc__held_words(take_up)) + ".")));
-(check = of_drive__judged(rule, title, ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place), factor, "number", place, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), says, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), "So it slides.", undefined, undefined, $map([["slides", [0.0635, "length"]]])));
+(words = new Words(title, ("" + "safety factor " + $str(case_.kind) + ": " + $str($or(safety.source, () => "taken where the drive file says nothing"))), (($eq(found.cause, 1)) ? "pull beyond tests" : "near gross slip"), says, "So it slides.", undefined, "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["slides", [0.0635, "length"]]])));
+(value = ($truth(gone) ? $b.min($bound(found, "place"), 0.999) : found.place));
+(check = rule.judged(value, factor, place, words));
 if (!$truth(gone)) {
 return check;
 }
@@ -1688,421 +1652,20 @@ return "T1 + T2 held (fixed take-up)";
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
-function of_arc__standard(drive, case_, result) {
-let _, chosen, criteria, found, how, lagging, limit, place, rule, slack, start, title;
+function of_arc__spot_of(drive, case_, pulley, result = null) {
+let belt, creep, driving, first, known, last, shear, slack, slip, speed, tensions;
 
-([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
-(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
-if (((found == null) || $truth(rules__idle($bound(result, "arc"))))) {
-return null;
-}
-(place = new Place($bound(result.arc, "pulley"), $bound(case_, "name")));
-if ($truth($math.isnan($bound(found, "wrap_factor")))) {
-(title = ("" + "Slack side by " + $str(found.rule)));
-if (!$truth(criteria.standard.name)) {
-return of_drive__not_checked("design_standard", title, $bound(found, "why_not"), place);
-}
-return new Check("design_standard", title, ($truth(criteria.standard.binding) ? "FAILS" : "ATTENTION"), place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, criteria.standard.binding);
-}
-(slack = $b.min($bound(result.arc, "entry_tension"), $bound(result.arc, "exit_tension")));
-(limit = of_arc__design_slack(drive, case_, result, $bound(found, "wrap_factor")));
-(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
-([start, [rule, _, how]] = ["", $m.partition(found.rule, ", ")]);
-if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(case_.kind, "running")))) {
-(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
-}
-return of_drive__judged(rules__standard_rule(criteria), ("" + "Slack side by " + $str(found.rule)), slack, limit, "force", place, found.source, ("" + "Slack side {value} is below the {limit} of " + $str(rule) + "; " + $str(how) + $str(start) + "." + $str(chosen)), "Raise the slack-side tension, or choose the design standard.", "Choose the design standard.", "below standard", undefined, undefined, criteria.standard.binding);
-}
-function design_standard__asked(standard, take_up, lagging, wrap_angle) {
-let factor, found, friction;
-
-if (($eq(standard.name, "none"))) {
-return null;
-}
-if ($truth(design_standard__by_table(standard, take_up, lagging))) {
-return design_standard___manual(lagging, wrap_angle);
-}
-([friction, found] = design_standard___friction(standard, lagging));
-if ((friction == null)) {
-return found;
-}
-(factor = constant_friction__wrap_factor(friction, wrap_angle));
-return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
-}
-function design_standard__by_table(standard, take_up, lagging) {
-
-return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
-}
-function design_standard___cema(standard) {
-return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
-}
-function design_standard___manual(lagging, wrap_angle) {
-let angle, ends, factor, rows;
-(rows = design_standard___rows(lagging));
-(angle = $math.degrees(wrap_angle));
-if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
-(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
-return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
-}
-(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
-return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
-}
-function design_standard___rows(lagging) {
-return $at($c5f1f, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
-}
-function design_standard___silent(name, why) {
-return new Asked(name, NaN, "", why);
-}
-function design_standard___friction(standard, lagging) {
-let condition, found, friction, name, rule, stated, value;
-
-(name = $or(standard.name, () => "CEMA"));
-if ((standard.friction != null)) {
-(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
-return [standard.friction, new Asked(rule, NaN, "given")];
-}
-if (!$truth(lagging.surface)) {
-return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
-}
-(condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
-(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
-if ((value == null)) {
-return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
-}
-(friction = $at(value.friction, 0));
-(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
-(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
-return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
-}
-function constant_friction__wrap_factor(friction, wrap_angle) {
-
-return (1.0 / $math.expm1($mul(friction, wrap_angle)));
-}
-function design_standard__prints(standard, surface) {
-
-return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
-}
-function numbers__as_printed(factor) {
-
-return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
-}
-function of_arc__design_slack(drive, case_, result, factor) {
-let start;
-
-(start = rules__start_factor($bound(drive, "criteria"), $bound(case_, "kind")));
-return numbers__asked_slack(factor, start, $bound(result.arc, "effective_tension"));
-}
-function rules__start_factor(criteria, kind) {
-
-return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
-}
-function numbers__asked_slack(factor, start, pull) {
-
-return $mul($mul(factor, start), $b.abs(pull));
-}
-function rules__standard_rule(criteria) {
-let rule;
-
-(rule = $at($c1dc5, "design_standard"));
-return ($truth(criteria.standard.binding) ? $replaced(rule, new Map([["missed", "FAILS"]])) : rule);
-}
-function of_arc__creep(drive, result) {
-let limit, place, title;
-
-([title, place] = ["Creep at exit", new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case"))]);
-if (!$truth($told($c4a3b, result.status, "solved"))) {
-return of_drive__not_checked("creep", title, of_arc__no_state(result), place);
-}
-(limit = result.arc.creep_limit);
-return of_drive__judged($at($c1dc5, "creep"), title, $b.abs($bound(result, "exit_creep")), limit, "length", place, (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "Creeps {value}, more than the limit of {limit}.", "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", "over creep limit", "A belt that creeps more than {slides} slides.", of_arc___qualifies(drive, limit), undefined, $map([["fabric", [$at($c4a2b, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [$at($c1dc5, "creep").tolerates, "length"]]]));
-}
-function of_arc__no_state(result) {
-
-if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
-return "the arc was not solved";
-}
-return "in gross slip the belt has no state at rest";
-}
-function of_arc___qualifies(drive, limit) {
-let belt, least, over, rating, steel, strong;
-
-(belt = drive.belt);
-if ((!$eq(limit, 0.00635))) {
-return "";
-}
-(least = $m.get($c4a2b, $bound(belt, "kind")));
-([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
-if (((least == null) || ((rating == null) && !$truth(steel)))) {
-return "Whether this belt may creep more is not known: its carcass or rating is not given.";
-}
-(strong = $or(belt.breaking_strength, () => 0.0));
-(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
-if ($truth(over)) {
-return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
-}
-if (($truth(steel) && !$truth(strong))) {
-return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
-}
-return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
-}
-function of_arc__cover_creep(result) {
-let found, place, title, told;
-
-([place, found] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.covered_creep]);
-(title = "Creep at exit, with the cover of the belt in series");
-if (($eq(result.arc.cover_left_out, 0.0))) {
-return null;
-}
-if (!$truth($told($c4a3b, result.status, "solved"))) {
-return of_drive__not_checked("cover_creep", title, of_arc__no_state(result), place);
-}
-(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
-return of_drive__judged($at($c1dc5, "cover_creep"), title, $b.abs(found), $bound(result.arc, "creep_limit"), "length", place, "shear of the cover of the belt", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests.", "limit within belt cover", undefined, undefined, false);
-}
-function in_page_checks__creep_interval(_drive, result) {
-let fit, place;
-
-([place, fit] = [new Place($bound(result.arc, "pulley"), $bound(result.arc, "load_case")), result.arc.fit]);
-if (((fit == null) || !$truth(fit.knots))) {
-return null;
-}
-return new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
-}
-function* of_drive__of_belt(drive, case_, pulley) {
-
-yield of_drive__belt_tension(drive, case_, pulley);
-yield of_drive__belt_safety(drive, case_, pulley);
-yield of_drive__face_pressure(drive, case_, pulley);
-}
-function of_drive__belt_tension(drive, case_, pulley) {
-let belt, factor, limit, momentary, otherwise, place, remedy, rule, said, share, tensions, title, value;
-
-([belt, tensions] = [drive.belt, $at(case_.tensions, pulley.name)]);
-(momentary = (!$eq(case_.kind, "running")));
-(title = ($truth(momentary) ? "Belt tension, momentary" : "Belt tension, running"));
-(rule = rules__tension_rule($bound(case_, "kind")));
-(value = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((belt.rating == null)) {
-return of_drive__not_checked($bound(rule, "name"), title, "the rating of the belt is not given", place);
-}
-(factor = rules__tension_factor(belt, $bound(case_, "kind")));
-(limit = $mul($mul(factor, belt.rating), belt.width));
-(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
-(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
-([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
-if (($truth(momentary) && (belt.momentary_factor == null))) {
-(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
-(otherwise = "");
-}
-(share = ($mul(100.0, value) / $mul(belt.rating, belt.width)));
-return of_drive__judged(rule, title, value, limit, "force", place, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(of_drive__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), remedy, otherwise, "over belt rating", undefined, undefined, undefined, $map([["share", [share, "number"]]]));
-}
-function rules__tension_rule(kind) {
-
-return $at($c1dc5, (($eq(kind, "running")) ? "belt_tension" : "momentary_tension"));
-}
-function rules__tension_factor(belt, kind) {
-
-return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
-}
-function of_drive__origin(provenance) {
-
-return $b.str(provenance);
-}
-function of_drive__belt_safety(drive, case_, pulley) {
-let largest, tensions;
-
-(tensions = $at(case_.tensions, pulley.name));
-(largest = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-return of_drive__safety_factor($bound(drive, "belt"), $bound(case_, "kind"), largest, new Place($bound(pulley, "name"), $bound(case_, "name")));
-}
-function of_drive__safety_factor(belt, kind, tension, place) {
-let asked, factor, momentary, rule, source, strength, title, why;
-
-([rule, momentary] = [$at($c1dc5, "belt_safety"), (!$eq(kind, "running"))]);
-(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
-([strength, asked, factor] = [belt.breaking_strength, rules__asked_safety(belt, kind), ""]);
-if ((strength == null)) {
-return of_drive__not_checked($bound(rule, "name"), title, "the strength of the belt is not given", place);
-}
-if ($truth($math.isnan(asked))) {
-(why = "neither rating nor kind of the belt tells what it is to be");
-return of_drive__not_checked($bound(rule, "name"), title, why, place);
-}
-if (($truth(momentary) && (belt.momentary_factor != null))) {
-(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
-}
-(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((!$in(belt.kind, $ca5fa))) {
-(source = ("" + "the least that any belt is rated with" + $str(factor)));
-}
-if ($truth(rules__rated(belt))) {
-(rule = $replaced(rule, new Map([["missed", "FAILS"]])));
-(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(of_drive__origin(belt.source_of("rating")))));
-}
-return of_drive__judged(rule, title, numbers__safety_of($mul(strength, belt.width), tension, asked), asked, "number", place, source, "The strength of the belt is {value} times its tension, below {limit} times.", "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.", "belt safety factor", "No belt is rated at more than a third of its strength.", undefined, rules__rated(belt));
-}
-function rules__asked_safety(belt, kind) {
-let asked, rating, strength;
-
-([strength, rating] = [belt.breaking_strength, belt.rating]);
-if ((strength == null)) {
-return NaN;
-}
-(asked = $m.get($ca5fa, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
-if (((rating != null) && $truth(rules__rated(belt)))) {
-(asked = (strength / rating));
-}
-(asked = (asked / rules__tension_factor(belt, kind)));
-return $b.max(asked, 1.0);
-}
-function rules__rated(belt) {
-let rating, strength;
-
-([strength, rating] = [belt.breaking_strength, belt.rating]);
-return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
-}
-function numbers__safety_of(strength, tension, asked) {
-let safety;
-
-(safety = (strength / tension));
-return (((safety < asked) && $truth(numbers__same_shown(tension, (strength / asked)))) ? asked : safety);
-}
-function of_drive__face_pressure(drive, case_, pulley) {
-let belt, place, tensions, tight, title, value, why;
-
-([belt, title] = [drive.belt, "Pressure on the pulley face"]);
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((belt.largest_wrap_pressure == null)) {
-(why = "the largest wrap pressure of the belt is not given");
-return of_drive__not_checked("face_pressure", title, why, place);
-}
-(tensions = $at(case_.tensions, pulley.name));
-(tight = $b.max($bound(tensions, "entry"), $bound(tensions, "exit")));
-(value = rules__wrap_pressure(tight, $bound(belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of(belt)));
-return of_drive__judged($at($c1dc5, "face_pressure"), title, value, $bound(belt, "largest_wrap_pressure"), "pressure", place, of_drive__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "The belt presses on the pulley face with {value}, more than {limit}.", "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.", "face pressure");
-}
-function rules__wrap_pressure(tension, width, diameter, centrifugal) {
-
-return ($mul(2.0, $sub(tension, centrifugal)) / $mul(width, diameter));
-}
-function* of_arc__lagging_stress(pulley, result) {
-let fatigue, more, often, pitch, place;
-
-(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
-yield of_arc___known(of_arc__bond(pulley, $bound(result, "peak_shear_stress"), place), result);
-(often = "");
-(more = $map([]));
-if ((result.arc.belt_speed != null)) {
-(often = "; the belt passes {passes} times an hour");
-(pitch = $add(result.arc.radius, result.arc.offset));
-$put(more, "passes", [pitch__turns_an_hour($bound(result.arc, "belt_speed"), pitch), "number"]);
-}
-(fatigue = of_arc___stress(pulley, $bound(result, "peak_shear_stress"), place, "fatigue_stress", "fatigue_limit", "Shear stress of lagging and bond, at every pass", "lagging tires", ("" + "At every pass the shear stress reaches {value}, above the fatigue limit {limit}" + $str(often) + "."), more));
-yield of_arc___known(fatigue, result);
-}
-function of_arc__bond(pulley, stress, place) {
-let title;
-
-(title = "Shear stress of lagging and bond, steady");
-if ($truth(place.event)) {
-(title = "Largest shear stress of lagging and bond");
-}
-return of_arc___stress(pulley, stress, place, "bond_stress", "bond_strength", title, "bond overstressed", "The shear stress of lagging and bond, {value}, is above their {limit}.");
-}
-function of_arc___stress(pulley, stress, place, name, key, title, short, says, more = null) {
-let lagging, limit, why;
-(lagging = pulley.lagging);
-(limit = $b.getattr(lagging, key));
-if ((limit == null)) {
-(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
-return of_drive__not_checked(name, title, why, place);
-}
-return of_drive__judged($at($c1dc5, name), title, stress, limit, "pressure", place, of_drive__origin(lagging.source_of(key)), says, "Choose a lagging with a stronger bond, a larger pulley, or less pull.", undefined, short, undefined, undefined, undefined, more);
-}
-function of_arc___known(check, result) {
-
-if (($truth($told($c4a3b, result.status, "solved")) || (check.level === "NOT CHECKED"))) {
-return check;
-}
-return of_drive__not_checked($bound(check, "name"), $bound(check, "title"), of_arc__no_state(result), $bound(check, "place"));
-}
-function pitch__turns_an_hour(speed, pitch) {
-
-return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
-}
-function* of_drive__tested_pressure(drive, case_, pulley) {
-let limit, more, name, of_tension, otherwise, place, tension, tensions, tested, title, why;
-
-(tested = pulley.lagging.law.tested);
-(place = new Place($bound(pulley, "name"), $bound(case_, "name")));
-if ((tested == null)) {
-(why = "the friction law states no tests");
-yield of_drive__not_checked("tested_pressure", "Wrap pressure within the tests", why, place);
-return null;
-}
-(tensions = $at(case_.tensions, pulley.name));
-for ([name, title, tension, limit, of_tension, otherwise] of $iter([["tested_pressure_max", "Largest wrap pressure, tested", $b.max($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_max, "Lower the tension, take", "Take a larger or wider pulley, or test the lagging at this pressure."], ["tested_pressure_min", "Least wrap pressure, tested", $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), tested.pressure_min, "Raise the slack-side tension, or test", "Test the lagging at this pressure."]])) {
-(more = ($truth($at($c1dc5, name).at_most) ? "above" : "below"));
-yield of_drive__judged($at($c1dc5, name), title, rules__wrap_pressure(tension, $bound(drive.belt, "width"), $bound(pulley, "diameter"), pitch__centrifugal_of($bound(drive, "belt"))), limit, "pressure", place, of_drive__tests_of(pulley), ("" + "The wrap pressure {value} is " + $str(more) + " the {limit} tested on lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + ": there the friction is an extrapolation."), ("" + $str(of_tension) + $str($slice(otherwise, 4, null))), otherwise, ("" + "pressure " + $str(more) + " tests"));
-}
-}
-function of_drive__tests_of(pulley) {
-
-return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(of_drive__origin(pulley.lagging.source_of("law"))));
-}
-function* of_data__condition(case_, pulley) {
-let _, grounds, lagging, of, says;
-
-(lagging = pulley.lagging);
-if (($in("condition", lagging.sources))) {
-([grounds, _] = of_data__law_words(lagging));
-(of = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
-(of = (($in("illustrative", grounds)) ? "an illustrative one" : of));
-(says = ("" + "its law is " + $str(of) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
-yield of_data___untested(case_, pulley, $bound(lagging, "condition"), "condition", says);
-}
-if (($in("worn", lagging.sources))) {
-(says = "its law is that of before, and what wear takes off the friction is not known");
-yield of_data___untested(case_, pulley, "worn", "worn", says);
-}
-}
-function of_data___untested(case_, pulley, state, part, says) {
-let lagging;
-(lagging = pulley.lagging);
-return new Check($at($c1dc5, "condition").name, ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
-}
-function* of_data__fit(case_, pulley) {
-let first, lagging, more, others;
-
-(lagging = pulley.lagging);
-if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
-return null;
-}
-([first, ...more] = lagging.fit.misfit);
-(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
-yield new Check($at($c1dc5, "fit").name, ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, of_drive__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
-}
-function of_data___accepted(reason) {
-return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
-}
-function* of_arc__tested_slip(pulley, result) {
-let check, place, slip, speed;
-
-(place = new Place($bound(pulley, "name"), $bound(result.arc, "load_case")));
-(slip = Infinity); (speed = slip);
-if ($truth($told($c4a3b, result.status, "solved"))) {
+([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
+(known = $and((result != null), () => $told($c4a3b, result.status, "solved")));
+(creep = NaN); (slip = creep); (speed = slip); (shear = speed);
+if (((result != null) && $truth(known))) {
+([creep, shear] = [$b.abs($bound(result, "exit_creep")), result.peak_shear_stress]);
 ([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
-} else {
-if ((result.arc.belt_speed == null)) {
-(speed = NaN);
 }
-}
-for (check of $iter(of_arc__slip_in_tests(pulley, slip, speed, place))) {
-yield of_arc___known(check, result);
-}
+([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
+(driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
+(slack = ($truth(driving) ? last : first));
+return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), creep, slip, speed, shear, NaN), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
 }
 function in_page_checks__largest_slip(result) {
 
@@ -2112,27 +1675,12 @@ function in_page_checks__slip_speed(result) {
 
 return result.found.slip_speed;
 }
-function* of_arc__slip_in_tests(pulley, slip, speed, place) {
-let found, tested, title, unchecked, why;
+function of_arc__no_state(result) {
 
-(tested = pulley.lagging.law.tested);
-if ((tested == null)) {
-return null;
+if ((result.status === "The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.")) {
+return "the arc was not solved";
 }
-yield of_drive__judged($at($c1dc5, "tested_slip"), "Largest slip, tested", slip, $bound(tested, "slip_max"), "length", place, of_drive__tests_of(pulley), ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.", "slip beyond tests");
-(title = "Slip speed, tested");
-if ((tested.slip_speed == null)) {
-(why = "the friction law does not say at which speed it was tested");
-(unchecked = of_drive__not_checked("tested_slip_speed", title, why, place));
-(found = ($truth($math.isfinite(speed)) ? speed : NaN));
-yield $replaced(unchecked, new Map([["value", found], ["dimension", "speed"]]));
-} else {
-if ($truth($math.isnan(speed))) {
-yield of_drive__not_checked("tested_slip_speed", title, "the belt speed is not given", place);
-} else {
-yield of_drive__judged($at($c1dc5, "tested_slip_speed"), title, speed, $bound(tested, "slip_speed"), "speed", place, of_drive__tests_of(pulley), ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), "Test the lagging at this speed, or keep a larger safety factor.", undefined, "slips faster than tests", undefined, undefined, false);
-}
-}
+return "in gross slip the belt has no state at rest";
 }
 function of_drive__sense(case_, pulley) {
 let none, tensions, told;
@@ -2141,43 +1689,6 @@ let none, tensions, told;
 (none = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
 (told = ($truth(none) ? "pulls nothing (T1 = T2)" : "brakes (T1 < T2)"));
 return new Check("sense", ("" + "Pulley " + $str(pulley.name) + " " + $str(told)), "OK", new Place($bound(pulley, "name"), $bound(case_, "name")), undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, false);
-}
-function of_arc__balance(result) {
-let arc, error, g, pull, value;
-
-(error = result.energy.identity_error);
-if ((!$truth($told($c4a3b, result.status, "solved")) || $truth($math.isnan(error)))) {
-return null;
-}
-(arc = result.arc);
-([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
-(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
-return of_drive__judged($at($c1dc5, "balance"), "Energy balance of the solution", value, 0.0001, "number", new Place($bound(arc, "pulley"), $bound(arc, "load_case")), "tolerance of the program", "The energy balance of the solution misses by {value}, more than {limit}.", "Please report the drive file; until then change a value slightly.", undefined, "out of balance", undefined, undefined, false);
-}
-function numbers__balance_miss(error, pull, g, entry, compliance) {
-let exact, scale, told;
-
-(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
-(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
-(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
-return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
-}
-function of_drive__sag(drive, case_) {
-let driving, first, last, tension;
-
-([first, last] = (function* () { for (const p of $iter([$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))])) { yield $at(case_.tensions, p.name); } })());
-(driving = (first.entry >= last.exit));
-(tension = ($truth(driving) ? last.exit : first.entry));
-return of_drive__sags(drive, tension, new Place($bound($at(drive.pulleys, ($truth(driving) ? $neg(1) : 0)), "name"), $bound(case_, "name")));
-}
-function of_drive__sags(drive, tension, place) {
-let limits, title;
-
-([title, limits] = ["Slack-side tension, for sag", drive.criteria.sag]);
-if ((limits == null)) {
-return of_drive__not_checked("sag", title, "idler spacing and mass are not given", place);
-}
-return of_drive__judged($at($c1dc5, "sag"), title, tension, $bound(limits, "tension"), "force", place, limits.SOURCE, ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.", "sags");
 }
 function* in_page_checks__across(_result) {
 
@@ -2232,23 +1743,13 @@ return pulley.name;
 }
 return "";
 }
-function of_drive__pulley_diameter(drive, pulley) {
-let belt, ends, least, title, why;
+function* judge__diameters(drive) {
+let pulley, spot;
 
-([belt, title, why] = [drive.belt, "Pulley diameter, least for the belt", ""]);
-(ends = [...(function* () { for (const case_ of $iter(drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
-(least = belt.least_pulley_diameter);
-if ((least == null)) {
-(why = "the least pulley of the belt is not given");
-} else {
-if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
-(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+for (pulley of $iter(drive.pulleys)) {
+(spot = of_arc__spot_of(drive, $at(drive.load_cases, 0), pulley));
+yield* $iter($ca865.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
 }
-}
-if (($truth(why) || (least == null))) {
-return of_drive__not_checked("pulley_diameter", title, why, new Place($bound(pulley, "name")));
-}
-return of_drive__judged($at($c1dc5, "pulley_diameter"), title, $bound(pulley, "diameter"), least, "length", new Place($bound(pulley, "name")), of_drive__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."), undefined, undefined, "pulley too small");
 }
 function* usual__usual_sizes(drive, ...others) {
 let odd, parts, title;
@@ -2382,7 +1883,7 @@ if (($in(name, ["strength over the rating of the belt", "modulus over the rating
 if ((($eq(name, "mass of the belt")) && (value > most))) {
 (remedy = "Is it that of the whole belt? Give the mass of a metre.");
 }
-return new Check("usual_sizes", ("" + "Usual " + $str(name)), $at($c1dc5, "usual_sizes").missed, place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
+return new Check("usual_sizes", ("" + "Usual " + $str(name)), "ATTENTION", place, value, ((value > most) ? most : least), dimension, (value > most), "sizes that conveyor drives have", "unusual size", ("" + "Unusual " + $str(check__escaped(name)) + ", {value}; {least} to {most} is usual."), check__escaped(remedy), undefined, $map([["least", [least, dimension]], ["most", [most, dimension]]]), false);
 }
 function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
@@ -2523,7 +2024,7 @@ let case_, dimension, least, made, most, name, names, place, pulley, size, value
 for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
-(values = numbers__compared_sizes(usual___sizes(drive, case_, pulley)));
+(values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
 for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c7198, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
@@ -2542,8 +2043,9 @@ let at, belt, drum, lagging, of;
 ([lagging, of] = [("" + "of lagging " + $str(pulley.lagging.name)), ("" + "of pulley " + $str(pulley.name))]);
 return [["width of the belt", "length", belt], ["modulus of the belt", "force_per_width", belt], ["speed of the belt", "speed", belt], [("" + "diameter " + $str(of)), "length", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "wrap angle " + $str(of)), "angle", drum], [("" + "creep limit " + $str(of)), "length", drum], [("" + "overrun " + $str(of)), "length", drum], [("" + "thickness " + $str(lagging)), "length", drum], [("" + "shear modulus " + $str(lagging)), "pressure", drum], [("" + "compression modulus " + $str(lagging)), "pressure", drum], ["rating of the belt", "force_per_width", belt], [("" + "bond strength " + $str(lagging)), "pressure", drum], [("" + "fatigue limit " + $str(lagging)), "pressure", drum], ["largest wrap pressure of the belt", "pressure", belt], ["least pulley of the belt", "length", belt], ["tension that keeps the belt from sagging", "force", belt], ["strength over the rating of the belt", "number", belt], ["modulus over the rating of the belt", "number", belt], [("" + $str("pressure of the belt at its rating") + " on pulley " + $str(pulley.name)), "pressure", drum], [("" + "entry tension " + $str(of)), "force", at], [("" + "exit tension " + $str(of)), "force", at], [("" + "power " + $str(of)), "power", at], ["mass of the belt", "mass_per_length", belt]];
 }
-function usual___sizes(drive, case_, pulley) {
+function usual__sizes_of(drive, case_, pulley) {
 let belt, idle, lagging, sag, tensions;
+
 ([belt, lagging, sag] = [drive.belt, pulley.lagging, drive.criteria.sag]);
 (tensions = $at(case_.tensions, pulley.name));
 (idle = numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit")));
@@ -2607,7 +2109,7 @@ if ((drive.conveyor != null)) {
 return new LeastTension($bound(found, "figures"), given, weight, $b.bool($bound(drive, "take_up_place")));
 }
 function least_tension___pulls(result) {
-return !$truth(rules__idle($bound(result, "arc")));
+return !$truth(rule__idle($bound(result, "arc")));
 }
 function* least_tension__figures(result, drive) {
 let arcs, case_, end, name;
@@ -2630,26 +2132,21 @@ $m.append($m.setdefault(by_case, $bound(arc.arc, "load_case"), []), arc);
 return by_case;
 }
 function* least_tension___figures(drive, case_, arcs, end) {
-let arc, index, least, lift, offset, place, result, slack, tight;
+let index, least, offset, place, result, rule, spot;
 
 for ([index, result] of $iter($b.enumerate(arcs))) {
-([arc, place] = [result.arc, new Place($bound(result.arc, "pulley"), $bound(case_, "name"))]);
-(tight = $b.max($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
-(slack = $b.min($bound(arc, "entry_tension"), $bound(arc, "exit_tension")));
-(offset = $sub(end, slack));
+(spot = of_arc__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
+([place, offset] = [spot.place, $sub(end, spot.state.slack)]);
 if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
 yield new Figure("creep", "Creep", $add(offset, ($truth($math.isnan(least)) ? Infinity : least)), place);
 yield* $iter(least_tension___slip(result, offset, place));
-yield* $iter(least_tension___standard(drive, case_, result, offset, place));
+yield* $iter(least_tension___standard(spot, offset));
 yield least_tension___gross_slip(drive, case_, arcs, index, end);
 }
-yield* $iter(least_tension___pressures(drive, case_, arc, $sub(end, slack), $sub(end, tight), place));
+for (rule of $iter($cedd5)) {
+yield* $iter(least_tension___of_tension(rule, spot, end));
 }
-if ((drive.criteria.sag != null)) {
-(place = new Place("", $bound(case_, "name")));
-(lift = $sub(end, drive.slack_end(case_)));
-yield new Figure("sag", "Belt sag", $add(drive.criteria.sag.tension, lift), place);
 }
 }
 function* least_tension___slip(result, offset, place) {
@@ -2665,22 +2162,110 @@ function in_page_checks__least_with_slip(result, _limit) {
 
 return result.found.least_for_slip;
 }
-function* least_tension___standard(drive, case_, result, offset, place) {
-let binding, criteria, lagging, rule, tension;
-([criteria, lagging] = [drive.criteria, drive.pulley($bound(result.arc, "pulley")).lagging]);
-(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), lagging, $bound(result.arc, "wrap_angle")));
+function* least_tension___standard(of, offset) {
+let binding, criteria, pulley, rule, tension;
+([criteria, pulley] = [of.drive.criteria, of.pulley]);
+(rule = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
 if ((rule == null)) {
 return null;
 }
 ([binding, tension] = [criteria.standard.binding, Infinity]);
 if (!$truth($math.isnan($bound(rule, "wrap_factor")))) {
-(tension = $add(offset, of_arc__design_slack(drive, case_, result, $bound(rule, "wrap_factor"))));
+(tension = $add(offset, of_arc__design_slack(of, $bound(rule, "wrap_factor"))));
 } else {
 if (!($truth(binding) && $truth(criteria.standard.name))) {
 return null;
 }
 }
-yield new Figure("design_standard", $bound(rule, "rule"), tension, place, binding);
+yield new Figure("design_standard", $bound(rule, "rule"), tension, $bound(of, "place"), binding);
+}
+function design_standard__asked(standard, take_up, lagging, wrap_angle) {
+let factor, found, friction;
+
+if (($eq(standard.name, "none"))) {
+return null;
+}
+if ($truth(design_standard__by_table(standard, take_up, lagging))) {
+return design_standard___manual(lagging, wrap_angle);
+}
+([friction, found] = design_standard___friction(standard, lagging));
+if ((friction == null)) {
+return found;
+}
+(factor = constant_friction__wrap_factor(friction, wrap_angle));
+return $replaced(found, new Map([["wrap_factor", ($truth(design_standard__prints(standard, $bound(lagging, "surface"))) ? numbers__as_printed(factor) : factor)]]));
+}
+function design_standard__by_table(standard, take_up, lagging) {
+
+return $and(design_standard___cema(standard), () => $and(take_up.fixed, () => $b.bool($bound(lagging, "surface"))));
+}
+function design_standard___cema(standard) {
+return $and((standard.friction == null), () => ($eq($or(standard.name, () => "CEMA"), "CEMA")));
+}
+function design_standard___manual(lagging, wrap_angle) {
+let angle, ends, factor, rows;
+(rows = design_standard___rows(lagging));
+(angle = $math.degrees(wrap_angle));
+if (!($sub($at($at(rows, 0), 0), 1e-09) <= angle && angle <= $add($at($at(rows, $neg(1)), 0), 1e-09))) {
+(ends = ("" + $format($at($at(rows, 0), 0), ("" + "g")) + " to " + $format($at($at(rows, $neg(1)), 0), ("" + "g")) + " degrees"));
+return design_standard___silent("CEMA", ("" + "its factors for manual take-ups are for wraps of " + $str(ends)));
+}
+(factor = $b.next((function* () { for (const [row, value] of $iter($b.reversed(rows))) { if (!((row <= $add(angle, 1e-09)))) continue; yield value; } })()));
+return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
+}
+function design_standard___rows(lagging) {
+return $at($c5f1f, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+}
+function design_standard___silent(name, why) {
+return new Asked(name, NaN, "", why);
+}
+function design_standard___friction(standard, lagging) {
+let condition, found, friction, name, rule, stated, value;
+
+(name = $or(standard.name, () => "CEMA"));
+if ((standard.friction != null)) {
+(rule = ("" + "your own rule, friction " + $format(standard.friction, ("" + ".2f"))));
+return [standard.friction, new Asked(rule, NaN, "given")];
+}
+if (!$truth(lagging.surface)) {
+return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
+}
+(condition = $or(standard.condition, () => lagging.condition));
+(found = [...(function* () { for (const d of $iter((() => $c9375)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
+if ((value == null)) {
+return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
+}
+(friction = $at(value.friction, 0));
+(stated = $m.join(", ", (function* () { for (const part of $iter([value.surface, value.condition])) { if (!($truth(part))) continue; yield part; } })()));
+(rule = ("" + $str(name) + ", friction " + $format(friction, ("" + ".2f")) + " (" + $str(stated) + ")"));
+return [friction, new Asked(rule, NaN, $b.str($bound(value, "provenance")))];
+}
+function constant_friction__wrap_factor(friction, wrap_angle) {
+
+return (1.0 / $math.expm1($mul(friction, wrap_angle)));
+}
+function design_standard__prints(standard, surface) {
+
+return $and(design_standard___cema(standard), () => ($in(surface, ["bare", "rubber"])));
+}
+function numbers__as_printed(factor) {
+
+return $b.min(factor, ($math.floor($add($mul(100.0, factor), 0.5)) / 100.0));
+}
+function of_arc__design_slack(of, factor) {
+let start;
+
+(start = of_arc__start_factor($bound(of.drive, "criteria"), $bound(of.case, "kind")));
+return numbers__asked_slack(factor, start, $bound($at(of.case.tensions, of.pulley.name), "effective"));
+}
+function of_arc__start_factor(criteria, kind) {
+
+return (($eq(kind, "running")) ? criteria.standard.start_factor : 1.0);
+}
+function numbers__asked_slack(factor, start, pull) {
+
+return $mul($mul(factor, start), $b.abs(pull));
 }
 function least_tension___gross_slip(drive, case_, arcs, index, end) {
 let arc, factor, raised, rise, title;
@@ -2696,23 +2281,20 @@ function in_page_checks__lift(result, _factor, _tight_rise) {
 
 return result.found.lift;
 }
-function* least_tension___pressures(drive, case_, arc, of_slack, of_tight, place) {
-let area, belt, high, low, most, tested, title;
-([belt, tested, area] = [drive.belt, arc.law.tested, $mul(arc.width, arc.radius)]);
-if ((tested != null)) {
-([low, high] = (function* () { for (const p of $iter([tested.pressure_min, tested.pressure_max])) { yield $add($mul(p, area), arc.centrifugal); } })());
-yield new Figure("tested_pressure_min", "Least wrap pressure, tested", $add(of_slack, low), place);
-(title = "Largest wrap pressure, tested");
-yield new Figure("tested_pressure_max", title, $add(of_tight, high), place, undefined, false);
+function* least_tension___of_tension(rule, of, end) {
+let allowed, asks, least, limit, more, now, rise, value, words;
+
+([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
+(asks = $and(rule.tension, () => $and((rule.firm == null), () => !$truth(rule.of_solution))));
+if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
+return null;
 }
-if ((belt.largest_wrap_pressure != null)) {
-([title, most] = ["Pressure on the pulley face", $add($mul(belt.largest_wrap_pressure, area), arc.centrifugal)]);
-yield new Figure("face_pressure", title, $add(of_tight, most), place, undefined, false);
-}
-if ((belt.rating != null)) {
-(most = $add(of_tight, $mul($mul(rules__tension_factor(belt, $bound(case_, "kind")), belt.rating), belt.width)));
-yield new Figure("belt_tension", "Belt tension", most, place, undefined, false);
-}
+([more, least] = [$mul(of.state.width, 1000.0), ($eq(rule.tension, "raise"))]);
+(allowed = ($truth(rule.allowed) ? rule.allowed(of) : null));
+(limit = rule.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
+(now = value($bound(of, "state")));
+(rise = $mul(($sub(limit, now) / $sub(value(of.state.raised(more)), now)), more));
+yield new Figure($bound(rule, "name"), $bound(words, "title"), $add(end, rise), $bound(of, "place"), undefined, least);
 }
 function least_tension__taut(conveyor) {
 let ends, slackest, tension;
@@ -2786,7 +2368,7 @@ for (arc of $iter(result)) {
 if (($eq(factor, 0.0))) {
 return [$neg(1.0), false];
 }
-if (!$truth(rules__idle($bound(arc, "arc")))) {
+if (!$truth(rule__idle($bound(arc, "arc")))) {
 (creep = in_page_checks__wet(arc, factor));
 (most = ($truth($math.isnan(creep)) ? creep : $b.max(most, creep)));
 (over = $or(over, () => !($truth($math.isnan(creep)) || $truth(numbers__kept(creep, $bound(arc.arc, "creep_limit"), true)))));
@@ -2797,6 +2379,22 @@ return [most, over];
 function in_page_checks__wet(result, _factor) {
 
 return result.found.wet;
+}
+function numbers__kept(value, limit, at_most) {
+let within;
+
+if ($truth($math.isnan(value))) {
+return false;
+}
+(within = ($truth(at_most) ? (value <= limit) : (value >= limit)));
+return $or(within, () => numbers__same_shown(value, limit));
+}
+function numbers__same_shown(value, limit) {
+
+if (!($truth($math.isfinite(value)) && $truth($math.isfinite(limit)))) {
+return ($eq(value, limit));
+}
+return ($eq(("" + $format(value, ("" + ".3e"))), ("" + $format(limit, ("" + ".3e")))));
 }
 function least_tension__least_sentence(result) {
 let as_now, asked, described, found, given, governs, least, standard, text, what, why;
@@ -2979,7 +2577,7 @@ return "breaks away";
 if (((worst != null) && $truth(worst.missed))) {
 return worst.short;
 }
-return ($truth(rules__idle($bound(arc, "arc"))) ? "not driven" : "carries");
+return ($truth(rule__idle($bound(arc, "arc"))) ? "not driven" : "carries");
 }
 function drive_sheet__summary_table(results) {
 let arc, brakes, heads, method, result, rows, title;
@@ -3393,6 +2991,10 @@ return null;
 (passes = pitch__turns_an_hour(speed, $add(result.arc.radius, result.arc.offset)));
 (k = lagging.wear_coefficient);
 return $map([["passes_per_hour", passes], ["frictional_energy", energy], ["belt_energy_share", lagging.belt_energy_share], ["depth", depth], ["coefficient", k], ["life_hours", ((k == null) ? null : wear__wear_life(depth, k, energy, passes))], ["vendors", $b.list(wear_table___vendors(lagging, depth, energy, passes))]]);
+}
+function pitch__turns_an_hour(speed, pitch) {
+
+return ($mul(3600.0, speed) / $mul($mul(2.0, 3.141592653589793), pitch));
 }
 function wear__wear_life(depth, coefficient, energy, passes) {
 let worn;
@@ -4491,10 +4093,6 @@ return cell__quantity(value, dimension);
 (form = ($truth($math.isnan(against)) ? "slip" : "slip apart"));
 return cellOf(value, dimension, undefined, form, against);
 }
-function numbers__beyond(value, fails, at_most) {
-
-return ($truth(at_most) ? (value > fails) : (value < fails));
-}
 function check___badness(check) {
 let order, unknown;
 
@@ -4542,6 +4140,315 @@ throw new InputError(failed);
 }
 function simple___edges(tested) {
 return ((tested == null) ? [] : [tested.pressure_min, tested.pressure_max]);
+}
+function of_train___motor_torque(state) {
+return state.motor;
+}
+function of_arc___binds(drive) {
+return drive.criteria.standard.binding;
+}
+function of_arc___creep(state) {
+return state.creep;
+}
+function of_arc___creep_limit(_, state) {
+return state.creep_limit;
+}
+function of_arc___creeps(of) {
+let limit;
+
+(limit = of.state.creep_limit);
+return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c4a2b, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
+}
+function of_arc___qualifies(drive, limit) {
+let belt, least, over, rating, steel, strong;
+
+(belt = drive.belt);
+if ((!$eq(limit, 0.00635))) {
+return "";
+}
+(least = $m.get($c4a2b, $bound(belt, "kind")));
+([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
+if (((least == null) || ((rating == null) && !$truth(steel)))) {
+return "Whether this belt may creep more is not known: its carcass or rating is not given.";
+}
+(strong = $or(belt.breaking_strength, () => 0.0));
+(over = ($truth(steel) ? (strong > least) : ($or(rating, () => 0.0) > $mul(least, $add(1.0, 1e-09)))));
+if ($truth(over)) {
+return "Practice may allow this belt up to {allowed}, as it does steel cord above ST1600 and fabric above {fabric} (B. DeVries).";
+}
+if (($truth(steel) && !$truth(strong))) {
+return "Steel cord above ST1600 may creep more; the name does not tell its strength.";
+}
+return "This belt does not qualify for more, as steel cord above ST1600 and fabric above {fabric} do (B. DeVries).";
+}
+function of_drive___tight(state) {
+return state.tight;
+}
+function of_drive___running_tension(of) {
+return (($eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive__allowed_tension(belt, kind) {
+
+return ((belt.rating == null) ? null : $mul(of_drive__tension_factor(belt, kind), belt.rating));
+}
+function of_drive__tension_factor(belt, kind) {
+
+return (($eq(kind, "running")) ? 1.0 : $or(belt.momentary_factor, () => 1.0));
+}
+function of_drive___over_width(allowed, state) {
+return $mul(allowed, state.width);
+}
+function of_drive___running(of) {
+return (($eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, running") : null);
+}
+function of_drive___of_tension(of, title) {
+let belt, factor, momentary, otherwise, remedy, said;
+([belt, momentary] = [of.drive.belt, (!$eq(of.case.kind, "running"))]);
+if ((belt.rating == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the rating of the belt is not given");
+}
+(factor = of_drive__tension_factor(belt, $bound(of.case, "kind")));
+(said = ((!$eq(factor, 1.0)) ? ("" + "its rating times " + $format(factor, ("" + "g"))) : "its rating"));
+(remedy = "Lower the slack-side tension as far as the other checks allow, or take a wider or ");
+([remedy, otherwise] = [("" + $str(remedy) + "stronger belt."), "Take a wider or stronger belt."]);
+if (($truth(momentary) && (belt.momentary_factor == null))) {
+(remedy = "Give the momentary factor of the belt if the maker allows more while starting and braking; else take a stronger belt.");
+(otherwise = "");
+}
+return new Words(title, ("" + "rating of the belt" + $str(((!$eq(factor, 1.0)) ? ("" + " times " + $format(factor, ("" + "g"))) : "")) + ": " + $str(rule__origin($m.get(belt.sources, "rating", $bound(belt, "provenance"))))), "over belt rating", ("" + "The belt tension {value} is more than " + $str(said) + " allows, {limit}; it is {share} % of the rating."), undefined, undefined, remedy, otherwise, $map([["share", [($mul(100.0, of.state.tight) / $mul(belt.rating, belt.width)), "number"]]]));
+}
+function rule__origin(provenance) {
+
+return $b.str(provenance);
+}
+function of_drive___momentary_tension(of) {
+return ((!$eq(of.case.kind, "running")) ? of_drive__allowed_tension($bound(of.drive, "belt"), $bound(of.case, "kind")) : null);
+}
+function of_drive___momentary(of) {
+return ((!$eq(of.case.kind, "running")) ? of_drive___of_tension(of, "Belt tension, momentary") : null);
+}
+function of_drive___rated(drive) {
+return of_drive__rated($bound(drive, "belt"));
+}
+function of_drive__rated(belt) {
+let rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+return $and((strength != null), () => $and((rating != null), () => (strength >= $mul(4.0, rating))));
+}
+function of_drive___belt_safety(state) {
+return ($mul(state.strength, state.width) / state.tight);
+}
+function of_drive___asked_safety(of) {
+return of_drive__asked_safety($bound(of.drive, "belt"), $bound(of.case, "kind"));
+}
+function of_drive__asked_safety(belt, kind) {
+let asked, rating, strength;
+
+([strength, rating] = [belt.breaking_strength, belt.rating]);
+if ((strength == null)) {
+return NaN;
+}
+(asked = $m.get($ca5fa, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+if (((rating != null) && $truth(of_drive__rated(belt)))) {
+(asked = (strength / rating));
+}
+(asked = (asked / of_drive__tension_factor(belt, kind)));
+return $b.max(asked, 1.0);
+}
+function of_drive___safety(of) {
+let belt, factor, momentary, source, title, why;
+
+([belt, momentary, factor] = [of.drive.belt, (!$eq(of.case.kind, "running")), ""]);
+(title = ("" + "Safety factor of the belt, " + $str(($truth(momentary) ? "momentary" : "running"))));
+if ((belt.breaking_strength == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the strength of the belt is not given");
+}
+if ($truth($math.isnan(of_drive__asked_safety(belt, $bound(of.case, "kind"))))) {
+(why = "neither rating nor kind of the belt tells what it is to be");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+if (($truth(momentary) && (belt.momentary_factor != null))) {
+(factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
+}
+(source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
+if ((!$in(belt.kind, $ca5fa))) {
+(source = ("" + "the least that any belt is rated with" + $str(factor)));
+}
+if ($truth(of_drive__rated(belt))) {
+(source = ("" + "strength over rating of the belt" + $str(factor) + ": " + $str(rule__origin(belt.source_of("rating")))));
+}
+return new Words(title, source, "belt safety factor", "The strength of the belt is {value} times its tension, below {limit} times.", "No belt is rated at more than a third of its strength.", undefined, "Lower the slack-side tension as far as the other checks allow, or take a wider or stronger belt.", "Take a wider or stronger belt.");
+}
+function of_drive___tight_pressure(state) {
+return of_drive__wrap_pressure($bound(state, "tight"), state);
+}
+function of_drive__wrap_pressure(tension, state) {
+
+return ($mul(2.0, $sub(tension, state.centrifugal)) / $mul(state.width, state.diameter));
+}
+function of_drive___face_pressure(of) {
+return of.drive.belt.largest_wrap_pressure;
+}
+function of_drive___on_face(of) {
+let belt, title;
+([belt, title] = [of.drive.belt, "Pressure on the pulley face"]);
+if ((belt.largest_wrap_pressure == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
+}
+return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
+}
+function of_arc___shear(state) {
+return state.shear;
+}
+function of_arc___bond_strength(of) {
+return of.pulley.lagging.bond_strength;
+}
+function of_arc___bond(of) {
+let says, title;
+(title = "Shear stress of lagging and bond, steady");
+if ($truth(of.place.event)) {
+(title = "Largest shear stress of lagging and bond");
+}
+(says = "The shear stress of lagging and bond, {value}, is above their {limit}.");
+return of_arc___of_stress(of, "bond_strength", title, "bond overstressed", says);
+}
+function of_arc___of_stress(of, key, title, short, says) {
+let lagging, why;
+(lagging = of.pulley.lagging);
+if (($b.getattr(lagging, key) == null)) {
+(why = ("" + "the " + $str($m.replace(key, "_", " ")) + " of lagging " + $str(lagging.name) + " is not given"));
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+return new Words(title, rule__origin(lagging.source_of(key)), short, says, undefined, undefined, "Choose a lagging with a stronger bond, a larger pulley, or less pull.");
+}
+function of_arc___fatigue_limit(of) {
+return of.pulley.lagging.fatigue_limit;
+}
+function of_arc___tires(of) {
+let found, more, often, pitch, says, speed, title;
+([often, speed, more] = ["", of.drive.belt.speed, $b.dict()]);
+if (((speed != null) && (of.result != null))) {
+(often = "; the belt passes {passes} times an hour");
+(pitch = $add(of.result.arc.radius, of.result.arc.offset));
+$put(more, "passes", [pitch__turns_an_hour(speed, pitch), "number"]);
+}
+(title = "Shear stress of lagging and bond, at every pass");
+(says = "At every pass the shear stress reaches {value}, above the fatigue limit {limit}");
+(found = of_arc___of_stress(of, "fatigue_limit", title, "lagging tires", ("" + $str(says) + $str(often) + ".")));
+return $replaced(found, new Map([["more", more]]));
+}
+function of_drive___pressure_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_max);
+}
+function of_drive___tested_max(of) {
+let otherwise, why;
+if ((of.pulley.lagging.law.tested == null)) {
+(why = "the friction law states no tests");
+return new Words("Wrap pressure within the tests", undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+(otherwise = "Take a larger or wider pulley, or test the lagging at this pressure.");
+return of_drive___of_pressure(of, "Largest", "above", "Lower the tension, t", otherwise);
+}
+function of_drive___of_pressure(of, end, beyond, tension, otherwise) {
+return new Words(("" + $str(end) + " wrap pressure, tested"), of_drive__tests_of($bound(of, "pulley")), ("" + "pressure " + $str(beyond) + " tests"), ("" + "The wrap pressure {value} is " + $str(beyond) + " the {limit} tested on lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + ": there the friction is an extrapolation."), undefined, undefined, ("" + $str(tension) + $str($slice(otherwise, 1, null))), otherwise);
+}
+function of_drive__tests_of(pulley) {
+
+return ("" + "tests of lagging " + $str(pulley.lagging.name) + ": " + $str(rule__origin(pulley.lagging.source_of("law"))));
+}
+function of_drive___slack_pressure(state) {
+return of_drive__wrap_pressure($bound(state, "slack"), state);
+}
+function of_drive___pressure_min(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.pressure_min);
+}
+function of_drive___tested_min(of) {
+let otherwise;
+if ((of.pulley.lagging.law.tested == null)) {
+return null;
+}
+(otherwise = "Test the lagging at this pressure.");
+return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
+}
+function of_arc___slip(state) {
+return state.slip;
+}
+function of_arc___slip_max(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_max);
+}
+function of_arc___slips(of) {
+if ((of.pulley.lagging.law.tested == null)) {
+return null;
+}
+return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
+}
+function of_arc___slip_speed(state) {
+return state.slip_speed;
+}
+function of_arc___tested_speed(of) {
+let tested;
+(tested = of.pulley.lagging.law.tested);
+return ((tested == null) ? null : tested.slip_speed);
+}
+function of_arc___slips_fast(of) {
+let tested, title, why;
+([tested, title] = [of.pulley.lagging.law.tested, "Slip speed, tested"]);
+if ((tested == null)) {
+return null;
+}
+if ((tested.slip_speed == null)) {
+(why = "the friction law does not say at which speed it was tested");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
+}
+if (((of.drive.belt.speed == null) || ($truth($math.isnan($bound(of.state, "slip_speed"))) && !$truth(of.unknown)))) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
+}
+return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
+}
+function of_drive___slack_end(state) {
+return state.slack_end;
+}
+function of_drive___sag_tension(of) {
+return ((of.drive.criteria.sag == null) ? null : of.drive.criteria.sag.tension);
+}
+function of_drive___sags(of) {
+let limits, title;
+
+([title, limits] = ["Slack-side tension, for sag", of.drive.criteria.sag]);
+if ($truth($math.isnan($bound(of.state, "slack_end")))) {
+return null;
+}
+if ((limits == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "idler spacing and mass are not given");
+}
+return new Words(title, limits.SOURCE, "sags", ("" + "The slack side, {value}, sags more than " + $format($mul(100.0, limits.share), ("" + "g")) + " % of the idler spacing; that takes {limit}."), undefined, undefined, "Raise the slack-side tension, or set the idlers closer.", "Set the idlers closer.");
+}
+function of_drive___diameter(state) {
+return state.diameter;
+}
+function of_drive___least_diameter(of) {
+return of.drive.belt.least_pulley_diameter;
+}
+function of_drive___bends(of) {
+let belt, ends, pulley, title, why;
+
+([belt, title, pulley] = [of.drive.belt, "Pulley diameter, least for the belt", of.pulley]);
+(ends = [...(function* () { for (const case_ of $iter(of.drive.load_cases)) { yield $at(case_.tensions, pulley.name); } })()]);
+if ((belt.least_pulley_diameter == null)) {
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the least pulley of the belt is not given");
+}
+if ($truth($b.all((function* () { for (const at of $iter(ends)) { yield numbers__idles($bound(at, "entry"), $bound(at, "exit")); } })()))) {
+(why = "that of the belt is the least drive pulley, and this one pulls nothing");
+return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why);
+}
+return new Words(title, rule__origin($m.get(belt.sources, "least_pulley_diameter", $bound(belt, "provenance"))), "pulley too small", ("" + "Pulley " + $str(check__escaped($bound(pulley, "name"))) + ", {value}, is smaller than the least for its belt, {limit}."));
 }
 function table___ascending(values) {
 return $b.all((function* () { for (const [a, b] of $iter($b.pairwise(values))) { yield (a < b); } })());
@@ -4681,6 +4588,10 @@ function resistance__inertia(acceleration, length, moving) {
 
 return $mul($mul(acceleration, length), moving);
 }
+function check__keeps(value, limit, at_most = true) {
+
+return numbers__kept(value, limit, at_most);
+}
 function fit___has_no_negative(covariance, rounding) {
 let before, given, i, j, lower, rest, row, scale;
 
@@ -4703,6 +4614,124 @@ return true;
 }
 function motors___rpm(speed) {
 return ("" + $format(($mul(speed, 30.0) / 3.141592653589793), ("" + ".6g")) + " rpm");
+}
+function* of_arc___standard(of) {
+let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions, title, words;
+
+([criteria, pulley] = [of.drive.criteria, of.pulley]);
+(found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
+([tensions, rule] = [$at(of.case.tensions, pulley.name), $c960d.held($bound(of, "drive"))]);
+if (((found == null) || $truth(numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
+return null;
+}
+if ($truth($math.isnan($bound(found, "wrap_factor")))) {
+(title = ("" + "Slack side by " + $str(found.rule)));
+if (!$truth(criteria.standard.name)) {
+yield rule__not_checked($bound(rule, "name"), title, $bound(found, "why_not"), $bound(of, "place"));
+return null;
+}
+yield new Check(rule.name, title, rule.missed, of.place, undefined, undefined, undefined, undefined, undefined, "standard not applicable", check__escaped(("" + $str(found.rule) + " was chosen and cannot be applied: " + $str(found.why_not) + ".")), "Give what it asks for, or choose another design standard.", undefined, undefined, rule.binding);
+return null;
+}
+(chosen = ($truth(criteria.standard.name) ? "" : " No standard was chosen: CEMA was taken."));
+([start, [name, _, how]] = ["", $m.partition(found.rule, ", ")]);
+if (((!$eq(criteria.standard.start_factor, 1.0)) && ($eq(of.case.kind, "running")))) {
+(start = ("" + " at " + $format(criteria.standard.start_factor, ("" + "g")) + " times the pull"));
+}
+(limit = of_arc__design_slack(of, $bound(found, "wrap_factor")));
+(words = new Words(("" + "Slack side by " + $str(found.rule)), found.source, "below standard", ("" + "Slack side {value} is below the {limit} of " + $str(name) + "; " + $str(how) + $str(start) + "." + $str(chosen)), undefined, undefined, "Raise the slack-side tension, or choose the design standard.", "Choose the design standard."));
+yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
+}
+function* of_arc___cover_creep(of) {
+let found, rule, title, told, words;
+
+([rule, title] = [$cabb1, "Creep at exit, with the cover of the belt in series"]);
+if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
+return null;
+}
+if ($truth(of.unknown)) {
+yield rule__not_checked($bound(rule, "name"), title, $bound(of, "unknown"), $bound(of, "place"));
+return null;
+}
+(found = of.result.covered_creep);
+(told = ($truth($math.isfinite(found)) ? "the creep is {value}" : "the belt slips through"));
+(words = new Words(title, "shear of the cover of the belt", "limit within belt cover", ("" + $str("Whether the tested slip includes the shear of the belt cover is not known") + ": with the cover in series " + $str(told) + ", beyond the limit of {limit}."), undefined, undefined, "State the cover of the test belt with the shear tests, or raise the slack-side tension.", "State the cover of the test belt with the shear tests."));
+yield rule.judged($b.abs(found), $bound(of.state, "creep_limit"), $bound(of, "place"), words);
+}
+function* in_page_checks__creep_interval(of) {
+let fit;
+
+(fit = ((of.result == null) ? null : of.result.arc.fit));
+if (((fit == null) || !$truth(fit.knots))) {
+return null;
+}
+yield new Check("creep_interval", "Creep at exit, end of the 95 % interval of the law", "ATTENTION", of.place, undefined, undefined, undefined, undefined, undefined, "interval not found here", "By the uncertainty of the friction law the creep may be beyond its limit: this page does not find the interval.", "Solve the file with wraparc solve, which does.", undefined, undefined, false);
+}
+function of_drive___rounded_safety(safety, asked, state) {
+let allowed;
+
+(allowed = ($mul(state.strength, state.width) / asked));
+return (((safety < asked) && $truth(numbers__same_shown($bound(state, "tight"), allowed))) ? asked : safety);
+}
+function* of_data___condition(of) {
+let _, grounds, lagging, law, says;
+
+(lagging = of.pulley.lagging);
+if (($in("condition", lagging.sources))) {
+([grounds, _] = of_data__law_words(lagging));
+(law = (($in("untested", grounds)) ? "one without tests" : "a tested one"));
+(law = (($in("illustrative", grounds)) ? "an illustrative one" : law));
+(says = ("" + "its law is " + $str(law) + " scaled as a whole (" + $str($at(lagging.notes, $neg(1))) + ")"));
+yield of_data___untested(of, $bound(lagging, "condition"), "condition", says);
+}
+if (($in("worn", lagging.sources))) {
+(says = "its law is that of before, and what wear takes off the friction is not known");
+yield of_data___untested(of, "worn", "worn", says);
+}
+}
+function of_data___untested(of, state, part, says) {
+let lagging;
+(lagging = of.pulley.lagging);
+return new Check("condition", ("" + "Friction of " + $str(lagging.name) + ", " + $str(state)), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($at(lagging.sources, part)), ("" + "not tested " + $str(state)), check__escaped(("" + "Lagging " + $str(lagging.name) + " was not tested " + $str(state) + ": " + $str(says) + ".")), ("" + "Test the lagging " + $str(check__escaped(state)) + "."), undefined, undefined, false);
+}
+function* of_data___fit(of) {
+let first, lagging, more, others;
+
+(lagging = of.pulley.lagging);
+if (((lagging.fit == null) || !$truth(lagging.fit.misfit))) {
+return null;
+}
+([first, ...more] = lagging.fit.misfit);
+(others = ($truth(more) ? ("" + " (and " + $str($b.len(more)) + " more of its lagging file)") : ""));
+yield new Check("fit", ("" + "Friction of " + $str(lagging.name) + ", fit to its tests"), "ATTENTION", of.place, undefined, undefined, undefined, undefined, rule__origin($m.get(lagging.sources, "law", $bound(lagging, "provenance"))), "does not fit its tests", check__escaped(("" + "The friction law of lagging " + $str(lagging.name) + " does not describe its tests: " + $str($m.rstrip(first, ".")) + $str(others) + "." + $str(of_data___accepted($bound(lagging.fit, "misfit_accepted"))))), "Mend or repeat those tests and fit again.", undefined, undefined, false);
+}
+function of_data___accepted(reason) {
+return ($truth(reason) ? ("" + " The laboratory wrote it nevertheless: " + $str($m.rstrip(reason, ".")) + ".") : "");
+}
+function* of_arc___balance(of) {
+let arc, error, g, pull, result, value, words;
+
+(result = of.result);
+if (((result == null) || $truth(of.unknown) || $truth($math.isnan($bound(result.energy, "identity_error"))))) {
+return null;
+}
+([error, arc] = [result.energy.identity_error, result.arc]);
+([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
+(value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
+(words = new Words("Energy balance of the solution", "tolerance of the program", "out of balance", "The energy balance of the solution misses by {value}, more than {limit}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
+yield $c0d6e.judged(value, 0.0001, $bound(of, "place"), words);
+}
+function numbers__balance_miss(error, pull, g, entry, compliance) {
+let exact, scale, told;
+
+(exact = $b.abs($mul(pull, $add(g, $mul($mul(0.5, pull), compliance)))));
+(told = $b.max(exact, $mul($mul(1e-06, entry), $b.abs(g)), 1e-300));
+(scale = $b.max(exact, $mul($mul(1e-06, entry), $add($b.abs(g), $mul(entry, compliance)))));
+return ((scale > 0.0) ? ($mul($b.abs(error), told) / scale) : 0.0);
+}
+function numbers__beyond(value, fails, at_most) {
+
+return ($truth(at_most) ? (value > fails) : (value < fails));
 }
 function kinds__table_labels(rows) {
 let names;
@@ -5716,10 +5745,6 @@ get slip_with_shear() {
 const self = this; 
 return (pitch__counts_shear($bound(self, "law"), "lagging shear") === true);
 }
-get compliance() {
-const self = this; 
-return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
-}
 get entry_overrun() {
 const self = this; let found, pressure;
 
@@ -5734,10 +5759,6 @@ geometry() {
 const self = this; 
 return summary__geometry_of(self.described());
 }
-get recovery_compliance() {
-const self = this; 
-return summary__recovery_compliance(self.described());
-}
 load() {
 const self = this; let ends, tested;
 
@@ -5747,6 +5768,14 @@ if ((tested != null)) {
 (ends = [tested.pressure_min, tested.pressure_max, tested.slip_max]);
 }
 return new Load($sub(self.entry_tension, self.centrifugal), $sub(self.exit_tension, self.centrifugal), $bound(self, "creep_limit"), ...$iter(ends), self.law.steepest_fall());
+}
+get compliance() {
+const self = this; 
+return $add((1.0 / self.axial_stiffness), self.recovery_compliance);
+}
+get recovery_compliance() {
+const self = this; 
+return summary__recovery_compliance(self.described());
 }
 }
 $sig(WrapArc, ["law", "entry_tension", "exit_tension", "diameter", "wrap_angle", "width", "axial_stiffness", "thickness", "shear_modulus", "compression_modulus", "overrun", "recovery", "creep_limit", "belt_speed", "wear_coefficient", "pitch_offset", "cover_compliance", "cover_left_out", "side_of_belt", "belt_thickness", "centrifugal", "fit", "pulley", "load_case"], false, {thickness: () => 0.0, shear_modulus: () => Infinity, compression_modulus: () => Infinity, overrun: () => null, recovery: () => true, creep_limit: () => 0.00635, belt_speed: () => null, wear_coefficient: () => null, pitch_offset: () => null, cover_compliance: () => 0.0, cover_left_out: () => 0.0, side_of_belt: () => "pulley", belt_thickness: () => null, centrifugal: () => 0.0, fit: () => null, pulley: () => "", load_case: () => ""});
@@ -5773,21 +5802,6 @@ const self = this; let length;
 return summary__spring_rate($bound(self.arc, "axial_stiffness"), length, $bound(self, "exit_creep"));
 }
 
-$find_covered_creep() {
-const self = this; let arc, found, geometry, load, series;
-
-(arc = self.arc);
-if ((!$truth($told($c4a3b, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
-return NaN;
-}
-([load, geometry] = [arc.load(), arc.geometry()]);
-(series = $replaced(geometry, new Map([["shear", $add(geometry.shear, arc.cover_left_out)]])));
-(found = answer__operating_point(arc.law.compact(), series, $bound(load, "entry_tension"), $bound(load, "exit_tension")));
-if ((!$eq(found.outcome, 0))) {
-return $math.copysign(Infinity, $bound(arc, "side"));
-}
-return $at(found.met.course.creep, $neg(1));
-}
 get sticks() {
 const self = this; 
 return (self.stuck_arc > 1e-09);
@@ -5804,16 +5818,31 @@ get within_creep_limit() {
 const self = this; 
 return $and($told($c4a3b, self.status, "solved"), () => ($b.abs($bound(self, "exit_creep")) <= self.arc.creep_limit));
 }
+$find_covered_creep() {
+const self = this; let arc, found, geometry, load, series;
+
+(arc = self.arc);
+if ((!$truth($told($c4a3b, self.status, "solved")) || ($eq(arc.cover_left_out, 0.0)))) {
+return NaN;
+}
+([load, geometry] = [arc.load(), arc.geometry()]);
+(series = $replaced(geometry, new Map([["shear", $add(geometry.shear, arc.cover_left_out)]])));
+(found = answer__operating_point(arc.law.compact(), series, $bound(load, "entry_tension"), $bound(load, "exit_tension")));
+if ((!$eq(found.outcome, 0))) {
+return $math.copysign(Infinity, $bound(arc, "side"));
+}
+return $at(found.met.course.creep, $neg(1));
+}
 }
 $sig(ArcResult, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy"], false, {});
 class FoundArc extends ArcResult {
-get covered_creep() {
-const self = this; 
-return self.found.covered_creep;
-}
 get creep_interval() {
 const self = this; 
 return [NaN, NaN];
+}
+get covered_creep() {
+const self = this; 
+return self.found.covered_creep;
 }
 }
 $sig(FoundArc, ["status", "method", "arc", "profile", "entry_tension", "exit_tension", "exit_creep", "creep_shrinkage", "creep_compression", "creep_global", "exit_slip", "entry_creep_ratio", "exit_creep_ratio", "peak_shear_stress", "peak_shear_angle", "peak_shear_position", "mean_friction", "active_arc", "outside_tested_share", "stuck_arc", "capacities", "energy", "found"], false, {});
@@ -6050,18 +6079,9 @@ $sig(Pulls, ["effective_tensions"], false, {});
 class Shares extends $Object {
 }
 $sig(Shares, ["fractions"], false, {});
-class Miss extends $Tuple {
-at(value, at_most) {
-const self = this; let says;
-
-if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
-return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+class Words extends $Object {
 }
-(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
-return [self.level, $m.rstrip(says)];
-}
-}
-$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
+$sig(Words, ["title", "source", "short", "says", "because", "allows", "remedy", "otherwise", "more", "missing", "told"], false, {source: () => "", short: () => "", says: () => "", because: () => "", allows: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), missing: () => "", told: () => false});
 class Speeds extends $Object {
 }
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
@@ -6071,9 +6091,21 @@ $sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $cb8
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
-class Asked extends $Object {
+class At extends $Object {
 }
-$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
+$sig(At, ["drive", "case", "pulley"], false, {});
+class Spot extends At {
+}
+$sig(Spot, ["drive", "case", "pulley", "place", "state", "result", "unknown"], false, {result: () => null, unknown: () => ""});
+class State extends $Object {
+raised(by) {
+const self = this; let end, slack, tight;
+
+([tight, slack, end] = [$add(self.tight, by), $add(self.slack, by), $add(self.slack_end, by)]);
+return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end", end]]));
+}
+}
+$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "creep", "slip", "slip_speed", "shear", "motor"], false, {});
 class VariableSpeed extends Motor {
 largest_load() {
 const self = this; let stall;
@@ -6093,6 +6125,9 @@ $sig(Sizes, ["width", "modulus", "speed", "diameter", "idle_wrap", "wrap_angle",
 class Figure extends $Object {
 }
 $sig(Figure, ["name", "title", "tension", "place", "binding", "at_least"], false, {binding: () => true, at_least: () => true});
+class Asked extends $Object {
+}
+$sig(Asked, ["rule", "wrap_factor", "source", "why_not"], false, {why_not: () => ""});
 class LeastTension extends $Object {
 get governing() { return $kept(this, "governing", this.$find_governing()); }
 get highest() { return $kept(this, "highest", this.$find_highest()); }
@@ -7290,7 +7325,7 @@ const self = this; let at_head, carrying, entry, head, leaving, resistances, ret
 (at_head = ($eq(self.drive_at, "head")));
 (entry = ($truth(at_head) ? $add(tail, carrying) : tail));
 (leaving = ($truth(at_head) ? head : $sub(head, carrying)));
-return new State(name, kind, resistances, head, tail, entry, leaving);
+return new conveyor$State(name, kind, resistances, head, tail, entry, leaving);
 }
 *_resistances(material, acceleration) {
 const self = this; let belt, carrying, coefficient, down, factor, length, lift, loaded, main, returning, secondary, share, source, special, up;
@@ -7325,8 +7360,55 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 }
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
+*checks(of) {
+const self = this; let allowed, check, limit, missing, told, value, words;
+
+if ((self.asked != null)) {
+yield* $iter(self.asked(of));
+return null;
 }
-$sig(Rule, ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"], false, {missed: () => "ATTENTION", at_most: () => true, fails_beyond: () => NaN, tolerates: () => NaN});
+(words = ($truth(self.words) ? self.words(of) : null));
+if (((words == null) || (self.value == null))) {
+return null;
+}
+([value, missing] = [self.value($bound(of, "state")), words.missing]);
+(missing = $or(missing, () => ($truth(self.of_solution) ? of.unknown : "")));
+if ($truth(missing)) {
+(check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
+(told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
+yield ($truth(words.told) ? told : check);
+return null;
+}
+(allowed = ($truth(self.allowed) ? self.allowed(of) : null));
+(limit = self.limited(((allowed == null) ? NaN : allowed), $bound(of, "state")));
+if ((self.rounded != null)) {
+(value = self.rounded(value, limit, $bound(of, "state")));
+}
+yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+}
+limited(allowed, state) {
+const self = this; 
+return ((self.limit == null) ? allowed : self.limit(allowed, state));
+}
+held(drive) {
+const self = this; let firm;
+
+if ((self.firm == null)) {
+return self;
+}
+(firm = self.firm(drive));
+return $replaced(self, new Map([["missed", ($truth(firm) ? "FAILS" : self.missed)], ["binding", firm]]));
+}
+judged(value, limit, place, words) {
+const self = this; let kept, level, miss, says;
+
+(kept = $and(!$truth($math.isnan(value)), () => check__keeps(value, limit, self.at_most)));
+(miss = new Miss($bound(self, "missed"), $bound(words, "short"), $bound(words, "says"), $bound(words, "remedy"), $bound(self, "fails_beyond"), $bound(words, "because"), $bound(self, "tolerates"), $bound(words, "allows"), $bound(words, "otherwise")));
+([level, says] = miss.at(value, $bound(self, "at_most")));
+return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
+}
+}
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, value: () => null, allowed: () => null, limit: () => null, rounded: () => null, of_solution: () => false, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -7566,13 +7648,13 @@ limits__raise_all(problems);
 }
 }
 $sig(Transition, ["length", "trough_angle", "centre_roll", "depth"], false, {depth: () => "full"});
-class State extends $Object {
+class conveyor$State extends $Object {
 get pull() {
 const self = this; 
 return $b.sum((function* () { for (const resistance of $iter(self.resistances)) { yield resistance.total; } })());
 }
 }
-$sig(State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
+$sig(conveyor$State, ["name", "kind", "resistances", "head", "tail", "entry", "exit"], false, {});
 class Resistance extends $Object {
 get total() {
 const self = this; 
@@ -7580,6 +7662,18 @@ return $add(self.carrying, self.returning);
 }
 }
 $sig(Resistance, ["name", "carrying", "returning", "source"], false, {});
+class Miss extends $Tuple {
+at(value, at_most) {
+const self = this; let says;
+
+if ($truth(numbers__beyond(value, $bound(self, "fails_beyond"), at_most))) {
+return ["FAILS", $m.rstrip(("" + $str(self.says) + " " + $str(self.because)))];
+}
+(says = ((value <= self.tolerates) ? ("" + $str(self.says) + " " + $str(self.allows)) : self.says));
+return [self.level, $m.rstrip(says)];
+}
+}
+$sig(Miss, ["level", "short", "says", "remedy", "fails_beyond", "because", "tolerates", "allows", "otherwise"], false, {fails_beyond: () => NaN, because: () => "", tolerates: () => NaN, allows: () => "", otherwise: () => ""});
 class OneOrMore extends Kind {
 read(raw, place, report) {
 const self = this; 
@@ -8911,12 +9005,12 @@ const $cf207 = $made(Flag, [], []);
 const $cb3f9 = $made(Entry, $cc442, ["brakes", $cf207, false, "", "", "brakes", ""]);
 const $c065a = $made(Limit, $cf70d, ["rotation_speed", 0.0, 100000.0, true, false]);
 const $c04a8 = $made(Quantity, $cd20a, ["rotation_speed", $c065a]);
-const $c888be = $made(Entry, $cc442, ["synchronous_speed", $c04a8, true, "", "", "synchronous_speed", ""]);
+const $c888b = $made(Entry, $cc442, ["synchronous_speed", $c04a8, true, "", "", "synchronous_speed", ""]);
 const $c8688 = $made(Limit, $cf70d, ["number", 1.1, 10.0, false, false]);
 const $c9a6a = $made(Quantity, $cd20a, ["number", $c8688]);
 const $c2dc3 = $made(Entry, $cc442, ["breakdown_ratio", $c9a6a, false, "", "", "breakdown_ratio", ""]);
-const $c292f = [$ce96a, $c8340, $c0dee, $cd486, $c9c8b, $c5400, $c9761, $cb3f9, $c888be, $c2dc3];
-const $c22d4 = new Map([["kind", $ce96a], ["rated_power", $c8340], ["rated_speed", $c0dee], ["gear_ratio", $cd486], ["gear_efficiency", $c9c8b], ["motor_efficiency", $c5400], ["count", $c9761], ["brakes", $cb3f9], ["synchronous_speed", $c888be], ["breakdown_ratio", $c2dc3]]);
+const $c292f = [$ce96a, $c8340, $c0dee, $cd486, $c9c8b, $c5400, $c9761, $cb3f9, $c888b, $c2dc3];
+const $c22d4 = new Map([["kind", $ce96a], ["rated_power", $c8340], ["rated_speed", $c0dee], ["gear_ratio", $cd486], ["gear_efficiency", $c9c8b], ["motor_efficiency", $c5400], ["count", $c9761], ["brakes", $cb3f9], ["synchronous_speed", $c888b], ["breakdown_ratio", $c2dc3]]);
 const $c23bf = $made(tables$Table, $cc03e, [Induction, $c292f, $c22d4]);
 const $cb454 = ["fluid-coupling"];
 const $cc915 = $made(Choice, $ca793, [$cb454]);
@@ -8972,122 +9066,38 @@ const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no 
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c5dd1 = ["illustrative", "calibrated", "estimated"];
 const $c66b4 = new WeakMap();
-const $cd2b0 = ["name", "what", "missed", "at_most", "fails_beyond", "tolerates"];
-const $c686a = $made(Rule, $cd2b0, ["gross_slip", "the safety against gross slip", "ATTENTION", false, 1.0, NaN]);
-const $c3f5f = $made(Rule, $cd2b0, ["design_standard", "the design standard", "ATTENTION", false, NaN, NaN]);
-const $c0563 = $made(Rule, $cd2b0, ["creep", "the creep limit", "ATTENTION", true, 0.0635, 0.0127]);
-const $c2370 = $made(Rule, $cd2b0, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", true, NaN, NaN]);
-const $c000a = $made(Rule, $cd2b0, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", true, NaN, NaN]);
-const $c3c9a = $made(Rule, $cd2b0, ["belt_tension", "the rating of the belt", "FAILS", true, NaN, NaN]);
-const $c3fbc = $made(Rule, $cd2b0, ["momentary_tension", "the momentary rating of the belt", "FAILS", true, NaN, NaN]);
-const $cccfd = $made(Rule, $cd2b0, ["belt_safety", "the safety factor of the belt", "ATTENTION", false, 3.0, NaN]);
-const $c37222 = $made(Rule, $cd2b0, ["face_pressure", "the pressure on the pulley face", "ATTENTION", true, NaN, NaN]);
-const $c88fd = $made(Rule, $cd2b0, ["bond_stress", "the bond strength of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c0e79 = $made(Rule, $cd2b0, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", true, NaN, NaN]);
-const $c339d = $made(Rule, $cd2b0, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", true, NaN, NaN]);
-const $ca93c = $made(Rule, $cd2b0, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", false, NaN, NaN]);
-const $cbc46 = $made(Rule, $cd2b0, ["condition", "friction that was not tested in the condition", "ATTENTION", true, NaN, NaN]);
-const $c4ca0 = $made(Rule, $cd2b0, ["fit", "friction that does not fit its tests", "ATTENTION", true, NaN, NaN]);
-const $c6c00 = $made(Rule, $cd2b0, ["tested_slip", "the largest slip tested", "ATTENTION", true, NaN, NaN]);
-const $c888b = $made(Rule, $cd2b0, ["tested_slip_speed", "the slip speed tested", "ATTENTION", true, NaN, NaN]);
-const $c82b0 = $made(Rule, $cd2b0, ["balance", "the energy balance", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c95cf = $made(Rule, $cd2b0, ["sag", "the sag of the belt", "ATTENTION", false, NaN, NaN]);
-const $c9576 = $made(Rule, $cd2b0, ["taut", "a belt that nowhere hangs slack", "ATTENTION", false, NaN, NaN]);
-const $c8481 = $made(Rule, $cd2b0, ["pulley_diameter", "the least pulley of the belt", "FAILS", false, NaN, NaN]);
-const $c2c12 = $made(Rule, $cd2b0, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", true, NaN, NaN]);
-const $c825d = $made(Rule, $cd2b0, ["usual_sizes", "an unusual size", "ATTENTION", true, NaN, NaN]);
-const $ce2b3 = $made(Rule, $cd2b0, ["motor_load", "the rating of a motor", "ATTENTION", true, 1.15, NaN]);
-const $c37c5 = $made(Rule, $cd2b0, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", true, NaN, NaN]);
-const $cdc3d = $made(Rule, $cd2b0, ["motor_heat", "the heat that a motor bears", "ATTENTION", true, NaN, NaN]);
-const $c5c53 = $made(Rule, $cd2b0, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", true, NaN, NaN]);
-const $c1dc5 = new Map([["gross_slip", $c686a], ["design_standard", $c3f5f], ["creep", $c0563], ["cover_creep", $c2370], ["creep_interval", $c000a], ["belt_tension", $c3c9a], ["momentary_tension", $c3fbc], ["belt_safety", $cccfd], ["face_pressure", $c37222], ["bond_stress", $c88fd], ["fatigue_stress", $c0e79], ["tested_pressure_max", $c339d], ["tested_pressure_min", $ca93c], ["condition", $cbc46], ["fit", $c4ca0], ["tested_slip", $c6c00], ["tested_slip_speed", $c888b], ["balance", $c82b0], ["sag", $c95cf], ["taut", $c9576], ["pulley_diameter", $c8481], ["belt_thickness", $c2c12], ["usual_sizes", $c825d], ["motor_load", $ce2b3], ["momentary_load", $c37c5], ["motor_heat", $cdc3d], ["train_balance", $c5c53]]);
-const $c784e = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c4f48 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "words", "asked"];
+const $cb138 = $made(Rule, $c4f48, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
+const $c625f = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
+const $c58a5 = $made(Rule, $c4f48, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
+const $c0dbc = $made(Rule, $c4f48, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
 const $c576d = ["Speed"];
 const $c87cd = ["Motor"];
+const $c84c4 = $made(Rule, $c4f48, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, null, null, null, null, false, null, null]);
 const $caf89 = ["by creep", "The belt slides (creep of {slides})"];
 const $c4313 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
 const $ca9e8 = ["by the largest friction", "All friction of the wrap is used up"];
 const $c48c7 = new Map([[0, $caf89], [1, $c4313], [2, $ca9e8]]);
-const $c63ca = [180.0, 1.2];
-const $c0098 = [200.0, 1.0];
-const $cba05 = [210.0, 1.0];
-const $c7643 = [220.0, 0.9];
-const $cc957 = [240.0, 0.8];
-const $c42e0 = [$c63ca, $c0098, $cba05, $c7643, $cc957];
-const $c8440 = [180.0, 0.8];
-const $c77a7 = [200.0, 0.7];
-const $c2923 = [210.0, 0.7];
-const $ccb4b = [220.0, 0.6];
-const $c8bdf = [240.0, 0.6];
-const $ce64a = [$c8440, $c77a7, $c2923, $ccb4b, $c8bdf];
-const $c5f1f = new Map([["bare", $c42e0], ["lagged", $ce64a]]);
-const $c9a2a = ["standard", "surface", "condition", "friction", "provenance"];
-const $cd49e = [0.25, 0.25];
-const $c17f0 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c88e7 = $made(DesignFriction, $c9a2a, ["CEMA", "bare", "", $cd49e, $c17f0]);
-const $c999d = [0.35, 0.35];
-const $c5f69 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $cd062 = $made(DesignFriction, $c9a2a, ["CEMA", "rubber", "", $c999d, $c5f69]);
-const $c9b38 = [0.5, 0.5];
-const $cbe15 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c16b7 = $made(DesignFriction, $c9a2a, ["CEMA", "ceramic", "", $c9b38, $cbe15]);
-const $c4611 = [0.35, 0.4];
-const $c477c = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c1654 = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "dry", $c4611, $c477c]);
-const $ca372 = [0.1, 0.1];
-const $c0934 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c069c = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet", $ca372, $c0934]);
-const $c49b6 = [0.05, 0.1];
-const $c9adb = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $cd73e = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet and dirty", $c49b6, $c9adb]);
-const $c4d91 = [0.4, 0.45];
-const $c60f9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c8dc3 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "dry", $c4d91, $c60f9]);
-const $c22784 = [0.35, 0.35];
-const $c3568 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c465b = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet", $c22784, $c3568]);
-const $cfda2 = [0.25, 0.3];
-const $c76e9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c4544 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet and dirty", $cfda2, $c76e9]);
-const $cc087 = [0.35, 0.4];
-const $c77e2 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $caf0d = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "dry", $cc087, $c77e2]);
-const $c2cc9 = [0.35, 0.35];
-const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c33d6 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet", $c2cc9, $c81c0]);
-const $c46cd = [0.2, 0.2];
-const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c2070]);
-const $cf072 = [0.4, 0.45];
-const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c762e = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "dry", $cf072, $c269e]);
-const $c3458 = [0.35, 0.4];
-const $ce9fa = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c2a06 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet", $c3458, $ce9fa]);
-const $c2dad = [0.35, 0.35];
-const $cc356 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c4014 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet and dirty", $c2dad, $cc356]);
-const $c99d3 = [0.35, 0.35];
-const $cb0d4 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c68bd = $made(DesignFriction, $c9a2a, ["practice", "rubber", "dry", $c99d3, $cb0d4]);
-const $c69fe = [0.35, 0.35];
-const $c5157 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $cf0f2 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet", $c69fe, $c5157]);
-const $c9758 = [0.3, 0.3];
-const $c1548 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $ca0d7 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet and dirty", $c9758, $c1548]);
-const $ced9b = [0.8, 0.8];
-const $c8b0a = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $cb79a = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "dry", $ced9b, $c8b0a]);
-const $cc49e = [0.45, 0.45];
-const $cd4c0d = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c0e8c = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet", $cc49e, $cd4c0d]);
-const $c384c = [0.35, 0.35];
-const $c15e3 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c8b09 = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet and dirty", $c384c, $c15e3]);
-const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, $c4544, $caf0d, $c33d6, $c4015, $c762e, $c2a06, $c4014, $c68bd, $cf0f2, $ca0d7, $cb79a, $c0e8c, $c8b09];
-const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c960d = $made(Rule, $c4f48, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, null, null, null, null, false, null, of_arc___standard]);
+const $cc27f = $made(Rule, $c4f48, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, of_arc___creep, null, of_arc___creep_limit, null, true, of_arc___creeps, null]);
+const $cabb1 = $made(Rule, $c4f48, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, of_arc___cover_creep]);
+const $c3e65 = $made(Rule, $c4f48, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, in_page_checks__creep_interval]);
+const $c8994 = $made(Rule, $c4f48, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___running_tension, of_drive___over_width, null, false, of_drive___running, null]);
+const $c5c30 = $made(Rule, $c4f48, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, false, of_drive___momentary, null]);
+const $c25bf = $made(Rule, $c4f48, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, false, of_drive___safety, null]);
+const $c72eb = $made(Rule, $c4f48, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___face_pressure, null, null, false, of_drive___on_face, null]);
+const $ce298 = $made(Rule, $c4f48, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___bond_strength, null, null, true, of_arc___bond, null]);
+const $cb3d1 = $made(Rule, $c4f48, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___fatigue_limit, null, null, true, of_arc___tires, null]);
+const $cc16f = $made(Rule, $c4f48, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___pressure_max, null, null, false, of_drive___tested_max, null]);
+const $cfecd = $made(Rule, $c4f48, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, of_drive___slack_pressure, of_drive___pressure_min, null, null, false, of_drive___tested_min, null]);
+const $cabd6 = $made(Rule, $c4f48, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___condition]);
+const $c3f6d = $made(Rule, $c4f48, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___fit]);
+const $c5a91 = $made(Rule, $c4f48, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, of_arc___slip, of_arc___slip_max, null, null, true, of_arc___slips, null]);
+const $c5d85 = $made(Rule, $c4f48, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, of_arc___slip_speed, of_arc___tested_speed, null, null, true, of_arc___slips_fast, null]);
+const $c0d6e = $made(Rule, $c4f48, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_arc___balance]);
+const $c8634 = $made(Rule, $c4f48, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, of_drive___slack_end, of_drive___sag_tension, null, null, false, of_drive___sags, null]);
+const $cedd5 = [$c960d, $cc27f, $cabb1, $c3e65, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
+const $ca865 = $made(Rule, $c4f48, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, of_drive___diameter, of_drive___least_diameter, null, null, false, of_drive___bends, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
 const $c7675 = [5000.0, 5000000.0];
@@ -9170,7 +9180,7 @@ const $c5df7 = [0.95, 1.05];
 const $cbfa6 = [$cf220, $cb417, $c5df7];
 const $c643a = ["length", 3.0, 30000.0];
 const $cae2d = ["lift", -1500.0, 1500.0];
-const $c5d85 = ["belt_mass", 3.0, 100.0];
+const $c5d852 = ["belt_mass", 3.0, 100.0];
 const $c78e7 = ["carry_idler_mass", 2.0, 60.0];
 const $c0502 = ["return_idler_mass", 0.7, 30.0];
 const $c3d98 = ["material_mass", 0.5, 4000.0];
@@ -9182,7 +9192,7 @@ const $caac3 = ["start_time", 1.0, 600.0];
 const $cb323 = ["stop_time", 1.0, 600.0];
 const $c30c8 = ["take_up_tension", 300.0, 2000000.0];
 const $c7f14 = ["counterweight", 30.0, 200000.0];
-const $ce959 = [$c643a, $cae2d, $c5d85, $c78e7, $c0502, $c3d98, $cd613, $c66b1, $c2ab5, $c9550, $caac3, $cb323, $c30c8, $c7f14];
+const $ce959 = [$c643a, $cae2d, $c5d852, $c78e7, $c0502, $c3d98, $cd613, $c66b1, $c2ab5, $c9550, $caac3, $cb323, $c30c8, $c7f14];
 const $c660d = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
 const $cc8f7 = $made(Limit, $cf70d, ["speed", 0.0, Infinity, true, false]);
 const $cfa18 = $made(Limit, $cf70d, ["number", 0.01, 100.0, false, false]);
@@ -9198,7 +9208,7 @@ const $c0e11 = [-0.002, 0.002];
 const $cbcdc = [0.0, 0.06];
 const $c8f95 = [100000.0, 50000000.0];
 const $ca8ed = [100000.0, 5000000000.0];
-const $c0e79b = [5000.0, 2000000.0];
+const $c0e79 = [5000.0, 2000000.0];
 const $c012e = [10000.0, 50000000.0];
 const $c4ce4 = [50000.0, 10000000.0];
 const $c0042 = [0.1, 3.0];
@@ -9207,7 +9217,7 @@ const $c9636 = [4.0, 20.0];
 const $cbee8 = [15.0, 1000.0];
 const $cbd48 = [0.0, 1600000.0];
 const $c0160 = [1.0, 130.0];
-const $c7198 = [$c5c49, $cad33, $c6fd8, $cc6ce, $cc9f1, $c56f7, $c77ea, $c0e11, $cbcdc, $c8f95, $ca8ed, $c0e79b, $c012e, $c012e, $c4ce4, $c0042, $c453e, $c9636, $cbee8, $cbd48, $c453e, $c453e, $cf220, $c0160];
+const $c7198 = [$c5c49, $cad33, $c6fd8, $cc6ce, $cc9f1, $c56f7, $c77ea, $c0e11, $cbcdc, $c8f95, $ca8ed, $c0e79, $c012e, $c012e, $c4ce4, $c0042, $c453e, $c9636, $cbee8, $cbd48, $c453e, $c453e, $cf220, $c0160];
 const $caee2 = [500.0, 2000000.0];
 const $cde5a4 = ["least tested pressure", "pressure", $caee2];
 const $c6f50 = [10000.0, 10000000.0];
@@ -9221,9 +9231,92 @@ const $cece7 = [0.03, 1.9];
 const $c5944 = ["force", "mass_per_length"];
 const $cb216 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
 const $cd36e = new WeakMap();
+const $c63ca = [180.0, 1.2];
+const $c0098 = [200.0, 1.0];
+const $cba05 = [210.0, 1.0];
+const $c7643 = [220.0, 0.9];
+const $cc957 = [240.0, 0.8];
+const $c42e0 = [$c63ca, $c0098, $cba05, $c7643, $cc957];
+const $c8440 = [180.0, 0.8];
+const $c77a7 = [200.0, 0.7];
+const $c2923 = [210.0, 0.7];
+const $ccb4b = [220.0, 0.6];
+const $c8bdf = [240.0, 0.6];
+const $ce64a = [$c8440, $c77a7, $c2923, $ccb4b, $c8bdf];
+const $c5f1f = new Map([["bare", $c42e0], ["lagged", $ce64a]]);
+const $c9a2a = ["standard", "surface", "condition", "friction", "provenance"];
+const $cd49e = [0.25, 0.25];
+const $c17f0 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c88e7 = $made(DesignFriction, $c9a2a, ["CEMA", "bare", "", $cd49e, $c17f0]);
+const $c999d = [0.35, 0.35];
+const $c5f69 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $cd062 = $made(DesignFriction, $c9a2a, ["CEMA", "rubber", "", $c999d, $c5f69]);
+const $c9b38 = [0.5, 0.5];
+const $cbe15 = $made(Provenance, $c535d, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c16b7 = $made(DesignFriction, $c9a2a, ["CEMA", "ceramic", "", $c9b38, $cbe15]);
+const $c4611 = [0.35, 0.4];
+const $c477c = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c1654 = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "dry", $c4611, $c477c]);
+const $ca372 = [0.1, 0.1];
+const $c0934 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c069c = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet", $ca372, $c0934]);
+const $c49b6 = [0.05, 0.1];
+const $c9adb = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $cd73e = $made(DesignFriction, $c9a2a, ["DIN 22101", "bare", "wet and dirty", $c49b6, $c9adb]);
+const $c4d91 = [0.4, 0.45];
+const $c60f9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c8dc3 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "dry", $c4d91, $c60f9]);
+const $c22784 = [0.35, 0.35];
+const $c3568 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c465b = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet", $c22784, $c3568]);
+const $cfda2 = [0.25, 0.3];
+const $c76e9 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c4544 = $made(DesignFriction, $c9a2a, ["DIN 22101", "rubber", "wet and dirty", $cfda2, $c76e9]);
+const $cc087 = [0.35, 0.4];
+const $c77e2 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $caf0d = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "dry", $cc087, $c77e2]);
+const $c2cc9 = [0.35, 0.35];
+const $c81c0 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c33d6 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet", $c2cc9, $c81c0]);
+const $c46cd = [0.2, 0.2];
+const $c2070 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c4015 = $made(DesignFriction, $c9a2a, ["DIN 22101", "polyurethane", "wet and dirty", $c46cd, $c2070]);
+const $cf072 = [0.4, 0.45];
+const $c269e = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c762e = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "dry", $cf072, $c269e]);
+const $c3458 = [0.35, 0.4];
+const $ce9fa = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c2a06 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet", $c3458, $ce9fa]);
+const $c2dad = [0.35, 0.35];
+const $cc356 = $made(Provenance, $c535d, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c4014 = $made(DesignFriction, $c9a2a, ["DIN 22101", "ceramic", "wet and dirty", $c2dad, $cc356]);
+const $c99d3 = [0.35, 0.35];
+const $cb0d4 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c68bd = $made(DesignFriction, $c9a2a, ["practice", "rubber", "dry", $c99d3, $cb0d4]);
+const $c69fe = [0.35, 0.35];
+const $c5157 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $cf0f2 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet", $c69fe, $c5157]);
+const $c9758 = [0.3, 0.3];
+const $c1548 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $ca0d7 = $made(DesignFriction, $c9a2a, ["practice", "rubber", "wet and dirty", $c9758, $c1548]);
+const $ced9b = [0.8, 0.8];
+const $c8b0a = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $cb79a = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "dry", $ced9b, $c8b0a]);
+const $cc49e = [0.45, 0.45];
+const $cd4c0d = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c0e8c = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet", $cc49e, $cd4c0d]);
+const $c384c = [0.35, 0.35];
+const $c15e3 = $made(Provenance, $c535d, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c8b09 = $made(DesignFriction, $c9a2a, ["practice", "ceramic", "wet and dirty", $c384c, $c15e3]);
+const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, $c4544, $caf0d, $c33d6, $c4015, $c762e, $c2a06, $c4014, $c68bd, $cf0f2, $ca0d7, $cb79a, $c0e8c, $c8b09];
 const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
 const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c75f4 = $made(Rule, $c4f48, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, null, null, null, null, false, null, null]);
+const $c13e8 = $made(Rule, $c4f48, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, null, null, null, null, false, null, null]);
+const $c440d = $made(Rule, $c4f48, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
+const $c376b = $made(Rule, $c4f48, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, null, null, null, null, false, null, null]);
+const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $cabb1], ["creep_interval", $c3e65], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c440d], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
 const $c450e = new WeakMap();
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
@@ -9309,6 +9402,9 @@ const $c1e36 = ["dimension", "least"];
 const $cb8db = ["word", "kind"];
 const $c0b27 = ["kind"];
 const $c982d = ["text"];
+const $ce66e = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "of_solution", "words"];
+const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
 const $c7c4c = ["balance", "train_balance", "across_balance"];
 const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed"];
 const $c5573 = ["gross_slip", "operating_point", "fight"];
@@ -9409,15 +9505,15 @@ Motor.LIMITS = Motor.prototype.LIMITS = $c33f2;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
-Miss.$compared = Miss.$names;
+Words.$compared = Words.$names;
 Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
-Asked.$compared = Asked.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
 VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $ca384;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
+Asked.$compared = Asked.$names;
 LeastTension.$compared = LeastTension.$names;
 Verdict.$compared = Verdict.$names;
 Row.$compared = Row.$names;
@@ -9479,7 +9575,6 @@ Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the
 Sag.LIMITS = Sag.prototype.LIMITS = $c2d0e;
 Conveyor.$compared = Conveyor.$names;
 Conveyor.LIMITS = Conveyor.prototype.LIMITS = $ccebb;
-Rule.$compared = Rule.$names;
 DesignFriction.$compared = DesignFriction.$names;
 LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
@@ -9496,8 +9591,9 @@ FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
 Transition.LIMITS = Transition.prototype.LIMITS = $c56ea;
-State.$compared = State.$names;
+conveyor$State.$compared = conveyor$State.$names;
 Resistance.$compared = Resistance.$names;
+Miss.$compared = Miss.$names;
 ElasticPlastic.$compared = ElasticPlastic.$names;
 ElasticPlastic.title = ElasticPlastic.prototype.title = "elastic-plastic";
 $sig(Profile, ["dimension", "diameters"], false);

@@ -205,7 +205,7 @@ function found(f) {
           { type: "button", class: "main", onClick: () => use(v) },
           `Use ${words(v.shown)}`,
         ),
-        badge(v.level),
+        badge(v.level, v.word),
         h("span", { class: "help" }, words(v.headline)),
       ),
     ),
