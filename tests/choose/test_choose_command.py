@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from cli.running import drive_file, wraparc
+from judgement.rows import BASE
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "wet-season"
 
@@ -156,3 +157,56 @@ cost = { currency = "AUD", years = 10, tariff = 0.2, hours.design = 6000 }
     for ran, whose in ((chosen, "ATTENTION Choose"), (solved, "ATTENTION Pulley second")):
         assert said in ran.words
         assert whose in ran.words
+
+
+SEARCH = """format = 1
+drive = "drive.toml"
+[candidates]
+laggings = ["diamond-rubber"]
+slack_tensions = ["{slack}"]
+{more}
+[cost]
+currency = "AUD"
+tariff = 0.2
+hours.design = 6000
+"""
+
+
+@pytest.mark.parametrize(
+    ("slack", "limits"),
+    [("60 kN", '[limits]\ncreep = "20 mm"'), ("150 kN", "[limits.rating_share]\ndesign = 1.5")],
+    ids=["more creep than the drive allows", "more tension than the rating allows"],
+)
+def test_limits_of_a_search_do_not_hide_what_solve_says(
+    slack: str, limits: str, tmp_path: Path
+) -> None:
+    # expected: verdict and exit code of `wraparc solve` of the drive with what is recommended
+    drive, file = tmp_path / "drive.toml", tmp_path / "search.toml"
+    drive.write_text(BASE.replace("120 kN", "165 kN"), "utf-8")
+    file.write_text(SEARCH.format(slack=slack, more=limits), "utf-8")
+    tight = float(slack.partition(" ")[0]) + 90.0
+    ends = {"exit_tension": slack, "entry_tension": f"{tight:g} kN"}
+    changed = [x for k, v in ends.items() for x in ("--set", f"pulley.head.{k}={v}")]
+    solved, chosen = wraparc("solve", drive, *changed, "--json", "-"), wraparc("choose", file)
+    verdict = solved.json["verdict"]
+    assert verdict["level"] != "OK"
+    assert f" {verdict['level']} " in chosen.words
+    assert chosen.code == solved.code
+    wrong = verdict["headline"].partition(": ")[2].partition(". ")[0]
+    assert wrong in chosen.words
+    assert "Action: Search again with that limit, or with other candidates." in chosen.words
+
+
+def test_a_design_that_keeps_every_check_is_named(tmp_path: Path) -> None:
+    # expected: the face pressure 2 T1/(D B) of the larger pulley is within its limit
+    (tmp_path / "drive.toml").write_text(
+        BASE.replace('1000/4"', '1000/4"\nlargest_wrap_pressure = "200 kPa"'), "utf-8"
+    )
+    more = 'diameters = ["800 mm", "1200 mm"]'
+    file = tmp_path / "search.toml"
+    file.write_text(SEARCH.format(slack="75 kN", more=more), "utf-8")
+    told = wraparc("choose", file).words
+    assert "ATTENTION Choose diamond-rubber, D 800 mm" in told
+    assert "of the ranking that keeps every check is diamond-rubber, D 1200 mm:" in told
+    set_ = ("--set", "pulley.head.diameter=1200 mm")
+    assert wraparc("solve", tmp_path / "drive.toml", *set_).words.count("ATTENTION") == 0

@@ -1,5 +1,6 @@
 """The API gives what the command line gives: the same numbers, texts, files and errors."""
 
+import copy
 import csv
 import json
 import math
@@ -284,7 +285,30 @@ def test_comparison_of_one_pulley_is_no_ok_where_another_slips(api: TestClient) 
     rows = post(api, "/compare", document=tandem, pulley="first")["rows"]
     assert {row["level"] for row in rows} == {"FAILS"}
     assert all("pulley second" in row["short"] for row in rows)
-    assert all(row["cells"]["least_slack"]["value"] is None for row in rows)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{"share": ["130 %", "-30 %"]}, {"share": None, "speeds": ["100 %", "99 %"]}, {}],
+    ids=["shares that fight", "speeds that divide the load anew", "as it is"],
+)
+def test_comparison_of_a_train_is_that_of_solve(api: TestClient, change: dict[str, Any]) -> None:
+    # expected: `solve` of the file with the other lagging in it, its load divided anew
+    tandem = document("tandem-fabric")
+    tandem["train"] = {k: v for k, v in {**tandem["train"], **change}.items() if v is not None}
+    rows = post(api, "/compare", document=tandem, pulley="first", load_case="design")["rows"]
+    assert len(rows) > 2
+    for row in rows:
+        made = copy.deepcopy(tandem)
+        made["pulley"][0]["lagging"] = row["name"]
+        whole = solve_train(train_from_document(made), raise_on_failure=False)
+        judged, found = judge(whole), whole.drive_result().arc("first", "design")
+        assert (row["level"], row["word"]) == (judged.level.value, judged.word)
+        least = least_tension(whole)
+        tension = None if least is None or math.isinf(least.tension) else least.tension
+        assert row["cells"]["least_slack"]["value"] == pytest.approx(tension)
+        if found.status.solved:
+            assert row["cells"]["creep"]["value"] == pytest.approx(abs(found.exit_creep), rel=1e-6)
 
 
 def test_what_a_comparison_changes_makes_that_drive(api: TestClient) -> None:

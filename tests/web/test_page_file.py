@@ -628,7 +628,7 @@ def assert_compares(page: Page, expected: CompareAnswer, what: str, system: Syst
         told = [worded(row.cells[key].text, system) for key in keys]
         assert [str(cell).replace(" (best)", "") for cell in cells] == told
         answer = str(shown.locator("td").nth(1).text_content())
-        assert answer.endswith(f"{row.level} {row.short}")
+        assert answer.endswith(f"{row.word} {row.short}")
         titled = f"{row.name}, {row.title}" if what == "belts" else row.title
         assert str(shown.locator("th").text_content()).startswith(titled)
 

@@ -143,7 +143,8 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         )
     here = ("", selection.search.pulley)
     said = [c.said if c.place.pulley in here else placed(c) for c in judged.missed]
-    headline = " ".join([headline, *said[:1]])
+    action = " ".join(_other_search(selection))
+    headline = " ".join(filter(None, [headline, *said[:1], action]))
     sentences += said[1:]
     level = Level.ATTENTION if below or silent else Level.OK
     level = max(level, judged.level, key=lambda of: of.rank)
@@ -154,7 +155,20 @@ def _verdict(selection: Selection, lighter: LighterBelt | None) -> Verdict:
         dry = all(c.name == DRY for c in selection.search.conditions)
         ground = f"{level}{' dry only' if dry else ''}"
         ground += f", on {kind} data" if kind in WEAK else ""
-    return Verdict(level, headline, tuple(sentences), ground)
+    return Verdict(level, headline, tuple(sentences), ground, action)
+
+
+def _other_search(selection: Selection) -> Iterator[str]:
+    """Yield what to search instead where the recommended design misses a check."""
+    if not selection.verdict.missed:
+        return
+    found = selection.sounder
+    if found is None:
+        yield "Search again with that limit, or with other candidates."
+        return
+    cost = money(float(selection.costs.total[found]), selection.search.costing.currency)
+    does = "keeps every check" if selection.judged(found).level is Level.OK else "does not fail"
+    yield f"The next design of the ranking that {does} is {design_name(selection, found)}: {cost}."
 
 
 def _heads(selection: Selection) -> tuple[str, ...]:

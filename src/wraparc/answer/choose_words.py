@@ -143,7 +143,7 @@ def unpriced_words(selection: Selection) -> Iterator[str]:
         why = "it is below the design standard"
     yield (
         f"{design_name(selection, least)} would save "
-        f"{money(saved, selection.search.costing.currency)}; {why}."
+        f"{money(saved, selection.search.costing.currency)}; {why}{_but(selection, least)}."
     )
 
 
@@ -213,5 +213,12 @@ def next_dearer_words(selection: Selection) -> Iterator[str]:
     years = selection.search.costing.years
     yield (
         f"The next more expensive lagging, {design_name(selection, other)}, costs "
-        f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}."
+        f"{money(more, currency)} more over {years:g} years; for it {' and '.join(changes)}"
+        f"{_but(selection, other)}."
     )
+
+
+def _but(selection: Selection, design: int) -> str:
+    """Return what a design misses that is spoken of beside the recommended one; else nothing."""
+    worst = selection.judged(design).governing
+    return "" if worst is None or not worst.missed else f"; it is {worst.short}: {worst.level}"

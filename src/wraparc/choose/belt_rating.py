@@ -31,6 +31,8 @@ class LighterBelt:
 def least_belt(selection: Selection, design: int, belts: Sequence[Belt]) -> LighterBelt | None:
     """Lightest belt with which a design keeps every limit at its own least take-up tension.
 
+    It is judged no worse than the design itself.
+
     Each belt is solved with its own modulus: a lighter belt is softer, creeps more, and so needs
     more slack-side tension than the one it replaces.
 
@@ -62,7 +64,7 @@ def least_belt(selection: Selection, design: int, belts: Sequence[Belt]) -> Ligh
         if belt.rating is None or belt.rating < least_rating:
             continue  # cannot even bear the pull
         found = choose(replace(one, belts=(belt,)))
-        if len(found.ranking):
+        if len(found.ranking) and found.verdict.level.rank <= selection.judged(design).level.rank:
             return LighterBelt(
                 belt=belt,
                 slack_tension=float(found.slack_tension[0]),

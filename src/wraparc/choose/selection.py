@@ -8,9 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from wraparc.arc import solve as solve_drive
 from wraparc.arrays import Array, Flags, Integers
-from wraparc.checks import judge
+from wraparc.checks import Level, judge
 from wraparc.checks.check import Verdict
 from wraparc.checks.least_tension import taut
 from wraparc.choose.across import Edges, excess_of, is_uneven, solve_edges
@@ -27,10 +26,10 @@ from wraparc.choose.slack_rules import (
     slack_offset,
     standard_slack,
 )
+from wraparc.train.whole import solved
 
-#: Checks of its pulley that the limits of a search speak of: always, and if it limits the rating.
-_OF_LIMITS = frozenset({"gross_slip", "design_standard", "creep", "sag"})
-_OF_RATING = frozenset({"belt_tension", "momentary_tension"})
+#: Designs of the ranking that are judged at most, where the first one misses a check.
+MOST_JUDGED = 12
 
 Solver = Callable[..., Mapping[str, Array]]
 
@@ -96,17 +95,30 @@ class Selection:
 
     @cached_property
     def verdict(self) -> Verdict:
-        """What the recommended design comes to in all conditions, judged as every drive is.
+        """What the recommended design comes to, see `judged`."""
+        return self.judged(int(self.ranking[0]))
 
-        The pulleys beside it are judged too. Left out is what the limits of the search speak of.
+    @cached_property
+    def sounder(self) -> int | None:
+        """First design of the ranking with a better verdict than the recommended one, if any."""
+        if self.verdict.level.rank <= Level.OK.rank:
+            return None
+        others = map(int, self.ranking[1:MOST_JUDGED])
+        level = self.verdict.level
+        return next((i for i in others if self.judged(i).level.rank < level.rank), None)
+
+    def judged(self, design: int) -> Verdict:
+        """Return what a design comes to in all conditions, judged as every drive is.
+
+        The pulleys beside it are judged too. Left out is its design standard, which the answer
+        tells of itself.
         """
-        search, best = self.search, int(self.ranking[0])
-        told = _OF_LIMITS | (_OF_RATING if search.limits.rating is not None else frozenset())
-        wholes = (self.grid.whole(best, k) for k in range(len(search.conditions)))
-        judged = (judge(solve_drive(whole, raise_on_failure=False)) for whole in wholes)
-        checks = (check for verdict in judged for check in verdict.checks)
-        own = search.pulley
-        return Verdict(tuple(c for c in checks if c.name not in told or c.place.pulley != own))
+        search = self.search
+        wholes = (self.grid.whole(design, k) for k in range(len(search.conditions)))
+        verdicts = (judge(solved(whole)) for whole in wholes)
+        checks = (check for verdict in verdicts for check in verdict.checks)
+        told, own = "design_standard", search.pulley
+        return Verdict(tuple(c for c in checks if c.name != told or c.place.pulley != own))
 
     def broken(self, design: int) -> tuple[str, ...]:
         """Names of the limits that a design breaks."""

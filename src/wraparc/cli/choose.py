@@ -6,9 +6,8 @@ from wraparc.choose.belt_rating import LighterBelt
 from wraparc.choose.selection import Selection
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.output import Content
+from wraparc.cli.solve import code_told
 from wraparc.units import System
-
-_FOUND, _NONE_FEASIBLE = 0, 1
 
 
 @click.command()
@@ -33,7 +32,7 @@ def choose(
     """Rank the candidates of a choose FILE: lagging, belt, pulley and take-up.
 
     Prints the feasible designs by cost over the years, and why each other one was rejected. Exit
-    code 1 if none is feasible.
+    code 1 if none is feasible, or the cheapest fails.
     """
     from wraparc.answer.choose_sheet import choose_csv, choose_document, choose_sheet
     from wraparc.choose.file import load_search
@@ -43,10 +42,9 @@ def choose(
     lighter = _lightest(selection) if lightest_belt else None
     answer.write("csv", lambda: choose_csv(selection))
     answer.write("plot", lambda: _picture(selection, answer.units))
-    answer.give(
-        lambda: choose_sheet(selection, lighter, rows), lambda: choose_document(selection, lighter)
-    )
-    return _FOUND if len(selection.ranking) else _NONE_FEASIBLE
+    told = choose_sheet(selection, lighter, rows)
+    answer.give(lambda: told, lambda: choose_document(selection, lighter))
+    return code_told(told)
 
 
 def _picture(selection: Selection, units: System) -> Content:

@@ -8,12 +8,12 @@ from contextlib import contextmanager
 
 import click
 
-from wraparc.checks import Level, judge_run
+from wraparc.checks import judge_run
 from wraparc.cli.answer import Answer, answers
 from wraparc.cli.options import positive
 from wraparc.cli.output import STANDARD_OUTPUT, Content
 from wraparc.cli.run_rows import streamed
-from wraparc.cli.solve import code_of
+from wraparc.cli.solve import code_of, code_told
 from wraparc.errors import input_error
 from wraparc.motion.checkpoint import Checkpoint
 from wraparc.motion.file import load_motion
@@ -128,7 +128,7 @@ def stability(answer: Answer, file: str, run_out: str, over: str, settings: tupl
         )
     told = stability_sheet(result)
     answer.give(lambda: told, lambda: stability_document(result))
-    return code_of(told.verdict.level if told.verdict else Level.OK)
+    return code_told(told)
 
 
 def _picture(result: RunResult, units: System) -> Content:

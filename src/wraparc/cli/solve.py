@@ -134,6 +134,11 @@ def exit_code(result: "DriveResult | TrainResult") -> int:
     return code_of(judge(result).level)
 
 
+def code_told(sheet: Sheet) -> int:
+    """Return the exit code of an answer."""
+    return code_of(sheet.verdict.level) if sheet.verdict else SOLVED
+
+
 def code_of(level: Level) -> int:
     """Return the exit code of the level of a verdict."""
     if level is Level.FAULT:

@@ -1,17 +1,16 @@
 """The same drive with other laggings or other belts, side by side, with what they cost."""
 
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Iterable
 from typing import Literal
 
 from wraparc import catalogue
 from wraparc.answer.sheet import NONE, named, percent
 from wraparc.answer.wear_table import life_data
-from wraparc.answer.words import short
-from wraparc.arc import ArcResult, Distributed, DriveResult, WrapArc
-from wraparc.checks import Level, Verdict, idle, judge, least_tension
+from wraparc.arc import ArcResult, Status
+from wraparc.checks import Level, idle, judge, least_tension
 from wraparc.choose.cost import Price, catalogue_price, energy_cost, lagging_cost
+from wraparc.choose.what_if import redivided
 from wraparc.drive import Drive, Lagging, LoadCase
 from wraparc.drive.changes import with_belt, with_lagging
 from wraparc.drive.conditions import Condition
@@ -20,6 +19,7 @@ from wraparc.files.lagging_file import load_lagging_conditions
 from wraparc.glossary import GLOSSARY
 from wraparc.schema.problems import place_text
 from wraparc.train import Train
+from wraparc.train.whole import Whole, by_pulley, solved
 from wraparc.web.answers.documents import asked_for, divided, read
 from wraparc.web.answers.shown import Answer, Text, finite, texts, worded
 from wraparc.web.asked import CompareRequest
@@ -67,6 +67,7 @@ class Candidate(Answer):
     title: str
     condition: str
     level: Level
+    word: str
     short: str
     status_text: str
     cells: dict[str, Compared]
@@ -127,12 +128,12 @@ def compare(asked: CompareRequest) -> CompareAnswer:
         try:
             if isinstance(changed, InputError):
                 raise changed
-            names = [pulley.name, *(p.name for p in drive.pulleys if p.name != pulley.name)]
-            answered = [_answered(changed, each) for each in names]
+            whole = solved(redivided(thing, changed) if isinstance(thing, Train) else changed)
         except InputError as error:
             impossible.append(Impossible(name=name, problems=told(error.problems)))
             continue
-        rows.append(_row(name, answered, case.name, change, asked, present=name == present))
+        arc = by_pulley(whole).arc(pulley.name, case.name)
+        rows.append(_row(name, whole, arc, change, asked, present=name == present))
     return CompareAnswer(
         pulley=pulley.name,
         load_case=case.name,
@@ -218,40 +219,29 @@ def _neighbours(drive: Drive) -> list[str]:
     return [b.name for b in found]
 
 
-def _answered(drive: Drive, pulley: str) -> DriveResult:
-    """Return one pulley of a drive in every load case."""
-    cases = [replace(c, tensions={pulley: c.tensions[pulley]}) for c in drive.load_cases]
-    alone = replace(drive, pulleys=(drive.pulley(pulley),), load_cases=tuple(cases))
-    solver = Distributed()
-    arcs = (solver.solve(WrapArc.of(alone, alone.pulleys[0], case)) for case in cases)
-    return DriveResult(alone, tuple(arcs))
-
-
 def _row(
     name: str,
-    all_answered: Sequence[DriveResult],
-    case: str,
+    whole: Whole,
+    result: ArcResult,
     change: Changes,
     asked: CompareRequest,
     *,
     present: bool,
 ) -> Candidate:
-    answered = all_answered[0]
-    drive = answered.drive
-    result = answered.arc(drive.pulleys[0].name, case)
-    lagging = drive.pulleys[0].lagging
+    drive, judged = by_pulley(whole).drive, judge(whole)
+    lagging = drive.pulley(result.arc.pulley).lagging
     what = lagging if asked.what == "laggings" else drive.belt
     origin = lagging.source_of("law") if isinstance(what, Lagging) else what.provenance
-    judged = Verdict(tuple(check for each in all_answered for check in judge(each).checks))
     cost, note = _cost(drive, lagging, result, asked)
     return Candidate(
         name=name,
         title=lagging.title if isinstance(what, Lagging) else what.kind,
         condition=lagging.condition,
         level=judged.level,
-        short=_short(judged, all_answered, result),
+        word=judged.word,
+        short=_short(whole, result),
         status_text=str(result.status),
-        cells={**_cells(answered, result, alone=len(all_answered) == 1), **cost},
+        cells={**_cells(whole, result), **cost},
         cost_note=note,
         kind=origin.kind.value,
         source=str(origin),
@@ -260,24 +250,23 @@ def _row(
     )
 
 
-def _short(judged: Verdict, all_answered: Sequence[DriveResult], result: ArcResult) -> str:
+def _short(whole: Whole, result: ArcResult) -> str:
     """Return the answer in a few words, with the pulley and load case it is of unless shown."""
-    worst = judged.governing
+    worst, of, own = judge(whole).governing, by_pulley(whole), result.arc
     if worst is None or not worst.missed:
-        driven = any(not idle(r.arc) for each in all_answered for r in each)
-        return "carries" if driven else "not driven"
-    place, shown_of = worst.place, result.arc
-    of = next((r for r in all_answered if r.arcs[0].arc.pulley == place.pulley), all_answered[0])
-    words = [short(of, of.arc(of.arcs[0].arc.pulley, place.load_case))]
-    if place.pulley not in ("", shown_of.pulley):
+        return "carries" if any(not idle(r.arc) for r in of) else "not driven"
+    place = worst.place
+    arc = of.arc(place.pulley or own.pulley, place.load_case or own.load_case)
+    words = ["breaks away" if arc.status is Status.BREAKAWAY else worst.short]
+    if place.pulley not in ("", own.pulley):
         words.append(f"pulley {place.pulley}")
-    if place.load_case not in ("", shown_of.load_case):
+    if place.load_case not in ("", own.load_case):
         words.append(place.load_case)
     return ", ".join(words)
 
 
-def _cells(answered: DriveResult, result: ArcResult, *, alone: bool) -> dict[str, Compared]:
-    least = least_tension(answered) if alone else None  # one pulley does not tell that of all
+def _cells(whole: Whole, result: ArcResult) -> dict[str, Compared]:
+    least = least_tension(whole)
     numbers = {
         "creep": ("exit_creep", abs(result.exit_creep)),
         "peak_shear_stress": ("peak_shear_stress", result.peak_shear_stress),

@@ -117,6 +117,7 @@ export interface Candidate {
   title: string;
   condition: string;
   level: Level;
+  word: string;
   short: string;
   status_text: string;
   cells: Record<string, Compared>;

@@ -16,9 +16,9 @@ import { askedCase } from "./drive/cases.js";
 /** @import { Level, Problem, Text } from "../types.d.ts" */
 /**
  * @typedef {{value: number | null, text: Text}} Cell
- * @typedef {{name: string, title: string, condition: string, level: Level, short: string,
- *   cells: Record<string, Cell>, cost_note: Text, kind: string, source: string, present: boolean,
- *   change: {path: string, value: any}[]}} Row
+ * @typedef {{name: string, title: string, condition: string, level: Level, word: string,
+ *   short: string, cells: Record<string, Cell>, cost_note: Text, kind: string, source: string,
+ *   present: boolean, change: {path: string, value: any}[]}} Row
  * @typedef {{key: string, title: string, better: "low" | "high"}} Column
  * @typedef {{pulley: string, load_case: string, load_cases: number, years: number,
  *   currency: string, columns: Column[], rows: Row[], remarks: Text[],
@@ -274,7 +274,7 @@ function row(r, columns, best) {
       ),
     ),
     h("th", { scope: "row" }, label(r), condition, r.present && " (present)"),
-    h("td", {}, badge(r.level), " ", r.short),
+    h("td", {}, badge(r.level, r.word), " ", r.short),
     columns.map((c) => cell(r, c.key, best[c.key])),
     h(
       "td",

@@ -15,7 +15,7 @@ import { answer } from "./solving.js";
 
 /** @import { ChartData, Level, Path, Problem, Spec, Text } from "../../types.d.ts" */
 /**
- * @typedef {{value: number, shown: Text, level: Level, headline: Text}} Value
+ * @typedef {{value: number, shown: Text, level: Level, word: string, headline: Text}} Value
  * @typedef {{sentence: Text, found: Value[], tried: number[], results: (number | null)[]}} Found
  * @typedef {{path: Path, spec: Spec}} Input
  */
