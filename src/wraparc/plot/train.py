@@ -296,7 +296,7 @@ def _draw_creeps(ax: "Axes", matching: Matching) -> None:
         ax.axvline(100.0 * now, color="#222222", linewidth=1.1)
     ax.set_xlim(float(x[0]), float(x[-1]))
     ax.set_ylim(bottom=0.0)
-    ax.set_ylabel("Exit creep, part of its limit [%]")
+    ax.set_ylabel(f"{GLOSSARY['exit_creep'].title}, part of its limit [%]")
     name = curve.case.members[curve.drive].name
     ax.set_xlabel(f"{GLOSSARY[curve.quantity].title} of {name} [%]")
     right = ax.twinx()
