@@ -10,7 +10,7 @@ from wraparc.answer.sheet import Row, Table, Verdict, named, percent, quantity, 
 from wraparc.checks import RULES, Level
 from wraparc.glossary import GLOSSARY
 from wraparc.study.fields import names_of
-from wraparc.study.histogram import Histogram, Limit
+from wraparc.study.histogram import LEAST, LIMITED, Histogram, Limit
 from wraparc.study.monte_carlo import Group, Summary
 from wraparc.units import Dimension, distinct, in_units
 
@@ -27,14 +27,9 @@ _ENDS = (
     (Level.OK, "keep every check that is made"),
 )
 #: What the limit of a result is called.
-_LIMITS = {
-    "exit_creep": RULES["creep"].what,
-    "entry_tension": RULES["belt_tension"].what,
-    "peak_shear_stress": RULES["bond_stress"].what,
-    "creep_limit_margin": "the margin",
-    "tested_slip_margin": "the margin",
-    "gross_slip_margin": "the margin",
-}
+_LIMITS = {name: rules[0].what for name, rules in LIMITED.items()} | dict.fromkeys(
+    LEAST, "the margin"
+)
 
 
 def subtitle(data: Mapping[str, Any]) -> str:

@@ -1588,8 +1588,8 @@ let index, pulley, result, rule, spot;
 for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
 yield of_arc__grip(drive, case_, arcs, index);
-(spot = of_arc__spot_of(drive, case_, pulley, result));
-for (rule of $iter($c52)) {
+(spot = rules__spot_of(drive, case_, pulley, result));
+for (rule of $iter($c53)) {
 yield* $iter(rule.checks(spot));
 }
 if (($truth($b.all((function* () { for (const arc of $iter(arcs)) { yield rule__idle($bound(arc, "arc")); } })())) || ((result.arc.side < 0.0) && !$truth(rule__idle($bound(result, "arc")))))) {
@@ -1652,20 +1652,21 @@ return "T1 + T2 held (fixed take-up)";
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
-function of_arc__spot_of(drive, case_, pulley, result = null) {
-let belt, creep, driving, first, known, last, shear, slack, slip, speed, tensions;
+function rules__spot_of(drive, case_, pulley, result = null) {
+let belt, driving, first, known, last, slack, tensions;
 
 ([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
 (known = $and((result != null), () => $told($c40, result.status, "solved")));
-(creep = NaN); (slip = creep); (speed = slip); (shear = speed);
-if (((result != null) && $truth(known))) {
-([creep, shear] = [$b.abs($bound(result, "exit_creep")), result.peak_shear_stress]);
-([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
-}
 ([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
 (driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
 (slack = ($truth(driving) ? last : first));
-return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), creep, slip, speed, shear, NaN), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), NaN, (((result != null) && $truth(known)) ? rules___found(result) : $map([]))), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+}
+function rules___found(result) {
+let course;
+
+(course = $map([["largest_slip", in_page_checks__largest_slip], ["slip_speed", in_page_checks__slip_speed]]));
+return $map([...(function* () { for (const name of $iter($c52)) { yield [name, (($in(name, course)) ? $at(course, name)(result) : $b.abs($b.getattr(result, name)))]; } })()]);
 }
 function in_page_checks__largest_slip(result) {
 
@@ -1747,8 +1748,8 @@ function* judge__diameters(drive) {
 let pulley, spot;
 
 for (pulley of $iter(drive.pulleys)) {
-(spot = of_arc__spot_of(drive, $at(drive.load_cases, 0), pulley));
-yield* $iter($c53.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
+(spot = rules__spot_of(drive, $at(drive.load_cases, 0), pulley));
+yield* $iter($c54.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
 }
 }
 function* usual__usual_sizes(drive, ...others) {
@@ -1786,9 +1787,9 @@ yield usual__unusual(("" + "mass of pulley " + $str(pulley.name)), "mass", place
 }
 }
 ([rating, stiff] = [drive.belt.rating, drive.belt.modulus]);
-(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c64, 11))))));
+(fabric = $and(($eq(drive.belt.kind, "fabric")), () => $and(rating, () => numbers__usual(rating, ...$iter($at($c65, 11))))));
 if (($truth(fabric) && $truth(rating) && !$truth(numbers__usual((stiff / rating), 0.0, 250.0)))) {
-yield usual__unusual("modulus over the rating of the belt", "number", $c57, (stiff / rating), [15.0, 250.0]);
+yield usual__unusual("modulus over the rating of the belt", "number", $c58, (stiff / rating), [15.0, 250.0]);
 }
 for (lagging of $iter(drive.laggings)) {
 yield* $iter(usual___law_sizes(lagging));
@@ -1817,8 +1818,8 @@ for (pulley of $iter(drive.pulleys)) {
 ([place, of] = [new Place($bound(pulley, "name")), ("" + "of pulley " + $str(pulley.name))]);
 if ((pulley.across != null)) {
 yield new Owner($bound(pulley, "across"), ["Across"], of, place);
-yield new Owner($bound(pulley.across, "before"), $c54, ("" + "before pulley " + $str(pulley.name)), place);
-yield new Owner($bound(pulley.across, "after"), $c54, ("" + "behind pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "before"), $c55, ("" + "before pulley " + $str(pulley.name)), place);
+yield new Owner($bound(pulley.across, "after"), $c55, ("" + "behind pulley " + $str(pulley.name)), place);
 }
 }
 }
@@ -1826,7 +1827,7 @@ function* usual___of_owner(owner) {
 let check, ends, happening, heights, key, limit, limits, most, name, of, profile, tables, value;
 
 ([of, limits] = [owner.of, $or($b.getattr($bound(owner, "of"), "LIMITS", null), () => $map([]))]);
-(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c55, kind, $map([])); } })())]);
+(tables = [...$iter(owner.more), ...$iter((function* () { for (const kind of $iter(owner.kinds)) { yield $m.get($c56, kind, $map([])); } })())]);
 for ([key, limit] of $iter($m.items(limits))) {
 ([ends, value] = [$b.next((function* () { for (const t of $iter(tables)) { if (!(($in(key, t)))) continue; yield $at(t, key); } })(), null), $b.getattr(of, key)]);
 if (($truth(ends) && $truth(value) && !$truth(numbers__usual(value, ...$iter(ends))))) {
@@ -1837,12 +1838,12 @@ yield usual__unusual(name, $bound(limit, "dimension"), $bound(owner, "place"), v
 for (happening of $iter($or($b.getattr(of, "happenings", null), () => []))) {
 if ((happening.at >= of.duration)) {
 (name = ("" + "begin (at) of what happens " + $str(owner.words)));
-(check = usual__unusual(name, "time", $c57, $bound(happening, "at"), [0.0, of.duration]));
+(check = usual__unusual(name, "time", $c58, $bound(happening, "at"), [0.0, of.duration]));
 yield $replaced(check, new Map([["remedy", "Nothing happens then: give an earlier time."]]));
 }
 }
 if (($in("Across", owner.kinds))) {
-for ([key, most] of $iter($m.items($c58))) {
+for ([key, most] of $iter($m.items($c59))) {
 (profile = $b.getattr(of, key));
 (heights = ((profile == null) ? [] : [profile.largest, $neg($b.min([...$iter(profile.value), 0.0]))]));
 if (($b.max(heights, $k({default: 0.0})) > most)) {
@@ -1857,7 +1858,7 @@ function numbers__usual(value, least, most) {
 return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
 }
 function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy, small;
+let least, meant, most, near, remedy, small, wraps;
 
 ([least, most] = ends);
 (small = ((least > 0.0) ? least : $mul(0.1, most)));
@@ -1867,10 +1868,11 @@ if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
 (remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
 }
-if ((($eq(dimension, "angle")) && (value > most))) {
+(wraps = $m.startswith(name, "wrap angle"));
+if (($truth(wraps) && (value > most))) {
 (remedy = "Is it the sum of two pulleys? Give each of them its own.");
 } else {
-if ((($eq(dimension, "angle")) && !$truth(meant))) {
+if (($truth(wraps) && !$truth(meant))) {
 (remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
 }
 }
@@ -1889,7 +1891,7 @@ function parse__meant_by(value, dimension, least, most) {
 let found, inside, number, short, text, unit, units, written;
 
 (found = []);
-(units = $m.get($c56, dimension, []));
+(units = $m.get($c57, dimension, []));
 for (written of $iter(units)) {
 (number = (value / parse__unit_factor(written, dimension)));
 (short = $b.float(("" + $format(number, ("" + ".3g")))));
@@ -1936,7 +1938,7 @@ if ($truth($b.isinstance(motor, Motor))) {
 (belt = ((drive.belt.speed == null) ? NaN : drive.belt.speed));
 (radius = $add(pulley.radius, $or(pitch__pitch_offset($bound(drive, "belt"), $bound(pulley, "side")), () => 0.0)));
 (values = numbers__compared_motor(power, speed, turns, radius, belt));
-for ([[name, dimension], value, ends] of $iter($b.zip($c59, values, $c60, $k({strict: true})))) {
+for ([[name, dimension], value, ends] of $iter($b.zip($c60, values, $c61, $k({strict: true})))) {
 if (!$truth(numbers__usual(value, ...$iter(ends)))) {
 (check = usual__unusual(("" + $str(name) + " of pulley " + $str(pulley.name)), dimension, $bound(owner, "place"), value, ends));
 if (($eq(name, "speed of the drum over that of the belt"))) {
@@ -1962,30 +1964,30 @@ let needed, pulls, rated, told;
 (rated = $b.sum((function* () { for (const motor of $iter(motors)) { yield $mul(motor.count, motor.rated_power); } })()));
 if (($truth(rated) && $truth(needed) && !$truth(numbers__usual((rated / needed), 0.0, 6.0)))) {
 (told = "rated power of the motors over that of the largest pull");
-yield usual__unusual(told, "number", $c57, (rated / needed), [0.0, 6.0]);
+yield usual__unusual(told, "number", $c58, (rated / needed), [0.0, 6.0]);
 }
 }
 function* usual___conveyor_sizes(of, width) {
 let dimension, ends, key, least, load, most, name, odd, slope, value;
 
 (odd = false);
-for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c61, $k({strict: true})))) {
-([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c62)) ? width : 1.0)); } })());
+for ([value, [key, ...ends]] of $iter($b.zip(of.sizes(), $c62, $k({strict: true})))) {
+([least, most] = (function* () { for (const end of $iter(ends)) { yield $mul(end, (($in(key, $c63)) ? width : 1.0)); } })());
 if (!$truth(numbers__usual(value, least, most))) {
 (odd = true);
 (name = ("" + $str($m.replace(key, "_", " ")) + " of the conveyor"));
-(dimension = $at($c63, key).dimension);
-yield usual__unusual(name, dimension, $c57, value, [least, most]);
+(dimension = $at($c64, key).dimension);
+yield usual__unusual(name, dimension, $c58, value, [least, most]);
 }
 }
 ([load, slope] = [[$mul(0.7, $pow(width, 2)), $mul(700.0, $pow(width, 2))], (of.lift / of.length)]);
 if (!($truth(odd) || $truth(numbers__usual($bound(of, "material"), ...$iter(load))))) {
 (name = "load per length of the full belt (capacity, speed and width)");
-yield usual__unusual(name, "mass_per_length", $c57, $bound(of, "material"), load);
+yield usual__unusual(name, "mass_per_length", $c58, $bound(of, "material"), load);
 }
 if (!($truth(odd) || $truth(numbers__usual(slope, $neg(0.5), 0.5)))) {
 (name = "lift over length of the conveyor");
-yield usual__unusual(name, "number", $c57, slope, [$neg(0.5), 0.5]);
+yield usual__unusual(name, "number", $c58, slope, [$neg(0.5), 0.5]);
 }
 }
 function* usual___law_sizes(lagging) {
@@ -1996,11 +1998,11 @@ if ((!$eq(lagging.condition, "dry"))) {
 (of = $add(of, ("" + ", " + $str(lagging.condition))));
 }
 (odd = false);
-for ([key, [name, dimension, ends]] of $iter($m.items($c65))) {
+for ([key, [name, dimension, ends]] of $iter($m.items($c66))) {
 (value = $b.getattr(tested, key, null));
 if (((value != null) && !$truth(numbers__usual(value, ...$iter(ends))))) {
 (odd = true);
-yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c57, value, ends);
+yield usual__unusual(("" + $str(name) + " of " + $str(of)), dimension, $c58, value, ends);
 }
 }
 if ($truth(odd)) {
@@ -2012,8 +2014,8 @@ if ((tested != null)) {
 }
 (law = lagging.law.compact());
 for (friction of $iter([...(function* () { for (const pressure of $iter(pressures)) { yield summary__available(law, slip, pressure); } })()])) {
-if (!$truth(numbers__usual(friction, ...$iter($c66)))) {
-yield usual__unusual(("" + "friction of " + $str(of)), "number", $c57, friction, $c66);
+if (!$truth(numbers__usual(friction, ...$iter($c67)))) {
+yield usual__unusual(("" + "friction of " + $str(of)), "number", $c58, friction, $c67);
 return null;
 }
 }
@@ -2025,10 +2027,10 @@ for (case_ of $iter(drive.load_cases)) {
 for (pulley of $iter(drive.in_case(case_).pulleys)) {
 (names = usual___names(pulley, case_));
 (values = numbers__compared_sizes(usual__sizes_of(drive, case_, pulley)));
-for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c64, $k({strict: true})))) {
+for ([[name, dimension, place], value, [least, most]] of $iter($b.zip(names, values, $c65, $k({strict: true})))) {
 (made = $or(($in(name, ["modulus over the rating of the belt", "strength over the rating of the belt", "tension that keeps the belt from sagging"])), () => $m.startswith(name, "pressure of the belt at its rating")));
 if (!($truth(numbers__usual(value, least, most)) || ($truth(made) && $truth(odd)))) {
-(size = (($in(dimension, $c67)) ? drive.belt.width : 1.0));
+(size = (($in(dimension, $c68)) ? drive.belt.width : 1.0));
 (odd = true);
 yield usual__unusual(name, dimension, place, $mul(size, value), [$mul(size, least), $mul(size, most)]);
 }
@@ -2069,7 +2071,7 @@ $m.append($m.setdefault(found, kind, []), what);
 }
 ([grounds, words] = of_data__law_words(lagging));
 (words = $add(words, [...(function* () { for (const kind of $iter($c42)) { if (!(($in(kind, found)))) continue; yield ("" + $str($m.capitalize(kind)) + ": " + $str($m.join(", ", $b.fromkeys($at(found, kind)))) + "."); } })()]));
-(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c68))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
+(worst = $b.next((function* () { for (const [kind, word] of $iter($m.items($c69))) { if (!(($in(kind, [...$iter(grounds), ...$iter(found)])))) continue; yield word; } })(), ""));
 return new Check("data", "Data that the answer stands on", "OK", new Place($bound(pulley, "name")), undefined, undefined, undefined, undefined, undefined, worst, check__escaped($m.join(" ", words)), undefined, undefined, undefined, false);
 }
 function least_tension__least_tension(result) {
@@ -2079,10 +2081,10 @@ if (($truth($b.isinstance(result, TrainResult)) && $truth(result.adrift))) {
 return null;
 }
 (one = ($truth($b.isinstance(result, TrainResult)) ? result.drive_result() : result));
-if ((!$in(one, $c69))) {
-$put($c69, one, least_tension__least_of(one, $bound(one, "drive")));
+if ((!$in(one, $c70))) {
+$put($c70, one, least_tension__least_of(one, $bound(one, "drive")));
 }
-return $at($c69, one);
+return $at($c70, one);
 }
 function least_tension__least_of(result, drive) {
 let either, figure, found, given, held, weight, worst;
@@ -2135,7 +2137,7 @@ function* least_tension___figures(drive, case_, arcs, end) {
 let index, least, offset, place, result, rule, spot;
 
 for ([index, result] of $iter($b.enumerate(arcs))) {
-(spot = of_arc__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
+(spot = rules__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
 ([place, offset] = [spot.place, $sub(end, spot.state.slack)]);
 if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
@@ -2144,7 +2146,7 @@ yield* $iter(least_tension___slip(result, offset, place));
 yield* $iter(least_tension___standard(spot, offset));
 yield least_tension___gross_slip(drive, case_, arcs, index, end);
 }
-for (rule of $iter($c52)) {
+for (rule of $iter($c53)) {
 yield* $iter(least_tension___of_tension(rule, spot, end));
 }
 }
@@ -2214,7 +2216,7 @@ return design_standard___silent("CEMA", ("" + "its factors for manual take-ups a
 return new Asked(("" + "CEMA, manual take-up, Cw " + $format(factor, ("" + "g"))), factor, "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8)");
 }
 function design_standard___rows(lagging) {
-return $at($c70, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
+return $at($c71, (($eq(lagging.surface, "bare")) ? "bare" : "lagged"));
 }
 function design_standard___silent(name, why) {
 return new Asked(name, NaN, "", why);
@@ -2231,7 +2233,7 @@ if (!$truth(lagging.surface)) {
 return [null, design_standard___silent(name, ("" + "lagging " + $str(lagging.name) + " does not say what its surface is"))];
 }
 (condition = $or(standard.condition, () => lagging.condition));
-(found = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
+(found = [...(function* () { for (const d of $iter((() => $c72)())) { if (!((($eq(d.standard, name)) && ($eq(d.surface, lagging.surface))))) continue; yield d; } })()]);
 (value = $b.next((function* () { for (const d of $iter(found)) { if (!(($in(d.condition, ["", condition])))) continue; yield d; } })(), null));
 if ((value == null)) {
 return [null, design_standard___silent(name, ("" + "it has no value for " + $str(lagging.surface) + " when " + $str(condition)))];
@@ -2285,7 +2287,7 @@ function* least_tension___of_tension(rule, of, end) {
 let allowed, asks, least, limit, more, now, rise, value, words;
 
 ([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
-(asks = $and(rule.tension, () => $and((rule.firm == null), () => !$truth(rule.of_solution))));
+(asks = $and(rule.tension, () => (rule.firm == null)));
 if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
 return null;
 }
@@ -2331,9 +2333,9 @@ let both, missed, names;
 
 (missed = [...(function* () { for (const c of $iter(checks)) { if (!($truth(c.missed))) continue; yield [c.name, c.place]; } })()]);
 (names = new Set((function* () { for (const [name, _] of $iter(missed)) { yield name; } })()));
-(both = $and($b.bool($common(names, $c72)), () => $b.bool($common(names, $c73))));
+(both = $and($b.bool($common(names, $c73)), () => $b.bool($common(names, $c74))));
 function advised(check) {
-if (($in([$m.get($c74, $bound(check, "name"), ""), check.place], missed))) {
+if (($in([$m.get($c75, $bound(check, "name"), ""), check.place], missed))) {
 return $replaced(check, new Map([["remedy", "Mend first what the even pulley lacks: it fails too."]]));
 }
 if (($truth(check.missed) && $truth(check.otherwise) && !$truth(judge___helps(check, least, both)))) {
@@ -2405,7 +2407,7 @@ return "";
 }
 ([least, given] = [least_tension__at_least($bound(found, "tension")), sheet__named("tension", $bound(found, "given"))]);
 (governs = found.governing);
-(why = $at($c75, governs.name).what);
+(why = $at($c76, governs.name).what);
 if ($truth($math.isinf($bound(found, "tension")))) {
 return least_tension___none(found, result);
 }
@@ -2438,10 +2440,10 @@ if (($truth($math.isinf($bound(governs, "tension"))) && ($eq(governs.name, "desi
 return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str(governs.title) + " cannot be applied (" + $str(governs.place) + ").");
 }
 if (($truth($math.isinf($bound(governs, "tension"))) || (top == null))) {
-return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c75, governs.name).what) + " (" + $str(governs.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " with wrap pressures in the tested range keeps " + $str($at($c76, governs.name).what) + " (" + $str(governs.place) + ").");
 }
 ([asked, most] = [least_tension__at_least($bound(governs, "tension")), least_tension__at_most($bound(top, "tension"))]);
-return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c75, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c75, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
+return ("" + "No " + $str(least_tension__least_name(result)) + " keeps every binding check: " + $str($at($c76, governs.name).what) + " asks for " + $str(asked) + " (" + $str(governs.place) + "), and " + $str($at($c76, top.name).what) + " allows " + $str(most) + " (" + $str(top.place) + ").");
 }
 function least_tension__least_name(result) {
 
@@ -2587,7 +2589,7 @@ let arc, brakes, heads, method, result, rows, title;
 (rows = []);
 for (result of $iter(results)) {
 for (arc of $iter(result)) {
-(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c76, arc.method))) : ""));
+(method = (($b.len(results) > 1) ? ("" + ", " + $str($at($c77, arc.method))) : ""));
 (title = ("" + $str(arc.arc.load_case) + ": " + $str(arc.arc.pulley) + $str(method)));
 $m.append(rows, new Row(title, drive_sheet___summary_values(result, arc), undefined, undefined, undefined, words__level_of(result, arc)));
 }
@@ -2636,7 +2638,7 @@ return cellOf($bound(found, "tension"), "force", 3, "bare up", undefined, "tensi
 function words__alone_of(result, arc) {
 let known;
 
-(known = $m.setdefault($c77, result, $map([])));
+(known = $m.setdefault($c78, result, $map([])));
 if ((!$in(arc, known))) {
 $put(known, arc, words__alone($bound(result, "drive"), arc));
 }
@@ -2769,7 +2771,7 @@ function arc_tables__heads(results) {
 if ((($eq($b.len(results), 1)) && ($eq($at(results, 0).method, "distributed")))) {
 return [""];
 }
-return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c76, $bound(r, "method"), $bound(r, "method")); } })());
+return $b.tuple((function* () { for (const r of $iter(results)) { yield $m.get($c77, $bound(r, "method"), $bound(r, "method")); } })());
 }
 function arc_tables__creep_table(results) {
 let name, note, row, rows, texts;
@@ -2874,7 +2876,7 @@ return constant_friction__classical_drives($bound(result, "arc"), lagging);
 function constant_friction__classical_drives(arc, lagging) {
 let known;
 
-(known = [...(function* () { for (const value of $iter((() => $c71)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
+(known = [...(function* () { for (const value of $iter((() => $c72)())) { if (!(($eq(value.surface, lagging.surface)))) continue; yield value; } })()]);
 known.splice(0, Infinity, ...$b.sorted(known, $k({key: ((value) => (!$in(value.condition, ["", lagging.condition])))})));
 return $b.tuple((function* () { for (const value of $iter(known)) { yield constant_friction___classical(arc, value); } })());
 }
@@ -3005,7 +3007,7 @@ return ((worn > 0.0) ? (depth / worn) : Infinity);
 }
 function* wear_table___vendors(lagging, depth, energy, passes) {
 let ends, high, low, row;
-for (row of $iter((() => $c78)())) {
+for (row of $iter((() => $c79)())) {
 if (($eq(row.surface, lagging.surface))) {
 ([low, high] = row.life_years);
 (ends = (function* () { for (const y of $iter([high, low])) { yield wear__coefficient_of_life(depth, $mul(6000.0, y), energy, passes); } })());
@@ -3087,7 +3089,7 @@ yield inputs___named(group, name, $b.getattr(belt, key), origin(key));
 }
 }
 if (($truth(pitch__covered(belt)) && (belt.cover_shear_modulus == null))) {
-yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c79);
+yield inputs___named(group, "cover_shear_modulus", 1000000.0, $c80);
 }
 }
 function inputs___named(group, name, value, origin, remark = "") {
@@ -3100,7 +3102,7 @@ let by_formula, conditions, group, known, lagging, limit, offset, side, title;
 
 (group = ("" + "Pulley " + $str(pulley.name)));
 function origin(key) {
-return $m.get(pulley.sources, key, $c80);
+return $m.get(pulley.sources, key, $c81);
 }
 $sig(origin, ["key"], false);
 yield inputs___named(group, "diameter", $bound(pulley, "diameter"), origin("diameter"));
@@ -3126,7 +3128,7 @@ if (!$truth(pulley.recovery)) {
 yield new Input(group, "Recovery of the lagging", "not counted", undefined, undefined, origin("recovery"));
 }
 (limit = drive.creep_limit_of(pulley));
-(known = (($eq(limit, 0.00635)) ? $c81 : $c80));
+(known = (($eq(limit, 0.00635)) ? $c82 : $c81));
 yield inputs___named(group, "creep_limit", limit, $m.get(pulley.sources, "creep_limit", known));
 (conditions = (function* () { for (const lagging of $iter($or(pulley.conditions, () => [pulley.lagging]))) { yield lagging.condition; } })());
 ([lagging, title] = [("" + $str(pulley.lagging.name) + " (" + $str($m.join(", ", conditions)) + ")"), pulley.lagging.title]);
@@ -3219,10 +3221,10 @@ if ((($eq(name, tight)) && (drive.belt.rating != null))) {
 (share = cell__percent((value / $mul(drive.belt.rating, drive.belt.width))));
 (used = ("" + $str(share) + " of the belt's rating"));
 }
-(origin = $m.get(pulley.sources, name, $c80));
+(origin = $m.get(pulley.sources, name, $c81));
 (why = inputs___computed(drive, arc, $m.removesuffix(name, "_tension")));
 if ($truth(why)) {
-([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c82, name)) + " " + $str(why)), used])), null]);
+([used, origin] = [$m.join("; ", $b.filter(null, [("" + $str($at($c83, name)) + " " + $str(why)), used])), null]);
 }
 yield inputs___named(group, name, value, origin, used);
 }
@@ -3251,7 +3253,7 @@ let name, path, place, position;
 
 (place = []);
 (path = []);
-for ([name, position] of $iter($m.findall($c83, key))) {
+for ([name, position] of $iter($m.findall($c84, key))) {
 if ($truth(name)) {
 $m.append(path, name);
 $m.append(place, $m.get(names, $m.join(".", path), name));
@@ -3281,10 +3283,10 @@ function lagging_build__build_laggings(record, report) {
 let common, found, laws, made, notes, parts, sources;
 
 (found = $b.len($bound(report, "problems")));
-(sources = origins__read_sources(record, $c84, report));
-(common = $map([...(function* () { for (const key of $iter($c85)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(sources = origins__read_sources(record, $c85, report));
+(common = $map([...(function* () { for (const key of $iter($c86)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 $put(common, "provenance", $or(origins__own_provenance(record, report), () => new Provenance()));
-$put(common, "cost", $c86.built($m.get(record, "cost"), report));
+$put(common, "cost", $c87.built($m.get(record, "cost"), report));
 (common = $merged(common, lagging_build___elasticity(record, sources, $at(common, "provenance"), report)));
 (laws = [...(function* () { for (const law of $iter($m.get(record, "law", []))) { if (!($truth($b.isinstance(law, Record)))) continue; yield law; } })()]);
 (notes = $b.tuple($m.get(record, "notes", [])));
@@ -3303,8 +3305,8 @@ return $or(made, () => []);
 function lagging_build___elasticity(record, sources, provenance, report) {
 let given, known, message, place, remedy, stated;
 
-(given = [...(function* () { for (const key of $iter($c87)) { if (!(($in(key, record)))) continue; yield key; } })()]);
-if (!$truth(record.sound("thickness", ...$iter($c87)))) {
+(given = [...(function* () { for (const key of $iter($c88)) { if (!(($in(key, record)))) continue; yield key; } })()]);
+if (!$truth(record.sound("thickness", ...$iter($c88)))) {
 return $map([]);
 }
 if ((!$in("thickness", record))) {
@@ -3326,7 +3328,7 @@ if ((!$truth(known) && ($at(record, "thickness") > 0.0))) {
 report.add(place, "missing, and the lagging is not rigid", remedy);
 return $map([]);
 }
-(stated = $map([...(function* () { for (const key of $iter($c88)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
+(stated = $map([...(function* () { for (const key of $iter($c89)) { if (!(($in(key, record)))) continue; yield [key, $at(record, key)]; } })()]));
 return ($truth(known) ? $merged(lagging_build___estimated(record, sources, provenance, report), stated) : stated);
 }
 function lagging_build___estimated(record, sources, provenance, report) {
@@ -3348,14 +3350,14 @@ if ((!$in("compression_modulus", record))) {
 (young = $mul($at(record, basis), (($eq(basis, "elastic_modulus")) ? 1.0 : 3.0)));
 (shape = $m.get(record, "block", $map([])));
 (height = (($in("height", shape)) ? $map([]) : $map([["height", $at(record, "thickness")]])));
-(least = $at($c89, "height").least);
+(least = $at($c90, "height").least);
 if (($truth(height) && $truth(shape) && ($at(record, "thickness") < least))) {
 (message = ("" + "must be at least " + $str(display__display(least, "length")) + ", the height of its blocks"));
 (remedy = "Give the thickness, or a lagging without blocks.");
 report.add([...$iter(record.place), "thickness"], message, remedy, $m.get(record.raw, "thickness"));
 return $map([]);
 }
-(block = $method($c90, "built", [shape, report], [...height]));
+(block = $method($c91, "built", [shape, report], [...height]));
 $put(moduli, "compression_modulus", ($truth(block) ? compression__compression_modulus(young, block) : young));
 $put(moduli, "block", block);
 (text = lagging_build___compression_note(block, (($eq(basis, "elastic_modulus")) ? "E" : "3 G")));
@@ -3381,7 +3383,7 @@ let found, row, source;
 for (row of $iter($m.get(record, "condition_factor", []))) {
 if (($truth($b.isinstance(row, Record)) && $truth(row.sound()))) {
 (source = origins__read_provenance($at(row, "provenance"), report));
-$put(found, $at(row, "condition"), $method($c91, "built", [row, report], [["source", source]]));
+$put(found, $at(row, "condition"), $method($c92, "built", [row, report], [["source", source]]));
 }
 }
 return $map([...(function* () { for (const [name, factor] of $iter($m.items(found))) { if (!((factor != null))) continue; yield [name, factor]; } })()]);
@@ -3399,7 +3401,7 @@ if ($truth($b.isinstance($m.get(law, "condition_source"), Record))) {
 if ((factors != null)) {
 (parts = $merged(parts, factors.sources));
 }
-return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c98.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
+return $map([["law", ((factors != null) ? factors.used : tested)], ["factors", factors], ["condition", $m.get(law, "condition", "dry")], ["fit", $c99.built($m.get(law, "fit"), report)], ["notes", [...$iter(notes), ...$iter($m.get(law, "notes", []))]], ["sources", $merged(sources, $map([...(function* () { for (const [part, of] of $iter($m.items(parts))) { if (!($truth(of))) continue; yield [part, of]; } })()]))]]);
 }
 function laws__read_law(record, report) {
 let error, kind, law, names;
@@ -3408,7 +3410,7 @@ if (!$truth(record.sound())) {
 return null;
 }
 (kind = $at(record, "kind"));
-(names = $merged($c92, $map([["pressure", $m.get($c93, kind, "tested_pressure")]])));
+(names = $merged($c93, $map([["pressure", $m.get($c94, kind, "tested_pressure")]])));
 try {
 
 if (($eq(kind, "integral-log"))) {
@@ -3417,7 +3419,7 @@ if (($eq(kind, "integral-log"))) {
 if (($eq(kind, "table"))) {
 (law = laws___table(record));
 } else {
-(law = $method($c94, "built", [record, report], [["tested", laws___tested(record)]]));
+(law = $method($c95, "built", [record, report], [["tested", laws___tested(record)]]));
 }
 }
 if (((law != null) && ($in("slip_includes", record)))) {
@@ -3600,7 +3602,7 @@ return terms;
 }
 function trends___grammar() {
 
-return $c95;
+return $c96;
 }
 const $kept_trends___grammar = new Map();
 function trends___refused(text, message) {
@@ -3701,7 +3703,7 @@ function lagging_build___factors(tested, law, record, report) {
 let found, key, made, source, table, tables;
 
 (tables = $map([]));
-for ([key, table] of $iter([["slip_speed", $c96], ["temperature", $c97]])) {
+for ([key, table] of $iter([["slip_speed", $c97], ["temperature", $c98]])) {
 if (($in(("" + $str(key) + "_factor"), law))) {
 (source = origins__read_provenance($m.get($at(law, ("" + $str(key) + "_factor")), "provenance"), report));
 (found = $method(table, "built", [$at(law, ("" + $str(key) + "_factor")), report], [["source", source]]));
@@ -3760,7 +3762,7 @@ return lagging_file___checked_record(parsed(text, file), file);
 function lagging_file___checked_record(document, file) {
 let record, report;
 
-([record, report] = source__read_tables($c99, document, file));
+([record, report] = source__read_tables($c100, document, file));
 if ($truth(report.problems)) {
 lagging_build__build_laggings(record, report);
 report.raise_all();
@@ -3796,7 +3798,7 @@ let own, provenance, sources;
 
 (own = $or($m.get(given, "provenance"), () => drive_build___given_instead(given)));
 (sources = $map([...(function* () { for (const [key, of] of $iter($m.items($m.get(base, "sources", $map([]))))) { if (!((!$in(key, given)))) continue; yield [key, of]; } })()]));
-(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c101)))) continue; yield [key, own]; } })()])));
+(sources = $merged(sources, $map([...(function* () { for (const key of $iter(given)) { if (!(($in(key, $c102)))) continue; yield [key, own]; } })()])));
 (provenance = (($in("provenance", base)) ? $map([["provenance", $at(base, "provenance")]]) : $map([])));
 return $map([["sources", $merged(sources, $m.get(given, "sources", $map([])))], ...provenance]);
 }
@@ -3823,11 +3825,11 @@ return problems;
 function conditions__design_ratio(standard, surface, condition, tested = "dry") {
 let band, dry, here, high, known, low, note, source, there;
 
-(there = [...(function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
+(there = [...(function* () { for (const d of $iter((() => $c72)())) { if (!((($eq(d.standard, standard)) && ($eq(d.surface, surface))))) continue; yield d; } })()]);
 (here = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, condition)))) continue; yield d; } })(), null));
 (dry = $b.next((function* () { for (const d of $iter(there)) { if (!(($eq(d.condition, tested)))) continue; yield d; } })(), null));
 if (((here == null) || (dry == null))) {
-(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
+(known = $b.sorted(new Set((function* () { for (const d of $iter((() => $c72)())) { if (!($truth(d.condition))) continue; yield d.standard; } })())));
 throw errors__input_error(("" + "no design values of surface " + $str($shown(surface)) + " both " + $str(tested) + " and " + $str(condition)), ("" + $str($m.join(", ", known)) + " have dry, wet, and wet and dirty; or state a factor."), undefined, ("" + "condition." + $str(condition)), $shown(standard));
 }
 ([low, high] = [($at(here.friction, 0) / $at(dry.friction, 1)), ($at(here.friction, 1) / $at(dry.friction, 0))]);
@@ -3844,7 +3846,7 @@ return (($eq(low, high)) ? ("" + $format(low, ("" + "g"))) : ("" + $format(low, 
 function conditions__published_conditions(surface) {
 let values;
 
-(values = (function* () { for (const d of $iter((() => $c71)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
+(values = (function* () { for (const d of $iter((() => $c72)())) { if (!((($eq(d.surface, surface)) && $truth(d.condition)))) continue; yield d; } })());
 return $b.tuple($b.fromkeys((function* () { for (const d of $iter(values)) { yield d.condition; } })()));
 }
 function criteria__choice_problems(thing, choices) {
@@ -4099,7 +4101,7 @@ let order, unknown;
 
 (order = numbers__order_of($bound(check, "margin"), $bound(check, "missed"), $bound(check, "binding"), $bound(check, "advises"), $bound(check, "leads")));
 (unknown = (check.level === "NOT CHECKED"));
-return [$neg(($truth(unknown) ? $add($told($c109, "OK", "rank"), 0.5) : $told($c109, check.level, "rank"))), order];
+return [$neg(($truth(unknown) ? $add($told($c110, "OK", "rank"), 0.5) : $told($c110, check.level, "rank"))), order];
 }
 function numbers__order_of(margin, missed, binding, advises, leads) {
 let found;
@@ -4148,9 +4150,6 @@ return state.motor;
 function of_arc___binds(drive) {
 return drive.criteria.standard.binding;
 }
-function of_arc___creep(state) {
-return state.creep;
-}
 function of_arc___creep_limit(_, state) {
 return state.creep_limit;
 }
@@ -4158,7 +4157,7 @@ function of_arc___creeps(of) {
 let limit;
 
 (limit = of.state.creep_limit);
-return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c592, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
+return new Words("Creep at exit", (($eq(limit, 0.00635)) ? "conservative limit, 1/4 in; B. DeVries, A model of lagging friction" : "given"), "over creep limit", "Creeps {value}, more than the limit of {limit}.", "A belt that creeps more than {slides} slides.", of_arc___qualifies($bound(of, "drive"), limit), "Raise the slack-side tension, enlarge the wrap angle, or choose a lagging with more friction.", "No slack-side tension is enough: enlarge the wrap angle, or choose a lagging with more friction.", $map([["fabric", [$at($c593, "fabric"), "force_per_width"]], ["slides", [0.0635, "length"]], ["allowed", [0.0127, "length"]]]));
 }
 function of_arc___qualifies(drive, limit) {
 let belt, least, over, rating, steel, strong;
@@ -4167,7 +4166,7 @@ let belt, least, over, rating, steel, strong;
 if ((!$eq(limit, 0.00635))) {
 return "";
 }
-(least = $m.get($c592, $bound(belt, "kind")));
+(least = $m.get($c593, $bound(belt, "kind")));
 ([steel, rating] = [($eq(belt.kind, "steel cord")), belt.rating]);
 if (((least == null) || ((rating == null) && !$truth(steel)))) {
 return "Whether this belt may creep more is not known: its carcass or rating is not given.";
@@ -4250,7 +4249,7 @@ let asked, rating, strength;
 if ((strength == null)) {
 return NaN;
 }
-(asked = $m.get($c593, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
+(asked = $m.get($c594, $bound(belt, "kind"), ((rating == null) ? NaN : 4.0)));
 if (((rating != null) && $truth(of_drive__rated(belt)))) {
 (asked = (strength / rating));
 }
@@ -4273,7 +4272,7 @@ if (($truth(momentary) && (belt.momentary_factor != null))) {
 (factor = ("" + " over momentary_factor, " + $format(belt.momentary_factor, ("" + "g"))));
 }
 (source = ("" + "customary for " + $str(belt.kind) + ", by works that follow DIN 22101" + $str(factor)));
-if ((!$in(belt.kind, $c593))) {
+if ((!$in(belt.kind, $c594))) {
 (source = ("" + "the least that any belt is rated with" + $str(factor)));
 }
 if ($truth(of_drive__rated(belt))) {
@@ -4298,9 +4297,6 @@ if ((belt.largest_wrap_pressure == null)) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the largest wrap pressure of the belt is not given");
 }
 return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
-}
-function of_arc___shear(state) {
-return state.shear;
 }
 function of_arc___bond_strength(of) {
 return of.pulley.lagging.bond_strength;
@@ -4376,9 +4372,6 @@ return null;
 (otherwise = "Test the lagging at this pressure.");
 return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
 }
-function of_arc___slip(state) {
-return state.slip;
-}
 function of_arc___slip_max(of) {
 let tested;
 (tested = of.pulley.lagging.law.tested);
@@ -4389,9 +4382,6 @@ if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
 return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
-}
-function of_arc___slip_speed(state) {
-return state.slip_speed;
 }
 function of_arc___tested_speed(of) {
 let tested;
@@ -4408,7 +4398,7 @@ if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
 }
-if (((of.drive.belt.speed == null) || ($truth($math.isnan($bound(of.state, "slip_speed"))) && !$truth(of.unknown)))) {
+if (((of.drive.belt.speed == null) || $truth($math.isnan($m.get(of.state.found, "slip_speed", 0.0))))) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
 }
 return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
@@ -4540,7 +4530,7 @@ return (value !== $c7);
 function tables___frozen(value) {
 return ($truth($b.isinstance(value, "list")) ? $b.tuple($b.map(tables___frozen, value)) : value);
 }
-function tables__need(key, meaning = "", kind = $c864, more = new Map()) {
+function tables__need(key, meaning = "", kind = $c866, more = new Map()) {
 
 return $replaced($call(Entry, [key, meaning, kind], [...more]), new Map([["required", true]]));
 }
@@ -4550,14 +4540,14 @@ let least;
 if (!$truth($math.isnan(resistance__coefficient_at(length)))) {
 return [];
 }
-(least = $at($at($c869, 0), 0));
+(least = $at($at($c871, 0), 0));
 return [new Problem(("" + "is below " + $format(least, ("" + "g")) + " m, where no coefficient C is tabulated"), "Give secondary_resistance, or a length_coefficient of your own.", undefined, "length", display__display(length, "length"))];
 }
 function resistance__coefficient_at(length) {
 let end, found, high, low, start;
 
-(found = ((length < $at($at($c869, 0), 0)) ? NaN : $at($at($c869, $neg(1)), 1)));
-for ([[start, high], [end, low]] of $iter($b.pairwise($c869))) {
+(found = ((length < $at($at($c871, 0), 0)) ? NaN : $at($at($c871, $neg(1)), 1)));
+for ([[start, high], [end, low]] of $iter($b.pairwise($c871))) {
 if ((start <= length && length <= end)) {
 return $add(high, ($mul($sub(low, high), $sub(length, start)) / $sub(end, start)));
 }
@@ -4621,7 +4611,7 @@ let _, chosen, criteria, found, how, limit, name, pulley, rule, start, tensions,
 
 ([criteria, pulley] = [of.drive.criteria, of.pulley]);
 (found = design_standard__asked($bound(criteria, "standard"), $bound(criteria, "take_up"), $bound(pulley, "lagging"), $bound(pulley, "wrap_angle")));
-([tensions, rule] = [$at(of.case.tensions, pulley.name), $c574.held($bound(of, "drive"))]);
+([tensions, rule] = [$at(of.case.tensions, pulley.name), $c575.held($bound(of, "drive"))]);
 if (((found == null) || $truth(numbers__idles($bound(tensions, "entry"), $bound(tensions, "exit"))))) {
 return null;
 }
@@ -4646,7 +4636,7 @@ yield rule.judged($bound(of.state, "slack"), limit, $bound(of, "place"), words);
 function* of_arc___cover_creep(of) {
 let found, rule, title, told, words;
 
-([rule, title] = [$c576, "Creep at exit, with the cover of the belt in series"]);
+([rule, title] = [$c577, "Creep at exit, with the cover of the belt in series"]);
 if (((of.result == null) || ($eq(of.result.arc.cover_left_out, 0.0)))) {
 return null;
 }
@@ -4720,7 +4710,7 @@ return null;
 ([pull, g] = [result.effective_tension, result.entry_creep_ratio]);
 (value = numbers__balance_miss(error, pull, g, $bound(arc, "entry_tension"), $bound(arc, "compliance")));
 (words = new Words("Energy balance of the solution", "tolerance of the program", "out of balance", "The energy balance of the solution misses by {value}, more than {limit}.", undefined, undefined, "Please report the drive file; until then change a value slightly."));
-yield $c590.judged(value, 0.0001, $bound(of, "place"), words);
+yield $c591.judged(value, 0.0001, $bound(of, "place"), words);
 }
 function numbers__balance_miss(error, pull, g, entry, compliance) {
 let exact, scale, told;
@@ -4966,7 +4956,7 @@ return null;
 }
 }
 (values = $b.dict($or(base, () => $map([]))));
-for (group of $iter($c100)) {
+for (group of $iter($c101)) {
 if ($truth($b.any((function* () { for (const key of $iter(group)) { yield ($in(key, given)); } })()))) {
 for (key of $iter(group)) {
 $m.pop(values, key, null);
@@ -5043,7 +5033,7 @@ return self._published(lagging);
 _published(lagging) {
 const self = this; let standard, tables;
 
-(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c71)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
+(tables = $b.fromkeys((function* () { for (const d of $iter((() => $c72)())) { if (!($truth(d.condition))) continue; yield d.standard; } })()));
 for (standard of $iter($b.sorted(tables, $k({key: ((name) => (!$eq(name, "DIN 22101")))})))) {
 try {
 return conditions__design_ratio(standard, $bound(lagging, "surface"), $bound(self, "name"), $bound(lagging, "condition"));
@@ -5092,7 +5082,7 @@ const self = this; super.$init(message);
 }
 class Unit extends $Tuple {
 }
-$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c110});
+$sig(Unit, ["factor", "powers", "zero"], false, {zero: () => $c111});
 class UnitRow extends $Tuple {
 }
 $sig(UnitRow, ["unit", "factor", "larger"], false, {});
@@ -5150,7 +5140,7 @@ at(speed) {
 const self = this; 
 return new DrumAt($bound(self, "diameter"), speed);
 }
-overridden(record, fixed = false, speed = null, runs = $c102) {
+overridden(record, fixed = false, speed = null, runs = $c103) {
 const self = this; let kept, over, own, values;
 
 (over = Given.of($bound(self, "name"), record, $bound(self, "diameter")));
@@ -5186,7 +5176,7 @@ $sig(Tensions, ["entry", "exit", "computed"], false, {computed: () => new Map()}
 class LoadCase extends $Object {
 __post_init__() {
 const self = this; let problems;
-(problems = criteria__choice_problems(self, $map([["kind", $c103]])));
+(problems = criteria__choice_problems(self, $map([["kind", $c104]])));
 limits__raise_all($add(limits__name_problems("name", $bound(self, "name")), problems));
 }
 }
@@ -5487,7 +5477,7 @@ const self = this; let fixed, given, runs;
 if ((over == null)) {
 return given;
 }
-([runs, fixed] = [$c102, self._take_up.fixed]);
+([runs, fixed] = [$c103, self._take_up.fixed]);
 if ($truth(fixed)) {
 (runs = new RunsGain($b.sum(self._runs(train, null)), $b.sum(self._runs(train, over))));
 }
@@ -5500,7 +5490,7 @@ const self = this; let after, base, ends, first, k, message, names, own, remedy;
 if (((over == null) || (!$in(after, $slice(names, null, $neg(1)))) || ($in("entry_tension", over)) || ($in("exit_tension", over)))) {
 return given;
 }
-if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c104), ...$iter($c105), "run"])) { yield ($in(key, over)); } })())))) {
+if (((division == null) || !$truth($b.any((function* () { for (const key of $iter([...$iter($c105), ...$iter($c106), "run"])) { yield ($in(key, over)); } })())))) {
 return given;
 }
 ([own, base] = [self._runs(train, null), self._division(train, null)]);
@@ -5544,10 +5534,10 @@ _division(train, over) {
 const self = this; let message, modes, record;
 
 (record = train);
-if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c105)) { yield ($in(mode, over)); } })())))) {
+if (((over != null) && $truth($b.any((function* () { for (const mode of $iter($c106)) { yield ($in(mode, over)); } })())))) {
 (record = over);
 }
-(modes = [...(function* () { for (const mode of $iter($c105)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
+(modes = [...(function* () { for (const mode of $iter($c106)) { if (!(($in(mode, record)))) continue; yield mode; } })()]);
 if (($b.len(modes) > 1)) {
 (message = ("" + $str($m.join(" and ", modes)) + " each decide how the load divides"));
 self._report.add($bound(record, "place"), message, "Keep one of them.");
@@ -5623,7 +5613,7 @@ self._report.add([...$iter(train.place), "motor", name], message, errors__neares
 }
 (missing = [...(function* () { for (const name of $iter(names)) { if (!((!$in(name, tables)))) continue; yield name; } })()]);
 for (name of $iter(missing)) {
-(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c106))) + "\"."));
+(remedy = ("" + "Write [train.motor." + $str(name) + "] with kind = \"" + $str($b.next($b.iter($c107))) + "\"."));
 self._report.add([...$iter(train.place), "motor", name], "missing", remedy);
 }
 if (($truth(missing) || (!$eq($b.len(tables), $b.len(names))))) {
@@ -5635,7 +5625,7 @@ return (($eq($b.len(made), $b.len(names))) ? new Motors(made) : null);
 }
 _motor(record) {
 const self = this; let motor;
-(motor = $c107.built(record, $bound(self, "_report")));
+(motor = $c108.built(record, $bound(self, "_report")));
 return motor;
 }
 }
@@ -5993,7 +5983,7 @@ return ($truth(self.below) ? 1.0 : numbers__margin_of($bound(self, "value"), $bo
 }
 get compares() {
 const self = this; 
-return $and((!$in(self.name, $c108)), () => (self.level !== "NOT CHECKED"));
+return $and((!$in(self.name, $c109)), () => (self.level !== "NOT CHECKED"));
 }
 get below() {
 const self = this; 
@@ -6016,7 +6006,7 @@ return numbers__times_of($bound(self, "value"), $bound(self, "limit"));
 }
 get missed() {
 const self = this; 
-return ($told($c109, self.level, "rank") >= $told($c109, "ATTENTION", "rank"));
+return ($told($c110, self.level, "rank") >= $told($c110, "ATTENTION", "rank"));
 }
 texts() {
 const self = this; let limit;
@@ -6051,15 +6041,15 @@ return $m.join(" ", (function* () { for (const part of $iter([self.says, self.re
 }
 get numerical() {
 const self = this; 
-return ($in(self.name, $c855));
+return ($in(self.name, $c857));
 }
 get advises() {
 const self = this; 
-return $or(($in(self.name, $c856)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
+return $or(($in(self.name, $c858)), () => $and(($eq(self.name, "design_standard")), () => !$truth(self.binding)));
 }
 get leads() {
 const self = this; 
-return $and((self.level === "FAILS"), () => ($in(self.name, $c857)));
+return $and((self.level === "FAILS"), () => ($in(self.name, $c859)));
 }
 _beside(name) {
 const self = this; let dimension, others, value;
@@ -6069,7 +6059,7 @@ const self = this; let dimension, others, value;
 return $b.min(others, $k({key: ((other) => $b.abs($sub(other, value))), default: NaN}));
 }
 }
-$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c57, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
+$sig(Check, ["name", "title", "level", "place", "value", "limit", "dimension", "at_most", "source", "short", "says", "remedy", "otherwise", "more", "binding", "miss"], false, {place: () => $c58, value: () => NaN, limit: () => NaN, dimension: () => "number", at_most: () => true, source: () => "", short: () => "", says: () => "", remedy: () => "", otherwise: () => "", more: () => new Map(), binding: () => true, miss: () => null});
 class Pulls extends $Object {
 }
 $sig(Pulls, ["effective_tensions"], false, {});
@@ -6084,7 +6074,7 @@ class Speeds extends $Object {
 $sig(Speeds, ["rotation_speeds", "absolute"], false, {absolute: () => false});
 class Owner extends $Tuple {
 }
-$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c57, more: () => []});
+$sig(Owner, ["of", "kinds", "words", "place", "more"], false, {place: () => $c58, more: () => []});
 class Sliding extends $Tuple {
 }
 $sig(Sliding, ["place", "cause"], false, {});
@@ -6102,7 +6092,7 @@ const self = this; let end, slack, tight;
 return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end", end]]));
 }
 }
-$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "creep", "slip", "slip_speed", "shear", "motor"], false, {});
+$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "motor", "found"], false, {});
 class VariableSpeed extends Motor {
 largest_load() {
 const self = this; let stall;
@@ -6321,7 +6311,7 @@ const self = this; let first, others, told;
 (first = new Set((function* () { for (const c of $iter([self.governing, self.odd])) { if (!((c != null))) continue; yield c.name; } })()));
 (others = (function* () { for (const check of $iter(self.missed)) { if (!((!$in(check.name, first)))) continue; yield check; } })());
 (told = [...(function* () { for (const check of $iter(others)) { yield ("" + $str(check.level) + ": " + $str(check__placed(check))); } })()]);
-if ((($told($c109, self.level, "rank") > $told($c109, "OK", "rank")) && $truth(self.qualifier))) {
+if ((($told($c110, self.level, "rank") > $told($c110, "OK", "rank")) && $truth(self.qualifier))) {
 $m.append(told, ("" + "All of this stands " + $str(self.qualifier) + "."));
 }
 return $b.tuple(told);
@@ -6339,7 +6329,7 @@ $find_qualifier() {
 const self = this; let found;
 
 (found = new Set((function* () { for (const c of $iter(self.checks)) { if (!(($eq(c.name, "data")))) continue; yield c.short; } })()));
-return $b.next((function* () { for (const word of $iter($c858)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
+return $b.next((function* () { for (const word of $iter($c860)) { if (!(($in(word, found)))) continue; yield word; } })(), "");
 }
 }
 $sig(Verdict, ["checks", "wet", "over_wet"], false, {wet: () => -1.0, over_wet: () => false});
@@ -6348,7 +6338,7 @@ class Row extends $Object {
 $sig(Row, ["title", "values", "symbol", "note", "name", "level"], false, {symbol: () => "", note: () => "", name: () => "", level: () => null});
 class Table extends $Object {
 }
-$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c111, note: () => "", name: () => "", short: () => null, brief: () => ""});
+$sig(Table, ["title", "rows", "heads", "note", "name", "short", "brief"], false, {heads: () => $c112, note: () => "", name: () => "", short: () => null, brief: () => ""});
 class FrictionLaw extends $Object {
 scaled(friction = 1.0, slip = 1.0) {
 const self = this; 
@@ -6421,7 +6411,7 @@ const self = this; let origin;
 return $m.join("; ", (function* () { for (const part of $iter([origin, self.remark])) { if (!($truth(part))) continue; yield part; } })());
 }
 }
-$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c80, remark: () => "", name: () => ""});
+$sig(Input, ["group", "title", "value", "dimension", "symbol", "origin", "remark", "name"], false, {dimension: () => "number", symbol: () => "", origin: () => $c81, remark: () => "", name: () => ""});
 class Sources extends $Object {
 $init() {
 const self = this; (self._numbers = $map([]));
@@ -6480,12 +6470,12 @@ class Trend extends $Object {
 __post_init__() {
 const self = this; let n;
 (n = $b.len($bound(self, "coefficients")));
-base__check([($in(self.form, $c859)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c859)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
+base__check([($in(self.form, $c861)), "form", self.form, ("" + "the form must be one of " + $str($m.join(", ", $c861)))], [(1 <= n && n <= 4), "coefficients", $b.str(n), "one to four coefficients are needed"], [$b.all($b.map($math.isfinite, $bound(self, "coefficients"))), "coefficients", $b.str($bound(self, "coefficients")), "must be finite"], [($in(self.sign, [1, $neg(1)])), "sign", $b.str($bound(self, "sign")), "the sign must be 1 or -1"]);
 }
 at(pressure) {
 const self = this; let c, exponential, logarithmic, v, y;
 
-([logarithmic, exponential] = $at($c859, self.form));
+([logarithmic, exponential] = $at($c861, self.form));
 ([v, y] = [($truth(logarithmic) ? $math.log(pressure) : pressure), 0.0]);
 for (c of $iter($b.reversed($bound(self, "coefficients")))) {
 (y = $add(c, $mul(y, v)));
@@ -6504,7 +6494,7 @@ return $replaced(self, new Map([["coefficients", $b.tuple((function* () { for (c
 row() {
 const self = this; let c, exponential, logarithmic;
 
-([logarithmic, exponential] = $at($c859, self.form));
+([logarithmic, exponential] = $at($c861, self.form));
 (c = $add(self.coefficients, $mul([0.0], $sub(4, $b.len($bound(self, "coefficients"))))));
 return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bound(self, "sign")) : 0.0)];
 }
@@ -6512,7 +6502,7 @@ return [...$iter(c), $b.float(logarithmic), ($truth(exponential) ? $b.float($bou
 $sig(Trend, ["form", "coefficients", "sign"], false, {form: () => "polynomial", sign: () => 1});
 class Piece extends $Object {
 }
-$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c112, residual_friction: () => $c113});
+$sig(Piece, ["a", "b", "post_peak_slope", "residual_friction"], false, {post_peak_slope: () => $c113, residual_friction: () => $c114});
 class CoefficientPieces extends $Object {
 __post_init__() {
 const self = this; let n, problems;
@@ -6670,8 +6660,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__name_problems("condition", $bound(self, "condition"))));
 (problems = $add(problems, limits__limit_problems(self, $bound(self, "LIMITS"))));
-if (($truth(self.surface) && (!$in(self.surface, $c860)))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c860))));
+if (($truth(self.surface) && (!$in(self.surface, $c862)))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c862))));
 $m.append(problems, new Problem(message, undefined, undefined, "surface", $shown($bound(self, "surface"))));
 }
 limits__raise_all(problems);
@@ -6740,7 +6730,7 @@ class TakeUp extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c861)]]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["kind", ["", ...$iter($c863)]]]))));
 if (($truth(self.after) && $truth(self.fixed))) {
 (message = "a fixed take-up holds the sum of both tensions wherever it stands");
 (remedy = "Leave it out, or correct the kind.");
@@ -6773,7 +6763,7 @@ $sig(TakeUp, ["kind", "sheave_ratio", "after"], false, {kind: () => "", sheave_r
 class DesignStandard extends $Object {
 __post_init__() {
 const self = this; let given, message, problems, remedy, words;
-(words = $map([["name", ["", ...$iter($c862)]], ["condition", ["", ...$iter($c863)]]]));
+(words = $map([["name", ["", ...$iter($c864)]], ["condition", ["", ...$iter($c865)]]]));
 (problems = $add(limits__limit_problems(self, $bound(self, "LIMITS")), criteria__choice_problems(self, words)));
 if ((!$eq(($eq(self.name, "own")), (self.friction != null)))) {
 (given = ((self.friction == null) ? "" : ("" + $format(self.friction, ("" + "g")))));
@@ -6813,7 +6803,7 @@ get _fields() { return $kept(this, "_fields", this.$find__fields()); }
 $init(title, ...entries) {
 const self = this; const {of: of = null, on_one_line: on_one_line = false} = $named(entries);
 ([self.title, self.of, self.on_one_line] = [title, of, on_one_line]);
-(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c864) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
+(self.entries = $b.tuple((function* () { for (const e of $iter(entries)) { yield ((e.kind === $c866) ? $replaced(e, new Map([["kind", tables___kind_of(of, $bound(e, "attribute"))]])) : e); } })()));
 (self._known = $map([...(function* () { for (const entry of $iter(self.entries)) { yield [entry.key, entry]; } })()]));
 }
 read(raw, place, report) {
@@ -6887,7 +6877,7 @@ const self = this; (self.title = $or(self.title, () => $m.capitalize($m.replace(
 (self.attribute = $or(self.attribute, () => self.key));
 }
 }
-$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c864, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
+$sig(Entry, ["key", "meaning", "kind", "title", "required", "alias", "example", "attribute", "unless", "stated"], false, {meaning: () => "", kind: () => $c866, title: () => "", required: () => false, alias: () => "", example: () => "", attribute: () => "", unless: () => "", stated: () => false});
 class Name extends Kind {
 read(raw, place, report) {
 const self = this; let value;
@@ -6910,7 +6900,7 @@ report.add(place, "must be text", "Put it in quotes.", raw);
 if (($b.len(raw) > self.longest)) {
 report.add(place, ("" + "longer than " + $str(self.longest) + " characters"), "Shorten it.", raw);
 } else {
-if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c865) : raw)))) {
+if (!$truth($m.isprintable(($truth(self.lines) ? $m.translate(raw, $c867) : raw)))) {
 report.add(place, "holds characters that cannot be printed", "Remove them.", raw);
 } else {
 return raw;
@@ -7040,7 +7030,7 @@ return $m.get(self.sources, part, $bound(self, "provenance"));
 get breaking_strength() {
 const self = this; let bare, found, told;
 
-(found = $m.search($c866, $m.upper($m.strip(self.name))));
+(found = $m.search($c868, $m.upper($m.strip(self.name))));
 if (((self.strength != null) || (found == null))) {
 return self.strength;
 }
@@ -7130,7 +7120,7 @@ class DimensionText extends $Tuple {
 $sig(DimensionText, ["si_unit", "name", "example"], false, {});
 class Definition extends $Tuple {
 }
-$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c873});
+$sig(Definition, ["names", "factor", "unit", "zero"], false, {zero: () => $c875});
 class Variant extends Kind {
 $init(tag, meaning, ...tables) {
 const self = this; (self.tag = tag);
@@ -7164,7 +7154,7 @@ class Pulley extends $Object {
 __post_init__() {
 const self = this; let problems, worn;
 (problems = $add(limits__name_problems("name", $bound(self, "name")), limits__limit_problems(self, $bound(self, "LIMITS"))));
-(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c867]]))));
+(problems = $add(problems, criteria__choice_problems(self, $map([["side", $c869]]))));
 (worn = ($truth(self.across) ? self.across.worn_depth : null));
 if (((worn != null) && (worn.largest >= self.lagging.thickness))) {
 $m.append(problems, new Problem($add("deeper than the lagging is thick, ", display__display($bound(self.lagging, "thickness"), "length")), "Give the depth worn off, on radius, not what is left.", undefined, "across.worn_depth", display__display($bound(worn, "largest"), "length")));
@@ -7209,8 +7199,8 @@ __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
 (problems = $add(problems, conveyor__choices(new Set((function* () { for (const key of $iter(self.LIMITS)) { if (!(($b.getattr(self, key) != null))) continue; yield key; } })()))));
-if ((!$in(self.drive_at, $c868))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c868))));
+if ((!$in(self.drive_at, $c870))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c870))));
 $m.append(problems, new Problem(message, undefined, undefined, "drive_at", $shown($bound(self, "drive_at"))));
 }
 limits__raise_all($or(problems, () => $b.list(self.misfits())));
@@ -7348,7 +7338,7 @@ yield new Resistance("inertia", carrying, returning, "force to accelerate belt, 
 }
 get _unusual() {
 const self = this; let least, most;
-([least, most] = $c1596);
+([least, most] = $c1598);
 if ((least <= self.friction_factor && self.friction_factor <= most)) {
 return "";
 }
@@ -7358,18 +7348,20 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
 *checks(of) {
-const self = this; let allowed, check, limit, missing, told, value, words;
+const self = this; let allowed, check, found, limit, missing, told, value, words;
 
 if ((self.asked != null)) {
 yield* $iter(self.asked(of));
 return null;
 }
 (words = ($truth(self.words) ? self.words(of) : null));
-if (((words == null) || (self.value == null))) {
+(found = ($in(self.result, of.state.found)));
+if (((words == null) || ($truth(self.result) && !$truth(found) && !$truth(of.unknown)))) {
 return null;
 }
-([value, missing] = [self.value($bound(of, "state")), words.missing]);
-(missing = $or(missing, () => ($truth(self.of_solution) ? of.unknown : "")));
+(value = (($truth(self.result) && !$truth(found)) ? NaN : self.compared($bound(of, "state"))));
+(missing = $or(words.missing, () => ($truth(self.result) ? of.unknown : "")));
+(missing = $or(missing, () => ($truth($math.isnan(value)) ? "its value is not known" : "")));
 if ($truth(missing)) {
 (check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
 (told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
@@ -7382,6 +7374,10 @@ if ((self.rounded != null)) {
 (value = self.rounded(value, limit, $bound(of, "state")));
 }
 yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+}
+compared(state) {
+const self = this; 
+return ($truth(self.value) ? self.value(state) : $at(state.found, self.result));
 }
 limited(allowed, state) {
 const self = this; 
@@ -7405,7 +7401,7 @@ const self = this; let kept, level, miss, says;
 return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
 }
 }
-$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, value: () => null, allowed: () => null, limit: () => null, rounded: () => null, of_solution: () => false, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -7429,8 +7425,8 @@ class Block extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.shape, $c870))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c870))));
+if ((!$in(self.shape, $c872))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c872))));
 $m.append(problems, new Problem(message, undefined, undefined, "shape", $shown($bound(self, "shape"))));
 }
 limits__raise_all(problems);
@@ -7491,7 +7487,7 @@ get log_covariance() { return $kept(this, "log_covariance", this.$find_log_covar
 __post_init__() {
 const self = this; let message, n, problems;
 (n = $b.len($bound(self, "parameters")));
-(problems = limits__limit_problems(self, $c871));
+(problems = limits__limit_problems(self, $c873));
 if ((($b.len($b.set($bound(self, "parameters"))) < n) || !$truth(n))) {
 (message = "must name each fitted parameter once");
 $m.append(problems, new Problem(message, undefined, undefined, "parameters", $b.str(n)));
@@ -7530,7 +7526,7 @@ return ($truth(message) ? [new Problem(message, undefined, undefined, "covarianc
 $find_knots() {
 const self = this; let found, named;
 
-(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c872, name); } })()]);
+(found = [...(function* () { for (const name of $iter(self.parameters)) { yield $m.fullmatch($c874, name); } })()]);
 if (($b.min($bound(self, "values")) <= 0.0)) {
 return [];
 }
@@ -7637,8 +7633,8 @@ class Transition extends $Object {
 __post_init__() {
 const self = this; let message, problems;
 (problems = limits__limit_problems(self, $bound(self, "LIMITS")));
-if ((!$in(self.depth, $c1311))) {
-(message = ("" + "must be one of " + $str($m.join(", ", $c1311))));
+if ((!$in(self.depth, $c1313))) {
+(message = ("" + "must be one of " + $str($m.join(", ", $c1313))));
 $m.append(problems, new Problem(message, undefined, undefined, "depth", $shown($bound(self, "depth"))));
 }
 limits__raise_all(problems);
@@ -7853,800 +7849,800 @@ const self = this;
 throw $TypeError;
 }
 }
-const $c881 = ["of", "entries", "_known"];
-const $c896 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
-const $c153 = ["dimension", "limit"];
-const $c897 = $made(Quantity, $c153, ["number", null]);
-const $c884 = $made(Entry, $c896, ["format", $c897, true, "", "format = 1", "format", ""]);
-const $c899 = ["longest", "lines"];
-const $c898 = $made(Text, $c899, [200, false]);
-const $c885 = $made(Entry, $c896, ["title", $c898, false, "", "", "title", ""]);
-const $c900 = $made(Text, $c899, [5000, true]);
-const $c886 = $made(Entry, $c896, ["description", $c900, false, "", "", "description", ""]);
-const $c902 = ["dimension", "least", "most", "open", "rigid"];
-const $c832 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c901 = $made(Quantity, $c153, ["length", $c832]);
-const $c887 = $made(Entry, $c896, ["creep_limit", $c901, false, "", "", "creep_limit", ""]);
-const $c904 = ["kind", "most"];
-const $c905 = ["text", "table"];
-const $c906 = ["longest"];
-const $c217 = $made(Name, $c906, [60]);
-const $c914 = $made(Name, $c906, [60]);
-const $c909 = $made(Entry, $c896, ["name", $c914, true, "", "", "name", ""]);
-const $c828 = $made(Limit, $c902, ["number", 0.0, 2.0, true, false]);
-const $c915 = $made(Quantity, $c153, ["number", $c828]);
-const $c910 = $made(Entry, $c896, ["friction_factor", $c915, false, "", "", "factor", ""]);
-const $c916 = $made(ByName, $c904, [$c915, 200]);
-const $c911 = $made(Entry, $c896, ["friction_factors", $c916, false, "", "", "friction_factors", ""]);
-const $c918 = ["options"];
-const $c919 = ["DIN 22101", "practice"];
-const $c917 = $made(Choice, $c918, [$c919]);
-const $c912 = $made(Entry, $c896, ["standard", $c917, false, "", "", "standard", ""]);
-const $c927 = ["measured", "published", "calibrated", "illustrative", "given"];
-const $c926 = $made(Choice, $c918, [$c927]);
-const $c922 = $made(Entry, $c896, ["kind", $c926, true, "", "", "kind", ""]);
-const $c928 = $made(Text, $c899, [500, false]);
-const $c923 = $made(Entry, $c896, ["source", $c928, false, "", "", "source", ""]);
-const $c929 = $made(Text, $c899, [60, false]);
-const $c924 = $made(Entry, $c896, ["date", $c929, false, "", "", "date", ""]);
-const $c930 = $made(Text, $c899, [1000, false]);
-const $c925 = $made(Entry, $c896, ["note", $c930, false, "", "", "note", ""]);
-const $c920 = [$c922, $c923, $c924, $c925];
-const $c921 = new Map([["kind", $c922], ["source", $c923], ["date", $c924], ["note", $c925]]);
-const $c2 = $made(tables$Table, $c881, [Provenance, $c920, $c921]);
-const $c913 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c907 = [$c909, $c910, $c911, $c912, $c913];
-const $c908 = new Map([["name", $c909], ["friction_factor", $c910], ["friction_factors", $c911], ["standard", $c912], ["provenance", $c913]]);
-const $c8 = $made(tables$Table, $c881, [Condition, $c907, $c908]);
-const $c216 = $made(TextOr, $c905, [$c217, $c8]);
-const $c903 = $made(OneOrMore, $c904, [$c216, 8]);
-const $c888 = $made(Entry, $c896, ["condition", $c903, false, "", "", "condition", ""]);
-const $c149 = $made(Name, $c906, [60]);
-const $c128 = $made(Entry, $c896, ["preset", $c149, false, "", "", "preset", ""]);
-const $c150 = $made(Name, $c906, [60]);
-const $c129 = $made(Entry, $c896, ["name", $c150, false, "", "", "name", ""]);
-const $c151 = $made(Text, $c899, [60, false]);
-const $c130 = $made(Entry, $c896, ["kind", $c151, false, "", "", "kind", ""]);
-const $c154 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
-const $c152 = $made(Quantity, $c153, ["length", $c154]);
-const $c131 = $made(Entry, $c896, ["width", $c152, true, "", "", "width", ""]);
-const $c932 = ["word", "kind", "meaning"];
-const $c159 = $made(Limit, $c902, ["force_per_width", 1000.0, Infinity, false, true]);
-const $c158 = $made(Quantity, $c153, ["force_per_width", $c159]);
-const $c156 = $made(WordOr, $c932, ["rigid", $c158, Infinity]);
-const $c132 = $made(Entry, $c896, ["modulus", $c156, false, "", "", "modulus", ""]);
-const $c161 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
-const $c160 = $made(Quantity, $c153, ["force_per_width", $c161]);
-const $c133 = $made(Entry, $c896, ["rating", $c160, false, "", "", "rating", ""]);
-const $c163 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, true, false]);
-const $c162 = $made(Quantity, $c153, ["force_per_width", $c163]);
-const $c134 = $made(Entry, $c896, ["strength", $c162, false, "", "", "strength", ""]);
-const $c165 = $made(Limit, $c902, ["speed", 0.0, 1000.0, true, false]);
-const $c164 = $made(Quantity, $c153, ["speed", $c165]);
-const $c135 = $made(Entry, $c896, ["speed", $c164, false, "", "", "speed", ""]);
-const $c167 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c166 = $made(Quantity, $c153, ["number", $c167]);
-const $c136 = $made(Entry, $c896, ["momentary_factor", $c166, false, "", "", "momentary_factor", ""]);
-const $c169 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
-const $c168 = $made(Quantity, $c153, ["length", $c169]);
-const $c137 = $made(Entry, $c896, ["least_pulley_diameter", $c168, false, "", "", "least_pulley_diameter", ""]);
-const $c171 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c170 = $made(Quantity, $c153, ["pressure", $c171]);
-const $c138 = $made(Entry, $c896, ["largest_wrap_pressure", $c170, false, "", "", "largest_wrap_pressure", ""]);
-const $c173 = $made(Limit, $c902, ["force_per_width", 1.0, 1000000000.0, false, false]);
-const $c172 = $made(Quantity, $c153, ["force_per_width", $c173]);
-const $c139 = $made(Entry, $c896, ["in_plane_shear_stiffness", $c172, false, "", "", "in_plane_shear_stiffness", ""]);
-const $c175 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
-const $c174 = $made(Quantity, $c153, ["length", $c175]);
-const $c140 = $made(Entry, $c896, ["pulley_cover", $c174, false, "", "", "pulley_cover", ""]);
-const $c177 = $made(Limit, $c902, ["length", 0.0, 0.06, false, false]);
-const $c176 = $made(Quantity, $c153, ["length", $c177]);
-const $c141 = $made(Entry, $c896, ["carry_cover", $c176, false, "", "", "carry_cover", ""]);
-const $c179 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
-const $c178 = $made(Quantity, $c153, ["length", $c179]);
-const $c142 = $made(Entry, $c896, ["carcass", $c178, false, "", "", "carcass", ""]);
-const $c181 = $made(Limit, $c902, ["length", 0.0, 0.06, true, false]);
-const $c180 = $made(Quantity, $c153, ["length", $c181]);
-const $c143 = $made(Entry, $c896, ["thickness", $c180, false, "", "", "thickness", ""]);
-const $c184 = $made(Limit, $c902, ["pressure", 100000.0, 100000000.0, false, true]);
-const $c183 = $made(Quantity, $c153, ["pressure", $c184]);
-const $c182 = $made(WordOr, $c932, ["rigid", $c183, Infinity]);
-const $c144 = $made(Entry, $c896, ["cover_shear_modulus", $c182, false, "", "", "cover_shear_modulus", ""]);
-const $c186 = $made(Limit, $c902, ["mass_per_length", 0.0, 1000000.0, true, false]);
-const $c185 = $made(Quantity, $c153, ["mass_per_length", $c186]);
-const $c145 = $made(Entry, $c896, ["mass", $c185, false, "", "", "mass", ""]);
-const $c146 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c187 = $made(ByName, $c904, [$c2, 200]);
-const $c147 = $made(Entry, $c896, ["sources", $c187, false, "", "", "sources", ""]);
-const $c1 = [$c128, $c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147];
-const $c931 = new Map([["preset", $c128], ["name", $c129], ["kind", $c130], ["width", $c131], ["modulus", $c132], ["rating", $c133], ["strength", $c134], ["speed", $c135], ["momentary_factor", $c136], ["least_pulley_diameter", $c137], ["largest_wrap_pressure", $c138], ["in_plane_shear_stiffness", $c139], ["pulley_cover", $c140], ["carry_cover", $c141], ["carcass", $c142], ["thickness", $c143], ["cover_shear_modulus", $c144], ["mass", $c145], ["provenance", $c146], ["sources", $c147]]);
-const $c5 = $made(tables$Table, $c881, [Belt, $c1, $c931]);
-const $c889 = $made(Entry, $c896, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
-const $c934 = ["kind", "least", "most"];
-const $c207 = $made(Name, $c906, [60]);
-const $c189 = $made(Entry, $c896, ["name", $c207, true, "", "name = \"head\"", "name", ""]);
-const $c209 = $made(Limit, $c902, ["length", 0.001, 1000.0, false, false]);
-const $c208 = $made(Quantity, $c153, ["length", $c209]);
-const $c190 = $made(Entry, $c896, ["diameter", $c208, true, "", "", "diameter", ""]);
-const $c211 = $made(Limit, $c902, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
-const $c210 = $made(Quantity, $c153, ["angle", $c211]);
-const $c191 = $made(Entry, $c896, ["wrap_angle", $c210, true, "wrap", "", "wrap_angle", "belt_path"]);
-const $c829 = $made(Limit, $c902, ["length", -100000.0, 100000.0, false, false]);
-const $c943 = $made(Quantity, $c153, ["length", $c829]);
-const $c938 = $made(Entry, $c896, ["x", $c943, true, "", "", "x", ""]);
-const $c944 = $made(Quantity, $c153, ["length", $c829]);
-const $c939 = $made(Entry, $c896, ["y", $c944, true, "", "", "y", ""]);
-const $c946 = ["clockwise", "counterclockwise"];
-const $c945 = $made(Choice, $c918, [$c946]);
-const $c940 = $made(Entry, $c896, ["turn", $c945, false, "", "", "turn", ""]);
-const $c953 = $made(Quantity, $c153, ["length", $c829]);
-const $c950 = $made(Entry, $c896, ["x", $c953, true, "", "", "x", ""]);
-const $c954 = $made(Quantity, $c153, ["length", $c829]);
-const $c951 = $made(Entry, $c896, ["y", $c954, true, "", "", "y", ""]);
-const $c830 = $made(Limit, $c902, ["length", 0.0, 1000.0, false, false]);
-const $c955 = $made(Quantity, $c153, ["length", $c830]);
-const $c952 = $made(Entry, $c896, ["diameter", $c955, false, "", "", "diameter", ""]);
-const $c948 = [$c950, $c951, $c952, $c940];
-const $c949 = new Map([["x", $c950], ["y", $c951], ["diameter", $c952], ["turn", $c940]]);
-const $c947 = $made(tables$Table, $c881, [Point, $c948, $c949]);
-const $c941 = $made(Entry, $c896, ["before", $c947, true, "", "a table with x and y", "before", ""]);
-const $c942 = $made(Entry, $c896, ["after", $c947, true, "", "a table with x and y", "after", ""]);
-const $c936 = [$c938, $c939, $c940, $c941, $c942];
-const $c937 = new Map([["x", $c938], ["y", $c939], ["turn", $c940], ["before", $c941], ["after", $c942]]);
-const $c212 = $made(tables$Table, $c881, [Point, $c936, $c937]);
-const $c192 = $made(Entry, $c896, ["belt_path", $c212, false, "", "", "belt_path", ""]);
-const $c215 = $made(Name, $c906, [500]);
-const $c979 = $made(Name, $c906, [500]);
-const $c959 = $made(Entry, $c896, ["preset", $c979, false, "", "", "preset", ""]);
-const $c980 = $made(Name, $c906, [60]);
-const $c960 = $made(Entry, $c896, ["name", $c980, false, "", "", "name", ""]);
-const $c981 = $made(Text, $c899, [200, false]);
-const $c961 = $made(Entry, $c896, ["title", $c981, false, "", "", "title", ""]);
-const $c982 = $made(Text, $c899, [5000, true]);
-const $c962 = $made(Entry, $c896, ["description", $c982, false, "", "", "description", ""]);
-const $c860 = ["bare", "rubber", "polyurethane", "ceramic"];
-const $c983 = $made(Choice, $c918, [$c860]);
-const $c963 = $made(Entry, $c896, ["surface", $c983, false, "", "", "surface", ""]);
-const $c843 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
-const $c984 = $made(Quantity, $c153, ["length", $c843]);
-const $c964 = $made(Entry, $c896, ["thickness", $c984, false, "", "", "thickness", ""]);
-const $c846 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, false]);
-const $c985 = $made(Quantity, $c153, ["pressure", $c846]);
-const $c965 = $made(Entry, $c896, ["elastic_modulus", $c985, false, "", "", "elastic_modulus", ""]);
-const $c844 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
-const $c987 = $made(Quantity, $c153, ["pressure", $c844]);
-const $c986 = $made(WordOr, $c932, ["rigid", $c987, Infinity]);
-const $c966 = $made(Entry, $c896, ["shear_modulus", $c986, false, "", "", "shear_modulus", ""]);
-const $c845 = $made(Limit, $c902, ["pressure", 1000.0, Infinity, false, true]);
-const $c989 = $made(Quantity, $c153, ["pressure", $c845]);
-const $c988 = $made(WordOr, $c932, ["rigid", $c989, Infinity]);
-const $c967 = $made(Entry, $c896, ["compression_modulus", $c988, false, "", "", "compression_modulus", ""]);
-const $c870 = ["square", "strip"];
-const $c997 = $made(Choice, $c918, [$c870]);
-const $c992 = $made(Entry, $c896, ["shape", $c997, false, "", "", "shape", ""]);
-const $c816 = $made(Limit, $c902, ["length", 0.0001, 10.0, false, false]);
-const $c998 = $made(Quantity, $c153, ["length", $c816]);
-const $c993 = $made(Entry, $c896, ["width", $c998, true, "", "", "width", ""]);
-const $c817 = $made(Limit, $c902, ["length", 0.0001, 1.0, false, false]);
-const $c999 = $made(Quantity, $c153, ["length", $c817]);
-const $c994 = $made(Entry, $c896, ["height", $c999, false, "", "", "height", ""]);
-const $c818 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
-const $c1000 = $made(Quantity, $c153, ["number", $c818]);
-const $c995 = $made(Entry, $c896, ["stiffening", $c1000, false, "", "", "stiffening", ""]);
-const $c819 = $made(Limit, $c902, ["number", 0.01, 1.0, false, false]);
-const $c1001 = $made(Quantity, $c153, ["number", $c819]);
-const $c996 = $made(Entry, $c896, ["contact_fraction", $c1001, false, "", "", "contact_fraction", ""]);
-const $c990 = [$c992, $c993, $c994, $c995, $c996];
-const $c991 = new Map([["shape", $c992], ["width", $c993], ["height", $c994], ["stiffening", $c995], ["contact_fraction", $c996]]);
-const $c90 = $made(tables$Table, $c881, [Block, $c990, $c991]);
-const $c968 = $made(Entry, $c896, ["block", $c90, false, "", "", "block", ""]);
-const $c847 = $made(Limit, $c902, ["wear_coefficient", 0.0, 1.0, false, false]);
-const $c1002 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
-const $c969 = $made(Entry, $c896, ["wear_coefficient", $c1002, false, "", "", "wear_coefficient", ""]);
-const $c848 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
-const $c1003 = $made(Quantity, $c153, ["number", $c848]);
-const $c970 = $made(Entry, $c896, ["belt_energy_share", $c1003, false, "", "", "belt_energy_share", ""]);
-const $c849 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c1004 = $made(Quantity, $c153, ["pressure", $c849]);
-const $c971 = $made(Entry, $c896, ["bond_strength", $c1004, false, "", "", "bond_strength", ""]);
-const $c850 = $made(Limit, $c902, ["pressure", 0.0, Infinity, true, false]);
-const $c1005 = $made(Quantity, $c153, ["pressure", $c850]);
-const $c972 = $made(Entry, $c896, ["fatigue_limit", $c1005, false, "", "", "fatigue_limit", ""]);
-const $c1014 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1013 = $made(Quantity, $c153, ["number", $c1014]);
-const $c1008 = $made(Entry, $c896, ["material", $c1013, true, "", "", "material", ""]);
-const $c1016 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1015 = $made(Quantity, $c153, ["number", $c1016]);
-const $c1009 = $made(Entry, $c896, ["installation", $c1015, true, "", "", "installation", ""]);
-const $c1017 = $made(Name, $c906, [12]);
-const $c1010 = $made(Entry, $c896, ["currency", $c1017, true, "", "", "currency", ""]);
-const $c1019 = $made(Limit, $c902, ["area", 0.0, Infinity, true, false]);
-const $c1018 = $made(Quantity, $c153, ["area", $c1019]);
-const $c1011 = $made(Entry, $c896, ["area", $c1018, true, "", "", "area", ""]);
-const $c1021 = $made(Quantity, $c153, ["number", null]);
-const $c1020 = $made(Rows, $c934, [$c1021, 2, 2]);
-const $c1012 = $made(Entry, $c896, ["life_years", $c1020, true, "", "", "life_years", ""]);
-const $c1006 = [$c1008, $c1009, $c1010, $c1011, $c1012];
-const $c1007 = new Map([["material", $c1008], ["installation", $c1009], ["currency", $c1010], ["area", $c1011], ["life_years", $c1012]]);
-const $c86 = $made(tables$Table, $c881, [Cost, $c1006, $c1007]);
-const $c973 = $made(Entry, $c896, ["cost", $c86, false, "", "", "cost", ""]);
-const $c1023 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1022 = $made(Quantity, $c153, ["speed", $c1023]);
-const $c974 = $made(Entry, $c896, ["slip_speed", $c1022, false, "", "", "slip_speed", ""]);
-const $c1025 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
-const $c1024 = $made(Quantity, $c153, ["temperature", $c1025]);
-const $c975 = $made(Entry, $c896, ["temperature", $c1024, false, "", "", "temperature", ""]);
-const $c1032 = $made(Name, $c906, [60]);
-const $c1029 = $made(Entry, $c896, ["condition", $c1032, true, "", "", "condition", ""]);
-const $c1034 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c1033 = $made(Quantity, $c153, ["number", $c1034]);
-const $c1030 = $made(Entry, $c896, ["factor", $c1033, true, "", "", "factor", ""]);
-const $c1031 = $made(Entry, $c896, ["provenance", $c2, true, "", "", "provenance", ""]);
-const $c1027 = [$c1029, $c1030, $c1031];
-const $c1028 = new Map([["condition", $c1029], ["factor", $c1030], ["provenance", $c1031]]);
-const $c91 = $made(tables$Table, $c881, [ConditionFactor, $c1027, $c1028]);
-const $c1026 = $made(Rows, $c934, [$c91, 0, 20]);
-const $c976 = $made(Entry, $c896, ["condition_factor", $c1026, false, "", "", "condition_factor", ""]);
-const $c1036 = ["tag", "tables"];
-const $c1063 = ["integral-log"];
-const $c1062 = $made(Choice, $c918, [$c1063]);
-const $c1045 = $made(Entry, $c896, ["kind", $c1062, true, "", "", "kind", ""]);
-const $c1064 = $made(Name, $c906, [60]);
-const $c1046 = $made(Entry, $c896, ["condition", $c1064, false, "", "", "condition", ""]);
-const $c1047 = $made(Entry, $c896, ["provenance", $c2, false, "", "", "provenance", ""]);
-const $c1048 = $made(Entry, $c896, ["condition_source", $c2, false, "", "", "condition_source", ""]);
-const $c1077 = $made(Name, $c906, [120]);
-const $c1076 = $made(Rows, $c934, [$c1077, 1, 1000]);
-const $c1067 = $made(Entry, $c896, ["parameters", $c1076, true, "", "", "parameters", ""]);
-const $c1078 = $made(Rows, $c934, [$c1021, 1, 1000]);
-const $c1068 = $made(Entry, $c896, ["values", $c1078, true, "", "", "values", ""]);
-const $c1080 = $made(Rows, $c934, [$c1021, 1, 1000]);
-const $c1079 = $made(Rows, $c934, [$c1080, 1, 1000]);
-const $c1069 = $made(Entry, $c896, ["covariance", $c1079, true, "", "", "covariance", ""]);
-const $c1082 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1081 = $made(Quantity, $c153, ["number", $c1082]);
-const $c1070 = $made(Entry, $c896, ["residual_noise", $c1081, false, "", "", "residual_noise", ""]);
-const $c1084 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
-const $c1083 = $made(Quantity, $c153, ["number", $c1084]);
-const $c1071 = $made(Entry, $c896, ["coverage_factor", $c1083, false, "", "", "coverage_factor", ""]);
-const $c1085 = $made(Text, $c899, [60, false]);
-const $c1072 = $made(Entry, $c896, ["date", $c1085, false, "", "", "date", ""]);
-const $c1086 = $made(Text, $c899, [500, false]);
-const $c1073 = $made(Entry, $c896, ["method", $c1086, false, "", "", "method", ""]);
-const $c1088 = $made(Text, $c899, [2000, true]);
-const $c1087 = $made(Rows, $c934, [$c1088, 0, 50]);
-const $c1074 = $made(Entry, $c896, ["misfit", $c1087, false, "", "", "misfit", ""]);
-const $c1089 = $made(Text, $c899, [500, false]);
-const $c1075 = $made(Entry, $c896, ["misfit_accepted", $c1089, false, "", "", "misfit_accepted", ""]);
-const $c1065 = [$c1067, $c1068, $c1069, $c1070, $c1071, $c1072, $c1073, $c1074, $c1075];
-const $c1066 = new Map([["parameters", $c1067], ["values", $c1068], ["covariance", $c1069], ["residual_noise", $c1070], ["coverage_factor", $c1071], ["date", $c1072], ["method", $c1073], ["misfit", $c1074], ["misfit_accepted", $c1075]]);
-const $c98 = $made(tables$Table, $c881, [Fit, $c1065, $c1066]);
-const $c1049 = $made(Entry, $c896, ["fit", $c98, false, "", "", "fit", ""]);
-const $c1092 = ["lagging shear", "cover shear"];
-const $c1091 = $made(Choice, $c918, [$c1092]);
-const $c1090 = $made(Rows, $c934, [$c1091, 0, 2]);
-const $c1050 = $made(Entry, $c896, ["slip_includes", $c1090, false, "", "", "slip_includes", ""]);
-const $c1099 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1098 = $made(Quantity, $c153, ["speed", $c1099]);
-const $c1097 = $made(Rows, $c934, [$c1098, 2, 100]);
-const $c1095 = $made(Entry, $c896, ["slip_speed", $c1097, true, "", "", "at", ""]);
-const $c1100 = $made(Rows, $c934, [$c1033, 2, 100]);
-const $c1096 = $made(Entry, $c896, ["factor", $c1100, true, "", "", "factor", ""]);
-const $c1093 = [$c1095, $c1096, $c1031];
-const $c1094 = new Map([["slip_speed", $c1095], ["factor", $c1096], ["provenance", $c1031]]);
-const $c96 = $made(tables$Table, $c881, [FrictionFactor, $c1093, $c1094]);
-const $c1051 = $made(Entry, $c896, ["slip_speed_factor", $c96, false, "", "", "slip_speed_factor", ""]);
-const $c1106 = $made(Limit, $c902, ["temperature", 0.0, Infinity, false, false]);
-const $c1105 = $made(Quantity, $c153, ["temperature", $c1106]);
-const $c1104 = $made(Rows, $c934, [$c1105, 2, 100]);
-const $c1103 = $made(Entry, $c896, ["temperature", $c1104, true, "", "", "at", ""]);
-const $c1101 = [$c1103, $c1096, $c1031];
-const $c1102 = new Map([["temperature", $c1103], ["factor", $c1096], ["provenance", $c1031]]);
-const $c97 = $made(tables$Table, $c881, [FrictionFactor, $c1101, $c1102]);
-const $c1052 = $made(Entry, $c896, ["temperature_factor", $c97, false, "", "", "temperature_factor", ""]);
-const $c1053 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
-const $c1109 = $made(Limit, $c902, ["pressure", 0.0, 1000000000.0, true, false]);
-const $c1108 = $made(Quantity, $c153, ["pressure", $c1109]);
-const $c1107 = $made(Rows, $c934, [$c1108, 2, 2]);
-const $c1054 = $made(Entry, $c896, ["tested_pressure", $c1107, false, "", "", "tested_pressure", ""]);
-const $c1111 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c1110 = $made(Quantity, $c153, ["length", $c1111]);
-const $c1055 = $made(Entry, $c896, ["tested_slip", $c1110, false, "", "", "tested_slip", ""]);
-const $c1113 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c1112 = $made(Quantity, $c153, ["speed", $c1113]);
-const $c1056 = $made(Entry, $c896, ["tested_slip_speed", $c1112, false, "", "", "tested_slip_speed", ""]);
-const $c1118 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
-const $c1124 = $made(Limit, $c902, ["number", 0.0, 5.0, true, false]);
-const $c1123 = $made(Quantity, $c153, ["number", $c1124]);
-const $c1119 = $made(Entry, $c896, ["peak_friction", $c1123, true, "", "", "peak_friction", ""]);
-const $c1120 = $made(Entry, $c896, ["peak_slip", $c1110, true, "", "", "peak_slip", ""]);
-const $c1126 = $made(Limit, $c902, ["per_length", -1000000.0, 0.0, false, false]);
-const $c1125 = $made(Quantity, $c153, ["per_length", $c1126]);
-const $c1121 = $made(Entry, $c896, ["post_peak_slope", $c1125, false, "", "", "post_peak_slope", ""]);
-const $c1122 = $made(Entry, $c896, ["residual_friction", $c1123, false, "", "", "residual_friction", ""]);
-const $c1116 = [$c1118, $c1119, $c1120, $c1121, $c1122];
-const $c1117 = new Map([["pressure", $c1118], ["peak_friction", $c1119], ["peak_slip", $c1120], ["post_peak_slope", $c1121], ["residual_friction", $c1122]]);
-const $c1115 = $made(tables$Table, $c881, [null, $c1116, $c1117]);
-const $c1114 = $made(Rows, $c934, [$c1115, 1, 200]);
-const $c1057 = $made(Entry, $c896, ["knots", $c1114, false, "", "", "knots", ""]);
-const $c1131 = $made(Entry, $c896, ["from", $c1108, true, "", "", "from", ""]);
-const $c1132 = $made(Entry, $c896, ["to", $c1108, true, "", "", "to", ""]);
-const $c1137 = $made(Text, $c899, [300, false]);
-const $c1133 = $made(Entry, $c896, ["A", $c1137, true, "", "", "A", ""]);
-const $c1134 = $made(Entry, $c896, ["b", $c1137, true, "", "", "b", ""]);
-const $c1135 = $made(Entry, $c896, ["post_peak_slope", $c1137, false, "", "", "post_peak_slope", ""]);
-const $c1136 = $made(Entry, $c896, ["residual_friction", $c1137, false, "", "", "residual_friction", ""]);
-const $c1129 = [$c1131, $c1132, $c1133, $c1134, $c1135, $c1136];
-const $c1130 = new Map([["from", $c1131], ["to", $c1132], ["A", $c1133], ["b", $c1134], ["post_peak_slope", $c1135], ["residual_friction", $c1136]]);
-const $c1128 = $made(tables$Table, $c881, [null, $c1129, $c1130]);
-const $c1127 = $made(Rows, $c934, [$c1128, 1, 50]);
-const $c1058 = $made(Entry, $c896, ["pieces", $c1127, false, "", "", "pieces", ""]);
-const $c1138 = $made(Text, $c899, [20, false]);
-const $c1059 = $made(Entry, $c896, ["slip_unit", $c1138, false, "", "", "slip_unit", ""]);
-const $c1139 = $made(Text, $c899, [20, false]);
-const $c1060 = $made(Entry, $c896, ["pressure_unit", $c1139, false, "", "", "pressure_unit", ""]);
-const $c1141 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
-const $c1140 = $made(Quantity, $c153, ["number", $c1141]);
-const $c1061 = $made(Entry, $c896, ["continuity", $c1140, false, "", "", "continuity", ""]);
-const $c1043 = [$c1045, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061];
-const $c1044 = new Map([["kind", $c1045], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["knots", $c1057], ["pieces", $c1058], ["slip_unit", $c1059], ["pressure_unit", $c1060], ["continuity", $c1061]]);
-const $c1038 = $made(tables$Table, $c881, [IntegralLog, $c1043, $c1044]);
-const $c1147 = ["constant"];
-const $c1146 = $made(Choice, $c918, [$c1147]);
-const $c1144 = $made(Entry, $c896, ["kind", $c1146, true, "", "", "kind", ""]);
-const $c1145 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
-const $c1142 = [$c1144, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1145];
-const $c1143 = new Map([["kind", $c1144], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1145]]);
-const $c1039 = $made(tables$Table, $c881, [Constant, $c1142, $c1143]);
-const $c1153 = ["elastic-plastic"];
-const $c1152 = $made(Choice, $c918, [$c1153]);
-const $c1150 = $made(Entry, $c896, ["kind", $c1152, true, "", "", "kind", ""]);
-const $c1155 = $made(Limit, $c902, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
-const $c1154 = $made(Quantity, $c153, ["pressure_per_length", $c1155]);
-const $c1151 = $made(Entry, $c896, ["stiffness", $c1154, true, "", "", "stiffness", ""]);
-const $c1148 = [$c1150, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1151, $c1145];
-const $c1149 = new Map([["kind", $c1150], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["stiffness", $c1151], ["friction", $c1145]]);
-const $c1040 = $made(tables$Table, $c881, [ElasticPlastic, $c1148, $c1149]);
-const $c1163 = ["power"];
-const $c1162 = $made(Choice, $c918, [$c1163]);
-const $c1158 = $made(Entry, $c896, ["kind", $c1162, true, "", "", "kind", ""]);
-const $c1159 = $made(Entry, $c896, ["friction", $c1123, true, "", "", "friction_coefficient", ""]);
-const $c1160 = $made(Entry, $c896, ["reference_pressure", $c1108, true, "", "", "reference_pressure", ""]);
-const $c1161 = $made(Entry, $c896, ["exponent", $c1021, true, "", "", "exponent", ""]);
-const $c1156 = [$c1158, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1159, $c1160, $c1161];
-const $c1157 = new Map([["kind", $c1158], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["tested_pressure", $c1054], ["tested_slip", $c1055], ["tested_slip_speed", $c1056], ["friction", $c1159], ["reference_pressure", $c1160], ["exponent", $c1161]]);
-const $c1041 = $made(tables$Table, $c881, [PressurePower, $c1156, $c1157]);
-const $c1170 = ["table"];
-const $c1169 = $made(Choice, $c918, [$c1170]);
-const $c1166 = $made(Entry, $c896, ["kind", $c1169, true, "", "", "kind", ""]);
-const $c1173 = $made(Limit, $c902, ["length", 0.0, 1.0, false, false]);
-const $c1172 = $made(Quantity, $c153, ["length", $c1173]);
-const $c1171 = $made(Rows, $c934, [$c1172, 2, 1000]);
-const $c1167 = $made(Entry, $c896, ["slip", $c1171, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
-const $c1178 = $made(Entry, $c896, ["pressure", $c1108, true, "", "", "pressure", ""]);
-const $c1182 = $made(Limit, $c902, ["number", 0.0, 5.0, false, false]);
-const $c1181 = $made(Quantity, $c153, ["number", $c1182]);
-const $c1180 = $made(Rows, $c934, [$c1181, 2, 1000]);
-const $c1179 = $made(Entry, $c896, ["friction", $c1180, true, "", "", "values", ""]);
-const $c1176 = [$c1178, $c1179];
-const $c1177 = new Map([["pressure", $c1178], ["friction", $c1179]]);
-const $c1175 = $made(tables$Table, $c881, [null, $c1176, $c1177]);
-const $c1174 = $made(Rows, $c934, [$c1175, 1, 200]);
-const $c1168 = $made(Entry, $c896, ["rows", $c1174, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
-const $c1164 = [$c1166, $c1046, $c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1167, $c1168];
-const $c1165 = new Map([["kind", $c1166], ["condition", $c1046], ["provenance", $c1047], ["condition_source", $c1048], ["fit", $c1049], ["slip_includes", $c1050], ["slip_speed_factor", $c1051], ["temperature_factor", $c1052], ["notes", $c1053], ["slip", $c1167], ["rows", $c1168]]);
-const $c1042 = $made(tables$Table, $c881, [MeasuredTable, $c1164, $c1165]);
-const $c1037 = new Map([["integral-log", $c1038], ["constant", $c1039], ["elastic-plastic", $c1040], ["power", $c1041], ["table", $c1042]]);
-const $c94 = $made(Variant, $c1036, ["kind", $c1037]);
-const $c1035 = $made(OneOrMore, $c904, [$c94, 50]);
-const $c977 = $made(Entry, $c896, ["law", $c1035, false, "", "", "law", ""]);
-const $c978 = $made(Entry, $c896, ["notes", $c1087, false, "", "", "notes", ""]);
-const $c957 = [$c959, $c960, $c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
-const $c958 = new Map([["preset", $c959], ["name", $c960], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c964], ["elastic_modulus", $c965], ["shear_modulus", $c966], ["compression_modulus", $c967], ["block", $c968], ["wear_coefficient", $c969], ["belt_energy_share", $c970], ["bond_strength", $c971], ["fatigue_limit", $c972], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
-const $c956 = $made(tables$Table, $c881, [Lagging, $c957, $c958]);
-const $c213 = $made(TextOr, $c905, [$c215, $c956]);
-const $c193 = $made(Entry, $c896, ["lagging", $c213, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
-const $c194 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
-const $c219 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
-const $c218 = $made(Quantity, $c153, ["force", $c219]);
-const $c195 = $made(Entry, $c896, ["entry_tension", $c218, false, "", "", "entry_tension", ""]);
-const $c196 = $made(Entry, $c896, ["exit_tension", $c218, false, "", "", "exit_tension", ""]);
-const $c220 = $made(Quantity, $c153, ["force", null]);
-const $c197 = $made(Entry, $c896, ["effective_tension", $c220, false, "", "", "effective_tension", ""]);
-const $c221 = $made(Quantity, $c153, ["torque", null]);
-const $c198 = $made(Entry, $c896, ["torque", $c221, false, "", "", "torque", ""]);
-const $c222 = $made(Quantity, $c153, ["power", null]);
-const $c199 = $made(Entry, $c896, ["power", $c222, false, "", "", "power", ""]);
-const $c225 = $made(Limit, $c902, ["length", -1.0, 1.0, false, false]);
-const $c224 = $made(Quantity, $c153, ["length", $c225]);
-const $c223 = $made(WordOr, $c932, ["formula", $c224, null]);
-const $c200 = $made(Entry, $c896, ["overrun", $c223, false, "", "", "overrun", ""]);
-const $c226 = $made(Flag, [], []);
-const $c201 = $made(Entry, $c896, ["recovery", $c226, false, "", "", "recovery", ""]);
-const $c228 = $made(Limit, $c902, ["length", 0.0, 1.0, true, false]);
-const $c227 = $made(Quantity, $c153, ["length", $c228]);
-const $c202 = $made(Entry, $c896, ["creep_limit", $c227, false, "", "", "creep_limit", ""]);
-const $c867 = ["pulley", "carry"];
-const $c229 = $made(Choice, $c918, [$c867]);
-const $c203 = $made(Entry, $c896, ["side", $c229, false, "", "", "side", ""]);
-const $c231 = $made(Limit, $c902, ["mass", 0.0, 1000000.0, true, false]);
-const $c230 = $made(Quantity, $c153, ["mass", $c231]);
-const $c204 = $made(Entry, $c896, ["mass", $c230, false, "", "", "mass", ""]);
-const $c1599 = ["dimension", "diameters", "rows", "within"];
-const $c1200 = ["kinds"];
-const $c1202 = $made(Quantity, $c153, ["length", null]);
-const $c1203 = $made(Quantity, $c153, ["length", null]);
-const $c1201 = [$c1202, $c1203];
-const $c1199 = $made(_Pair, $c1200, [$c1201]);
-const $c1197 = $made(Rows, $c934, [$c1199, 0, 500]);
-const $c1206 = $made(Entry, $c896, ["rows", $c1197, false, "", "", "rows", ""]);
-const $c1211 = $made(Quantity, $c153, ["length", null]);
-const $c1207 = $made(Entry, $c896, ["crown", $c1211, false, "", "", "crown", ""]);
-const $c1213 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1212 = $made(Quantity, $c153, ["number", $c1213]);
-const $c1208 = $made(Entry, $c896, ["factor", $c1212, false, "", "", "factor", ""]);
-const $c1215 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1214 = $made(Quantity, $c153, ["length", $c1215]);
-const $c1209 = $made(Entry, $c896, ["uncertainty", $c1214, false, "", "", "uncertainty", ""]);
-const $c1217 = ["radius", "diameter"];
-const $c1216 = $made(Choice, $c918, [$c1217]);
-const $c1210 = $made(Entry, $c896, ["on", $c1216, false, "", "", "on", ""]);
-const $c1204 = [$c1206, $c1207, $c1208, $c1209, $c1210];
-const $c1205 = new Map([["rows", $c1206], ["crown", $c1207], ["factor", $c1208], ["uncertainty", $c1209], ["on", $c1210]]);
-const $c1198 = $made(tables$Table, $c881, [null, $c1204, $c1205]);
-const $c1196 = $made(TextOr, $c905, [$c1197, $c1198]);
-const $c1194 = $made(Profile, $c1599, ["length", true, $c1197, $c1196]);
-const $c1185 = $made(Entry, $c896, ["shell_profile", $c1194, false, "", "", "shell_profile", ""]);
-const $c1224 = $made(Quantity, $c153, ["length", null]);
-const $c1225 = $made(Quantity, $c153, ["length", null]);
-const $c1223 = [$c1224, $c1225];
-const $c1222 = $made(_Pair, $c1200, [$c1223]);
-const $c1220 = $made(Rows, $c934, [$c1222, 0, 500]);
-const $c1228 = $made(Entry, $c896, ["rows", $c1220, false, "", "", "rows", ""]);
-const $c1233 = $made(Quantity, $c153, ["length", null]);
-const $c1229 = $made(Entry, $c896, ["crown", $c1233, false, "", "", "crown", ""]);
-const $c1235 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1234 = $made(Quantity, $c153, ["number", $c1235]);
-const $c1230 = $made(Entry, $c896, ["factor", $c1234, false, "", "", "factor", ""]);
-const $c1237 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1236 = $made(Quantity, $c153, ["length", $c1237]);
-const $c1231 = $made(Entry, $c896, ["uncertainty", $c1236, false, "", "", "uncertainty", ""]);
-const $c1238 = $made(Choice, $c918, [$c1217]);
-const $c1232 = $made(Entry, $c896, ["on", $c1238, false, "", "", "on", ""]);
-const $c1226 = [$c1228, $c1229, $c1230, $c1231, $c1232];
-const $c1227 = new Map([["rows", $c1228], ["crown", $c1229], ["factor", $c1230], ["uncertainty", $c1231], ["on", $c1232]]);
-const $c1221 = $made(tables$Table, $c881, [null, $c1226, $c1227]);
-const $c1219 = $made(TextOr, $c905, [$c1220, $c1221]);
-const $c1218 = $made(Profile, $c1599, ["length", true, $c1220, $c1219]);
-const $c1186 = $made(Entry, $c896, ["worn_depth", $c1218, false, "", "", "worn_depth", ""]);
-const $c1245 = $made(Quantity, $c153, ["length", null]);
-const $c1246 = $made(Quantity, $c153, ["length", null]);
-const $c1244 = [$c1245, $c1246];
-const $c1243 = $made(_Pair, $c1200, [$c1244]);
-const $c1241 = $made(Rows, $c934, [$c1243, 0, 500]);
-const $c1249 = $made(Entry, $c896, ["rows", $c1241, false, "", "", "rows", ""]);
-const $c1254 = $made(Quantity, $c153, ["length", null]);
-const $c1250 = $made(Entry, $c896, ["crown", $c1254, false, "", "", "crown", ""]);
-const $c1256 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1255 = $made(Quantity, $c153, ["number", $c1256]);
-const $c1251 = $made(Entry, $c896, ["factor", $c1255, false, "", "", "factor", ""]);
-const $c1258 = $made(Limit, $c902, ["length", 0.0, Infinity, false, false]);
-const $c1257 = $made(Quantity, $c153, ["length", $c1258]);
-const $c1252 = $made(Entry, $c896, ["uncertainty", $c1257, false, "", "", "uncertainty", ""]);
-const $c1259 = $made(Choice, $c918, [$c1217]);
-const $c1253 = $made(Entry, $c896, ["on", $c1259, false, "", "", "on", ""]);
-const $c1247 = [$c1249, $c1250, $c1251, $c1252, $c1253];
-const $c1248 = new Map([["rows", $c1249], ["crown", $c1250], ["factor", $c1251], ["uncertainty", $c1252], ["on", $c1253]]);
-const $c1242 = $made(tables$Table, $c881, [null, $c1247, $c1248]);
-const $c1240 = $made(TextOr, $c905, [$c1241, $c1242]);
-const $c1239 = $made(Profile, $c1599, ["length", true, $c1241, $c1240]);
-const $c1187 = $made(Entry, $c896, ["build_up", $c1239, false, "", "", "build_up", ""]);
-const $c1261 = $made(Limit, $c902, ["number", -0.1, 0.1, false, false]);
-const $c1260 = $made(Quantity, $c153, ["number", $c1261]);
-const $c1188 = $made(Entry, $c896, ["misalignment", $c1260, false, "", "", "misalignment", ""]);
-const $c1263 = $made(Limit, $c902, ["length", -0.1, 0.1, false, false]);
-const $c1262 = $made(Quantity, $c153, ["length", $c1263]);
-const $c1189 = $made(Entry, $c896, ["deflection", $c1262, false, "", "", "deflection", ""]);
-const $c1270 = $made(Quantity, $c153, ["length", null]);
-const $c1271 = $made(Quantity, $c153, ["force_per_width", null]);
-const $c1269 = [$c1270, $c1271];
-const $c1268 = $made(_Pair, $c1200, [$c1269]);
-const $c1266 = $made(Rows, $c934, [$c1268, 0, 500]);
-const $c1274 = $made(Entry, $c896, ["rows", $c1266, false, "", "", "rows", ""]);
-const $c1278 = $made(Quantity, $c153, ["force_per_width", null]);
-const $c1275 = $made(Entry, $c896, ["crown", $c1278, false, "", "", "crown", ""]);
-const $c1280 = $made(Limit, $c902, ["number", 0.0, 100.0, false, false]);
-const $c1279 = $made(Quantity, $c153, ["number", $c1280]);
-const $c1276 = $made(Entry, $c896, ["factor", $c1279, false, "", "", "factor", ""]);
-const $c1282 = $made(Limit, $c902, ["force_per_width", 0.0, Infinity, false, false]);
-const $c1281 = $made(Quantity, $c153, ["force_per_width", $c1282]);
-const $c1277 = $made(Entry, $c896, ["uncertainty", $c1281, false, "", "", "uncertainty", ""]);
-const $c1272 = [$c1274, $c1275, $c1276, $c1277];
-const $c1273 = new Map([["rows", $c1274], ["crown", $c1275], ["factor", $c1276], ["uncertainty", $c1277]]);
-const $c1267 = $made(tables$Table, $c881, [null, $c1272, $c1273]);
-const $c1265 = $made(TextOr, $c905, [$c1266, $c1267]);
-const $c1264 = $made(Profile, $c1599, ["force_per_width", false, $c1266, $c1265]);
-const $c1190 = $made(Entry, $c896, ["entry_profile", $c1264, false, "", "", "entry_profile", ""]);
-const $c1292 = ["pulley"];
-const $c1291 = $made(Choice, $c918, [$c1292]);
-const $c1289 = $made(Entry, $c896, ["kind", $c1291, true, "", "", "kind", ""]);
-const $c1294 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
-const $c1293 = $made(Quantity, $c153, ["length", $c1294]);
-const $c1290 = $made(Entry, $c896, ["distance", $c1293, true, "", "", "distance", ""]);
-const $c1287 = [$c1289, $c1290];
-const $c1288 = new Map([["kind", $c1289], ["distance", $c1290]]);
-const $c1285 = $made(tables$Table, $c881, [GrippingPulley, $c1287, $c1288]);
-const $c1303 = ["transition"];
-const $c1302 = $made(Choice, $c918, [$c1303]);
-const $c1297 = $made(Entry, $c896, ["kind", $c1302, true, "", "", "kind", ""]);
-const $c1305 = $made(Limit, $c902, ["length", 0.0, 1000.0, true, false]);
-const $c1304 = $made(Quantity, $c153, ["length", $c1305]);
-const $c1298 = $made(Entry, $c896, ["length", $c1304, true, "", "length = \"2.9 m\"", "length", ""]);
-const $c1307 = $made(Limit, $c902, ["angle", 0.0, 1.5707963267948966, true, false]);
-const $c1306 = $made(Quantity, $c153, ["angle", $c1307]);
-const $c1299 = $made(Entry, $c896, ["trough_angle", $c1306, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
-const $c1309 = $made(Limit, $c902, ["length", 0.0, 100.0, false, false]);
-const $c1308 = $made(Quantity, $c153, ["length", $c1309]);
-const $c1300 = $made(Entry, $c896, ["centre_roll", $c1308, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
-const $c1311 = ["full", "half"];
-const $c1310 = $made(Choice, $c918, [$c1311]);
-const $c1301 = $made(Entry, $c896, ["depth", $c1310, false, "", "", "depth", ""]);
-const $c1295 = [$c1297, $c1298, $c1299, $c1300, $c1301];
-const $c1296 = new Map([["kind", $c1297], ["length", $c1298], ["trough_angle", $c1299], ["centre_roll", $c1300], ["depth", $c1301]]);
-const $c1286 = $made(tables$Table, $c881, [Transition, $c1295, $c1296]);
-const $c1284 = new Map([["pulley", $c1285], ["transition", $c1286]]);
-const $c28 = $made(Variant, $c1036, ["kind", $c1284]);
-const $c1283 = $made(WordOr, $c932, ["far", $c28, null]);
-const $c1191 = $made(Entry, $c896, ["before", $c1283, false, "", "", "before", ""]);
-const $c1319 = ["pulley"];
-const $c1318 = $made(Choice, $c918, [$c1319]);
-const $c1317 = $made(Entry, $c896, ["kind", $c1318, true, "", "", "kind", ""]);
-const $c1315 = [$c1317, $c1290];
-const $c1316 = new Map([["kind", $c1317], ["distance", $c1290]]);
-const $c1314 = $made(tables$Table, $c881, [GrippingPulley, $c1315, $c1316]);
-const $c1313 = new Map([["pulley", $c1314]]);
-const $c29 = $made(Variant, $c1036, ["kind", $c1313]);
-const $c1312 = $made(WordOr, $c932, ["far", $c29, null]);
-const $c1192 = $made(Entry, $c896, ["after", $c1312, false, "", "", "after", ""]);
-const $c1321 = ["least", "most"];
-const $c1320 = $made(Count, $c1321, [4, 128]);
-const $c1193 = $made(Entry, $c896, ["strips", $c1320, false, "", "", "strips", ""]);
-const $c1183 = [$c1185, $c1186, $c1187, $c1188, $c1189, $c1190, $c1191, $c1192, $c1193];
-const $c1184 = new Map([["shell_profile", $c1185], ["worn_depth", $c1186], ["build_up", $c1187], ["misalignment", $c1188], ["deflection", $c1189], ["entry_profile", $c1190], ["before", $c1191], ["after", $c1192], ["strips", $c1193]]);
-const $c30 = $made(tables$Table, $c881, [Across, $c1183, $c1184]);
-const $c205 = $made(Entry, $c896, ["across", $c30, false, "", "", "across", ""]);
-const $c232 = $made(ByName, $c904, [$c2, 200]);
-const $c206 = $made(Entry, $c896, ["sources", $c232, false, "", "", "sources", ""]);
-const $c9 = [$c189, $c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202, $c203, $c204, $c205, $c206];
-const $c935 = new Map([["name", $c189], ["diameter", $c190], ["wrap_angle", $c191], ["belt_path", $c192], ["lagging", $c193], ["condition", $c194], ["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199], ["overrun", $c200], ["recovery", $c201], ["creep_limit", $c202], ["side", $c203], ["mass", $c204], ["across", $c205], ["sources", $c206]]);
-const $c31 = $made(tables$Table, $c881, [Pulley, $c9, $c935]);
-const $c933 = $made(Rows, $c934, [$c31, 1, 10]);
-const $c890 = $made(Entry, $c896, ["pulley", $c933, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
-const $c1322 = $made(ByName, $c904, [$c956, 200]);
-const $c891 = $made(Entry, $c896, ["lagging", $c1322, false, "", "", "lagging", ""]);
-const $c1333 = $made(Name, $c906, [60]);
-const $c1327 = $made(Entry, $c896, ["name", $c1333, true, "", "name = \"start\"", "name", ""]);
-const $c1334 = $made(Text, $c899, [1000, true]);
-const $c1328 = $made(Entry, $c896, ["description", $c1334, false, "", "", "description", ""]);
-const $c103 = ["running", "starting", "braking"];
-const $c1335 = $made(Choice, $c918, [$c103]);
-const $c1329 = $made(Entry, $c896, ["kind", $c1335, false, "", "", "kind", ""]);
-const $c1330 = $made(Entry, $c896, ["condition", $c216, false, "", "", "condition", ""]);
-const $c1338 = [$c195, $c196, $c197, $c198, $c199];
-const $c1339 = new Map([["entry_tension", $c195], ["exit_tension", $c196], ["effective_tension", $c197], ["torque", $c198], ["power", $c199]]);
-const $c1337 = $made(tables$Table, $c881, [null, $c1338, $c1339]);
-const $c1336 = $made(ByName, $c904, [$c1337, 200]);
-const $c1331 = $made(Entry, $c896, ["pulley", $c1336, false, "", "", "pulley", ""]);
-const $c1340 = $made(Elsewhere, [], []);
-const $c1332 = $made(Entry, $c896, ["train", $c1340, false, "", "", "train", ""]);
-const $c1325 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1332];
-const $c1326 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1332]]);
-const $c1324 = $made(tables$Table, $c881, [null, $c1325, $c1326]);
-const $c1323 = $made(Rows, $c934, [$c1324, 1, 1000]);
-const $c892 = $made(Entry, $c896, ["load_case", $c1323, false, "", "", "load_case", ""]);
-const $c681 = $made(Limit, $c902, ["length", 0.0, 100000.0, true, false]);
-const $c1362 = $made(Quantity, $c153, ["length", $c681]);
-const $c1343 = $made(Entry, $c896, ["length", $c1362, true, "", "length = \"600 m\"", "length", ""]);
-const $c682 = $made(Limit, $c902, ["length", -5000.0, 5000.0, false, false]);
-const $c1363 = $made(Quantity, $c153, ["length", $c682]);
-const $c1344 = $made(Entry, $c896, ["lift", $c1363, false, "", "", "lift", ""]);
-const $c683 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1364 = $made(Quantity, $c153, ["mass_per_length", $c683]);
-const $c1345 = $made(Entry, $c896, ["belt_mass", $c1364, true, "", "", "belt_mass", ""]);
-const $c684 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1365 = $made(Quantity, $c153, ["mass_per_length", $c684]);
-const $c1346 = $made(Entry, $c896, ["carry_idler_mass", $c1365, true, "", "", "carry_idler_mass", ""]);
-const $c685 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, false, false]);
-const $c1366 = $made(Quantity, $c153, ["mass_per_length", $c685]);
-const $c1347 = $made(Entry, $c896, ["return_idler_mass", $c1366, true, "", "", "return_idler_mass", ""]);
-const $c1367 = $made(Quantity, $c153, ["mass_per_length", $c683]);
-const $c1348 = $made(Entry, $c896, ["material_mass", $c1367, false, "", "", "material_mass", ""]);
-const $c686 = $made(Limit, $c902, ["mass_flow", 0.0, 100000.0, true, false]);
-const $c1368 = $made(Quantity, $c153, ["mass_flow", $c686]);
-const $c1349 = $made(Entry, $c896, ["capacity", $c1368, false, "", "", "capacity", ""]);
-const $c687 = $made(Limit, $c902, ["number", 0.005, 0.1, false, false]);
-const $c1369 = $made(Quantity, $c153, ["number", $c687]);
-const $c1350 = $made(Entry, $c896, ["friction_factor", $c1369, false, "", "", "friction_factor", ""]);
-const $c688 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c1370 = $made(Quantity, $c153, ["number", $c688]);
-const $c1351 = $made(Entry, $c896, ["length_coefficient", $c1370, false, "", "", "length_coefficient", ""]);
-const $c689 = $made(Limit, $c902, ["force", 0.0, 100000000.0, false, false]);
-const $c1371 = $made(Quantity, $c153, ["force", $c689]);
-const $c1352 = $made(Entry, $c896, ["secondary_resistance", $c1371, false, "", "", "secondary_resistance", ""]);
-const $c1372 = $made(Quantity, $c153, ["force", $c689]);
-const $c1353 = $made(Entry, $c896, ["special_resistance", $c1372, false, "", "", "special_resistance", ""]);
-const $c690 = $made(Limit, $c902, ["number", 0.0, 1.0, false, false]);
-const $c1373 = $made(Quantity, $c153, ["number", $c690]);
-const $c1354 = $made(Entry, $c896, ["return_share", $c1373, false, "", "", "return_share", ""]);
-const $c691 = $made(Limit, $c902, ["number", 1.0, 5.0, false, false]);
-const $c1374 = $made(Quantity, $c153, ["number", $c691]);
-const $c1355 = $made(Entry, $c896, ["start_factor", $c1374, false, "", "", "start_factor", ""]);
-const $c692 = $made(Limit, $c902, ["time", 0.0, 3600.0, true, false]);
-const $c1375 = $made(Quantity, $c153, ["time", $c692]);
-const $c1356 = $made(Entry, $c896, ["start_time", $c1375, false, "", "", "start_time", ""]);
-const $c1376 = $made(Quantity, $c153, ["time", $c692]);
-const $c1357 = $made(Entry, $c896, ["stop_time", $c1376, false, "", "", "stop_time", ""]);
-const $c693 = $made(Limit, $c902, ["force", 0.0, 100000000.0, true, false]);
-const $c1377 = $made(Quantity, $c153, ["force", $c693]);
-const $c1358 = $made(Entry, $c896, ["take_up_tension", $c1377, false, "", "", "take_up_tension", ""]);
-const $c694 = $made(Limit, $c902, ["mass", 0.0, 10000000.0, true, false]);
-const $c1378 = $made(Quantity, $c153, ["mass", $c694]);
-const $c1359 = $made(Entry, $c896, ["counterweight", $c1378, false, "", "", "counterweight", ""]);
-const $c695 = $made(Limit, $c902, ["length", 0.0, 100000.0, false, false]);
-const $c1379 = $made(Quantity, $c153, ["length", $c695]);
-const $c1360 = $made(Entry, $c896, ["take_up_distance", $c1379, false, "", "", "take_up_distance", ""]);
-const $c868 = ["head", "tail"];
-const $c1380 = $made(Choice, $c918, [$c868]);
-const $c1361 = $made(Entry, $c896, ["drive_at", $c1380, false, "", "", "drive_at", ""]);
-const $c1341 = [$c1343, $c1344, $c1345, $c1346, $c1347, $c1348, $c1349, $c1350, $c1351, $c1352, $c1353, $c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361];
-const $c1342 = new Map([["length", $c1343], ["lift", $c1344], ["belt_mass", $c1345], ["carry_idler_mass", $c1346], ["return_idler_mass", $c1347], ["material_mass", $c1348], ["capacity", $c1349], ["friction_factor", $c1350], ["length_coefficient", $c1351], ["secondary_resistance", $c1352], ["special_resistance", $c1353], ["return_share", $c1354], ["start_factor", $c1355], ["start_time", $c1356], ["stop_time", $c1357], ["take_up_tension", $c1358], ["counterweight", $c1359], ["take_up_distance", $c1360], ["drive_at", $c1361]]);
-const $c35 = $made(tables$Table, $c881, [Conveyor, $c1341, $c1342]);
-const $c893 = $made(Entry, $c896, ["conveyor", $c35, false, "", "", "conveyor", ""]);
-const $c861 = ["gravity", "winch", "fixed"];
-const $c1386 = $made(Choice, $c918, [$c861]);
-const $c1383 = $made(Entry, $c896, ["kind", $c1386, false, "", "", "kind", ""]);
-const $c852 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
-const $c1387 = $made(Quantity, $c153, ["number", $c852]);
-const $c1384 = $made(Entry, $c896, ["sheave_ratio", $c1387, false, "", "", "sheave_ratio", ""]);
-const $c1388 = $made(Name, $c906, [60]);
-const $c1385 = $made(Entry, $c896, ["after", $c1388, false, "", "", "after", ""]);
-const $c1381 = [$c1383, $c1384, $c1385];
-const $c1382 = new Map([["kind", $c1383], ["sheave_ratio", $c1384], ["after", $c1385]]);
-const $c562 = $made(tables$Table, $c881, [TakeUp, $c1381, $c1382]);
-const $c558 = $made(Entry, $c896, ["take_up", $c562, false, "", "", "take_up", ""]);
-const $c862 = ["CEMA", "DIN 22101", "own", "none"];
-const $c1396 = $made(Choice, $c918, [$c862]);
-const $c1391 = $made(Entry, $c896, ["name", $c1396, false, "", "", "name", ""]);
-const $c863 = ["dry", "wet", "wet and dirty"];
-const $c1397 = $made(Choice, $c918, [$c863]);
-const $c1392 = $made(Entry, $c896, ["condition", $c1397, false, "", "", "condition", ""]);
-const $c853 = $made(Limit, $c902, ["number", 0.01, 2.0, false, false]);
-const $c1398 = $made(Quantity, $c153, ["number", $c853]);
-const $c1393 = $made(Entry, $c896, ["friction", $c1398, false, "", "", "friction", ""]);
-const $c854 = $made(Limit, $c902, ["number", 1.0, 10.0, false, false]);
-const $c1399 = $made(Quantity, $c153, ["number", $c854]);
-const $c1394 = $made(Entry, $c896, ["start_factor", $c1399, false, "", "", "start_factor", ""]);
-const $c1400 = $made(Flag, [], []);
-const $c1395 = $made(Entry, $c896, ["binding", $c1400, false, "", "", "binding", ""]);
-const $c1389 = [$c1391, $c1392, $c1393, $c1394, $c1395];
-const $c1390 = new Map([["name", $c1391], ["condition", $c1392], ["friction", $c1393], ["start_factor", $c1394], ["binding", $c1395]]);
-const $c563 = $made(tables$Table, $c881, [DesignStandard, $c1389, $c1390]);
-const $c559 = $made(Entry, $c896, ["design_standard", $c563, false, "", "", "standard", ""]);
-const $c1407 = $made(Quantity, $c153, ["number", $c854]);
-const $c1403 = $made(Entry, $c896, ["running", $c1407, false, "", "", "running", ""]);
-const $c1408 = $made(Quantity, $c153, ["number", $c854]);
-const $c1404 = $made(Entry, $c896, ["starting", $c1408, false, "", "", "starting", ""]);
-const $c1409 = $made(Quantity, $c153, ["number", $c854]);
-const $c1405 = $made(Entry, $c896, ["braking", $c1409, false, "", "", "braking", ""]);
-const $c1410 = $made(Text, $c899, [500, false]);
-const $c1406 = $made(Entry, $c896, ["source", $c1410, false, "", "", "source", ""]);
-const $c1401 = [$c1403, $c1404, $c1405, $c1406];
-const $c1402 = new Map([["running", $c1403], ["starting", $c1404], ["braking", $c1405], ["source", $c1406]]);
-const $c564 = $made(tables$Table, $c881, [SafetyFactors, $c1401, $c1402]);
-const $c560 = $made(Entry, $c896, ["safety_factor", $c564, false, "", "", "safety", ""]);
-const $c1417 = $made(Limit, $c902, ["length", 0.0, 100.0, true, false]);
-const $c1416 = $made(Quantity, $c153, ["length", $c1417]);
-const $c1413 = $made(Entry, $c896, ["idler_spacing", $c1416, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
-const $c1419 = $made(Limit, $c902, ["mass_per_length", 0.0, 10000.0, true, false]);
-const $c1418 = $made(Quantity, $c153, ["mass_per_length", $c1419]);
-const $c1414 = $made(Entry, $c896, ["line_mass", $c1418, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
-const $c1421 = $made(Limit, $c902, ["number", 0.0, 0.1, true, false]);
-const $c1420 = $made(Quantity, $c153, ["number", $c1421]);
-const $c1415 = $made(Entry, $c896, ["share", $c1420, false, "", "", "share", ""]);
-const $c1411 = [$c1413, $c1414, $c1415];
-const $c1412 = new Map([["idler_spacing", $c1413], ["line_mass", $c1414], ["share", $c1415]]);
-const $c565 = $made(tables$Table, $c881, [Sag, $c1411, $c1412]);
-const $c561 = $made(Entry, $c896, ["sag", $c565, false, "", "", "sag", ""]);
-const $c1422 = $made(Elsewhere, [], []);
-const $c894 = $made(Entry, $c896, ["train", $c1422, false, "", "", "train", ""]);
-const $c1423 = $made(Elsewhere, [], []);
-const $c895 = $made(Entry, $c896, ["motion", $c1423, false, "", "", "motion", ""]);
-const $c882 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c892, $c893, $c558, $c559, $c560, $c561, $c894, $c895];
-const $c883 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c892], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c894], ["motion", $c895]]);
-const $c0 = $made(tables$Table, $c881, [Drive, $c882, $c883]);
+const $c883 = ["of", "entries", "_known"];
+const $c898 = ["key", "kind", "required", "alias", "example", "attribute", "unless"];
+const $c154 = ["dimension", "limit"];
+const $c899 = $made(Quantity, $c154, ["number", null]);
+const $c886 = $made(Entry, $c898, ["format", $c899, true, "", "format = 1", "format", ""]);
+const $c901 = ["longest", "lines"];
+const $c900 = $made(Text, $c901, [200, false]);
+const $c887 = $made(Entry, $c898, ["title", $c900, false, "", "", "title", ""]);
+const $c902 = $made(Text, $c901, [5000, true]);
+const $c888 = $made(Entry, $c898, ["description", $c902, false, "", "", "description", ""]);
+const $c904 = ["dimension", "least", "most", "open", "rigid"];
+const $c834 = $made(Limit, $c904, ["length", 0.0, 1.0, true, false]);
+const $c903 = $made(Quantity, $c154, ["length", $c834]);
+const $c889 = $made(Entry, $c898, ["creep_limit", $c903, false, "", "", "creep_limit", ""]);
+const $c906 = ["kind", "most"];
+const $c907 = ["text", "table"];
+const $c908 = ["longest"];
+const $c218 = $made(Name, $c908, [60]);
+const $c916 = $made(Name, $c908, [60]);
+const $c911 = $made(Entry, $c898, ["name", $c916, true, "", "", "name", ""]);
+const $c830 = $made(Limit, $c904, ["number", 0.0, 2.0, true, false]);
+const $c917 = $made(Quantity, $c154, ["number", $c830]);
+const $c912 = $made(Entry, $c898, ["friction_factor", $c917, false, "", "", "factor", ""]);
+const $c918 = $made(ByName, $c906, [$c917, 200]);
+const $c913 = $made(Entry, $c898, ["friction_factors", $c918, false, "", "", "friction_factors", ""]);
+const $c920 = ["options"];
+const $c921 = ["DIN 22101", "practice"];
+const $c919 = $made(Choice, $c920, [$c921]);
+const $c914 = $made(Entry, $c898, ["standard", $c919, false, "", "", "standard", ""]);
+const $c929 = ["measured", "published", "calibrated", "illustrative", "given"];
+const $c928 = $made(Choice, $c920, [$c929]);
+const $c924 = $made(Entry, $c898, ["kind", $c928, true, "", "", "kind", ""]);
+const $c930 = $made(Text, $c901, [500, false]);
+const $c925 = $made(Entry, $c898, ["source", $c930, false, "", "", "source", ""]);
+const $c931 = $made(Text, $c901, [60, false]);
+const $c926 = $made(Entry, $c898, ["date", $c931, false, "", "", "date", ""]);
+const $c932 = $made(Text, $c901, [1000, false]);
+const $c927 = $made(Entry, $c898, ["note", $c932, false, "", "", "note", ""]);
+const $c922 = [$c924, $c925, $c926, $c927];
+const $c923 = new Map([["kind", $c924], ["source", $c925], ["date", $c926], ["note", $c927]]);
+const $c2 = $made(tables$Table, $c883, [Provenance, $c922, $c923]);
+const $c915 = $made(Entry, $c898, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c909 = [$c911, $c912, $c913, $c914, $c915];
+const $c910 = new Map([["name", $c911], ["friction_factor", $c912], ["friction_factors", $c913], ["standard", $c914], ["provenance", $c915]]);
+const $c8 = $made(tables$Table, $c883, [Condition, $c909, $c910]);
+const $c217 = $made(TextOr, $c907, [$c218, $c8]);
+const $c905 = $made(OneOrMore, $c906, [$c217, 8]);
+const $c890 = $made(Entry, $c898, ["condition", $c905, false, "", "", "condition", ""]);
+const $c150 = $made(Name, $c908, [60]);
+const $c129 = $made(Entry, $c898, ["preset", $c150, false, "", "", "preset", ""]);
+const $c151 = $made(Name, $c908, [60]);
+const $c130 = $made(Entry, $c898, ["name", $c151, false, "", "", "name", ""]);
+const $c152 = $made(Text, $c901, [60, false]);
+const $c131 = $made(Entry, $c898, ["kind", $c152, false, "", "", "kind", ""]);
+const $c155 = $made(Limit, $c904, ["length", 0.001, 1000.0, false, false]);
+const $c153 = $made(Quantity, $c154, ["length", $c155]);
+const $c132 = $made(Entry, $c898, ["width", $c153, true, "", "", "width", ""]);
+const $c934 = ["word", "kind", "meaning"];
+const $c160 = $made(Limit, $c904, ["force_per_width", 1000.0, Infinity, false, true]);
+const $c159 = $made(Quantity, $c154, ["force_per_width", $c160]);
+const $c157 = $made(WordOr, $c934, ["rigid", $c159, Infinity]);
+const $c133 = $made(Entry, $c898, ["modulus", $c157, false, "", "", "modulus", ""]);
+const $c162 = $made(Limit, $c904, ["force_per_width", 0.0, Infinity, true, false]);
+const $c161 = $made(Quantity, $c154, ["force_per_width", $c162]);
+const $c134 = $made(Entry, $c898, ["rating", $c161, false, "", "", "rating", ""]);
+const $c164 = $made(Limit, $c904, ["force_per_width", 0.0, Infinity, true, false]);
+const $c163 = $made(Quantity, $c154, ["force_per_width", $c164]);
+const $c135 = $made(Entry, $c898, ["strength", $c163, false, "", "", "strength", ""]);
+const $c166 = $made(Limit, $c904, ["speed", 0.0, 1000.0, true, false]);
+const $c165 = $made(Quantity, $c154, ["speed", $c166]);
+const $c136 = $made(Entry, $c898, ["speed", $c165, false, "", "", "speed", ""]);
+const $c168 = $made(Limit, $c904, ["number", 1.0, 10.0, false, false]);
+const $c167 = $made(Quantity, $c154, ["number", $c168]);
+const $c137 = $made(Entry, $c898, ["momentary_factor", $c167, false, "", "", "momentary_factor", ""]);
+const $c170 = $made(Limit, $c904, ["length", 0.0, Infinity, true, false]);
+const $c169 = $made(Quantity, $c154, ["length", $c170]);
+const $c138 = $made(Entry, $c898, ["least_pulley_diameter", $c169, false, "", "", "least_pulley_diameter", ""]);
+const $c172 = $made(Limit, $c904, ["pressure", 0.0, Infinity, true, false]);
+const $c171 = $made(Quantity, $c154, ["pressure", $c172]);
+const $c139 = $made(Entry, $c898, ["largest_wrap_pressure", $c171, false, "", "", "largest_wrap_pressure", ""]);
+const $c174 = $made(Limit, $c904, ["force_per_width", 1.0, 1000000000.0, false, false]);
+const $c173 = $made(Quantity, $c154, ["force_per_width", $c174]);
+const $c140 = $made(Entry, $c898, ["in_plane_shear_stiffness", $c173, false, "", "", "in_plane_shear_stiffness", ""]);
+const $c176 = $made(Limit, $c904, ["length", 0.0, 0.06, false, false]);
+const $c175 = $made(Quantity, $c154, ["length", $c176]);
+const $c141 = $made(Entry, $c898, ["pulley_cover", $c175, false, "", "", "pulley_cover", ""]);
+const $c178 = $made(Limit, $c904, ["length", 0.0, 0.06, false, false]);
+const $c177 = $made(Quantity, $c154, ["length", $c178]);
+const $c142 = $made(Entry, $c898, ["carry_cover", $c177, false, "", "", "carry_cover", ""]);
+const $c180 = $made(Limit, $c904, ["length", 0.0, 0.06, true, false]);
+const $c179 = $made(Quantity, $c154, ["length", $c180]);
+const $c143 = $made(Entry, $c898, ["carcass", $c179, false, "", "", "carcass", ""]);
+const $c182 = $made(Limit, $c904, ["length", 0.0, 0.06, true, false]);
+const $c181 = $made(Quantity, $c154, ["length", $c182]);
+const $c144 = $made(Entry, $c898, ["thickness", $c181, false, "", "", "thickness", ""]);
+const $c185 = $made(Limit, $c904, ["pressure", 100000.0, 100000000.0, false, true]);
+const $c184 = $made(Quantity, $c154, ["pressure", $c185]);
+const $c183 = $made(WordOr, $c934, ["rigid", $c184, Infinity]);
+const $c145 = $made(Entry, $c898, ["cover_shear_modulus", $c183, false, "", "", "cover_shear_modulus", ""]);
+const $c187 = $made(Limit, $c904, ["mass_per_length", 0.0, 1000000.0, true, false]);
+const $c186 = $made(Quantity, $c154, ["mass_per_length", $c187]);
+const $c146 = $made(Entry, $c898, ["mass", $c186, false, "", "", "mass", ""]);
+const $c147 = $made(Entry, $c898, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c188 = $made(ByName, $c906, [$c2, 200]);
+const $c148 = $made(Entry, $c898, ["sources", $c188, false, "", "", "sources", ""]);
+const $c1 = [$c129, $c130, $c131, $c132, $c133, $c134, $c135, $c136, $c137, $c138, $c139, $c140, $c141, $c142, $c143, $c144, $c145, $c146, $c147, $c148];
+const $c933 = new Map([["preset", $c129], ["name", $c130], ["kind", $c131], ["width", $c132], ["modulus", $c133], ["rating", $c134], ["strength", $c135], ["speed", $c136], ["momentary_factor", $c137], ["least_pulley_diameter", $c138], ["largest_wrap_pressure", $c139], ["in_plane_shear_stiffness", $c140], ["pulley_cover", $c141], ["carry_cover", $c142], ["carcass", $c143], ["thickness", $c144], ["cover_shear_modulus", $c145], ["mass", $c146], ["provenance", $c147], ["sources", $c148]]);
+const $c5 = $made(tables$Table, $c883, [Belt, $c1, $c933]);
+const $c891 = $made(Entry, $c898, ["belt", $c5, true, "", "a [belt] table", "belt", ""]);
+const $c936 = ["kind", "least", "most"];
+const $c208 = $made(Name, $c908, [60]);
+const $c190 = $made(Entry, $c898, ["name", $c208, true, "", "name = \"head\"", "name", ""]);
+const $c210 = $made(Limit, $c904, ["length", 0.001, 1000.0, false, false]);
+const $c209 = $made(Quantity, $c154, ["length", $c210]);
+const $c191 = $made(Entry, $c898, ["diameter", $c209, true, "", "", "diameter", ""]);
+const $c212 = $made(Limit, $c904, ["angle", 0.017453292519943295, 12.566370614359172, false, false]);
+const $c211 = $made(Quantity, $c154, ["angle", $c212]);
+const $c192 = $made(Entry, $c898, ["wrap_angle", $c211, true, "wrap", "", "wrap_angle", "belt_path"]);
+const $c831 = $made(Limit, $c904, ["length", -100000.0, 100000.0, false, false]);
+const $c945 = $made(Quantity, $c154, ["length", $c831]);
+const $c940 = $made(Entry, $c898, ["x", $c945, true, "", "", "x", ""]);
+const $c946 = $made(Quantity, $c154, ["length", $c831]);
+const $c941 = $made(Entry, $c898, ["y", $c946, true, "", "", "y", ""]);
+const $c948 = ["clockwise", "counterclockwise"];
+const $c947 = $made(Choice, $c920, [$c948]);
+const $c942 = $made(Entry, $c898, ["turn", $c947, false, "", "", "turn", ""]);
+const $c955 = $made(Quantity, $c154, ["length", $c831]);
+const $c952 = $made(Entry, $c898, ["x", $c955, true, "", "", "x", ""]);
+const $c956 = $made(Quantity, $c154, ["length", $c831]);
+const $c953 = $made(Entry, $c898, ["y", $c956, true, "", "", "y", ""]);
+const $c832 = $made(Limit, $c904, ["length", 0.0, 1000.0, false, false]);
+const $c957 = $made(Quantity, $c154, ["length", $c832]);
+const $c954 = $made(Entry, $c898, ["diameter", $c957, false, "", "", "diameter", ""]);
+const $c950 = [$c952, $c953, $c954, $c942];
+const $c951 = new Map([["x", $c952], ["y", $c953], ["diameter", $c954], ["turn", $c942]]);
+const $c949 = $made(tables$Table, $c883, [Point, $c950, $c951]);
+const $c943 = $made(Entry, $c898, ["before", $c949, true, "", "a table with x and y", "before", ""]);
+const $c944 = $made(Entry, $c898, ["after", $c949, true, "", "a table with x and y", "after", ""]);
+const $c938 = [$c940, $c941, $c942, $c943, $c944];
+const $c939 = new Map([["x", $c940], ["y", $c941], ["turn", $c942], ["before", $c943], ["after", $c944]]);
+const $c213 = $made(tables$Table, $c883, [Point, $c938, $c939]);
+const $c193 = $made(Entry, $c898, ["belt_path", $c213, false, "", "", "belt_path", ""]);
+const $c216 = $made(Name, $c908, [500]);
+const $c981 = $made(Name, $c908, [500]);
+const $c961 = $made(Entry, $c898, ["preset", $c981, false, "", "", "preset", ""]);
+const $c982 = $made(Name, $c908, [60]);
+const $c962 = $made(Entry, $c898, ["name", $c982, false, "", "", "name", ""]);
+const $c983 = $made(Text, $c901, [200, false]);
+const $c963 = $made(Entry, $c898, ["title", $c983, false, "", "", "title", ""]);
+const $c984 = $made(Text, $c901, [5000, true]);
+const $c964 = $made(Entry, $c898, ["description", $c984, false, "", "", "description", ""]);
+const $c862 = ["bare", "rubber", "polyurethane", "ceramic"];
+const $c985 = $made(Choice, $c920, [$c862]);
+const $c965 = $made(Entry, $c898, ["surface", $c985, false, "", "", "surface", ""]);
+const $c845 = $made(Limit, $c904, ["length", 0.0, 1.0, false, false]);
+const $c986 = $made(Quantity, $c154, ["length", $c845]);
+const $c966 = $made(Entry, $c898, ["thickness", $c986, false, "", "", "thickness", ""]);
+const $c848 = $made(Limit, $c904, ["pressure", 1000.0, Infinity, false, false]);
+const $c987 = $made(Quantity, $c154, ["pressure", $c848]);
+const $c967 = $made(Entry, $c898, ["elastic_modulus", $c987, false, "", "", "elastic_modulus", ""]);
+const $c846 = $made(Limit, $c904, ["pressure", 1000.0, Infinity, false, true]);
+const $c989 = $made(Quantity, $c154, ["pressure", $c846]);
+const $c988 = $made(WordOr, $c934, ["rigid", $c989, Infinity]);
+const $c968 = $made(Entry, $c898, ["shear_modulus", $c988, false, "", "", "shear_modulus", ""]);
+const $c847 = $made(Limit, $c904, ["pressure", 1000.0, Infinity, false, true]);
+const $c991 = $made(Quantity, $c154, ["pressure", $c847]);
+const $c990 = $made(WordOr, $c934, ["rigid", $c991, Infinity]);
+const $c969 = $made(Entry, $c898, ["compression_modulus", $c990, false, "", "", "compression_modulus", ""]);
+const $c872 = ["square", "strip"];
+const $c999 = $made(Choice, $c920, [$c872]);
+const $c994 = $made(Entry, $c898, ["shape", $c999, false, "", "", "shape", ""]);
+const $c818 = $made(Limit, $c904, ["length", 0.0001, 10.0, false, false]);
+const $c1000 = $made(Quantity, $c154, ["length", $c818]);
+const $c995 = $made(Entry, $c898, ["width", $c1000, true, "", "", "width", ""]);
+const $c819 = $made(Limit, $c904, ["length", 0.0001, 1.0, false, false]);
+const $c1001 = $made(Quantity, $c154, ["length", $c819]);
+const $c996 = $made(Entry, $c898, ["height", $c1001, false, "", "", "height", ""]);
+const $c820 = $made(Limit, $c904, ["number", 0.0, 10.0, false, false]);
+const $c1002 = $made(Quantity, $c154, ["number", $c820]);
+const $c997 = $made(Entry, $c898, ["stiffening", $c1002, false, "", "", "stiffening", ""]);
+const $c821 = $made(Limit, $c904, ["number", 0.01, 1.0, false, false]);
+const $c1003 = $made(Quantity, $c154, ["number", $c821]);
+const $c998 = $made(Entry, $c898, ["contact_fraction", $c1003, false, "", "", "contact_fraction", ""]);
+const $c992 = [$c994, $c995, $c996, $c997, $c998];
+const $c993 = new Map([["shape", $c994], ["width", $c995], ["height", $c996], ["stiffening", $c997], ["contact_fraction", $c998]]);
+const $c91 = $made(tables$Table, $c883, [Block, $c992, $c993]);
+const $c970 = $made(Entry, $c898, ["block", $c91, false, "", "", "block", ""]);
+const $c849 = $made(Limit, $c904, ["wear_coefficient", 0.0, 1.0, false, false]);
+const $c1004 = $made(Quantity, $c154, ["wear_coefficient", $c849]);
+const $c971 = $made(Entry, $c898, ["wear_coefficient", $c1004, false, "", "", "wear_coefficient", ""]);
+const $c850 = $made(Limit, $c904, ["number", 0.0, 1.0, false, false]);
+const $c1005 = $made(Quantity, $c154, ["number", $c850]);
+const $c972 = $made(Entry, $c898, ["belt_energy_share", $c1005, false, "", "", "belt_energy_share", ""]);
+const $c851 = $made(Limit, $c904, ["pressure", 0.0, Infinity, true, false]);
+const $c1006 = $made(Quantity, $c154, ["pressure", $c851]);
+const $c973 = $made(Entry, $c898, ["bond_strength", $c1006, false, "", "", "bond_strength", ""]);
+const $c852 = $made(Limit, $c904, ["pressure", 0.0, Infinity, true, false]);
+const $c1007 = $made(Quantity, $c154, ["pressure", $c852]);
+const $c974 = $made(Entry, $c898, ["fatigue_limit", $c1007, false, "", "", "fatigue_limit", ""]);
+const $c1016 = $made(Limit, $c904, ["number", 0.0, Infinity, false, false]);
+const $c1015 = $made(Quantity, $c154, ["number", $c1016]);
+const $c1010 = $made(Entry, $c898, ["material", $c1015, true, "", "", "material", ""]);
+const $c1018 = $made(Limit, $c904, ["number", 0.0, Infinity, false, false]);
+const $c1017 = $made(Quantity, $c154, ["number", $c1018]);
+const $c1011 = $made(Entry, $c898, ["installation", $c1017, true, "", "", "installation", ""]);
+const $c1019 = $made(Name, $c908, [12]);
+const $c1012 = $made(Entry, $c898, ["currency", $c1019, true, "", "", "currency", ""]);
+const $c1021 = $made(Limit, $c904, ["area", 0.0, Infinity, true, false]);
+const $c1020 = $made(Quantity, $c154, ["area", $c1021]);
+const $c1013 = $made(Entry, $c898, ["area", $c1020, true, "", "", "area", ""]);
+const $c1023 = $made(Quantity, $c154, ["number", null]);
+const $c1022 = $made(Rows, $c936, [$c1023, 2, 2]);
+const $c1014 = $made(Entry, $c898, ["life_years", $c1022, true, "", "", "life_years", ""]);
+const $c1008 = [$c1010, $c1011, $c1012, $c1013, $c1014];
+const $c1009 = new Map([["material", $c1010], ["installation", $c1011], ["currency", $c1012], ["area", $c1013], ["life_years", $c1014]]);
+const $c87 = $made(tables$Table, $c883, [Cost, $c1008, $c1009]);
+const $c975 = $made(Entry, $c898, ["cost", $c87, false, "", "", "cost", ""]);
+const $c1025 = $made(Limit, $c904, ["speed", 0.0, Infinity, true, false]);
+const $c1024 = $made(Quantity, $c154, ["speed", $c1025]);
+const $c976 = $made(Entry, $c898, ["slip_speed", $c1024, false, "", "", "slip_speed", ""]);
+const $c1027 = $made(Limit, $c904, ["temperature", 0.0, Infinity, false, false]);
+const $c1026 = $made(Quantity, $c154, ["temperature", $c1027]);
+const $c977 = $made(Entry, $c898, ["temperature", $c1026, false, "", "", "temperature", ""]);
+const $c1034 = $made(Name, $c908, [60]);
+const $c1031 = $made(Entry, $c898, ["condition", $c1034, true, "", "", "condition", ""]);
+const $c1036 = $made(Limit, $c904, ["number", 0.0, 10.0, true, false]);
+const $c1035 = $made(Quantity, $c154, ["number", $c1036]);
+const $c1032 = $made(Entry, $c898, ["factor", $c1035, true, "", "", "factor", ""]);
+const $c1033 = $made(Entry, $c898, ["provenance", $c2, true, "", "", "provenance", ""]);
+const $c1029 = [$c1031, $c1032, $c1033];
+const $c1030 = new Map([["condition", $c1031], ["factor", $c1032], ["provenance", $c1033]]);
+const $c92 = $made(tables$Table, $c883, [ConditionFactor, $c1029, $c1030]);
+const $c1028 = $made(Rows, $c936, [$c92, 0, 20]);
+const $c978 = $made(Entry, $c898, ["condition_factor", $c1028, false, "", "", "condition_factor", ""]);
+const $c1038 = ["tag", "tables"];
+const $c1065 = ["integral-log"];
+const $c1064 = $made(Choice, $c920, [$c1065]);
+const $c1047 = $made(Entry, $c898, ["kind", $c1064, true, "", "", "kind", ""]);
+const $c1066 = $made(Name, $c908, [60]);
+const $c1048 = $made(Entry, $c898, ["condition", $c1066, false, "", "", "condition", ""]);
+const $c1049 = $made(Entry, $c898, ["provenance", $c2, false, "", "", "provenance", ""]);
+const $c1050 = $made(Entry, $c898, ["condition_source", $c2, false, "", "", "condition_source", ""]);
+const $c1079 = $made(Name, $c908, [120]);
+const $c1078 = $made(Rows, $c936, [$c1079, 1, 1000]);
+const $c1069 = $made(Entry, $c898, ["parameters", $c1078, true, "", "", "parameters", ""]);
+const $c1080 = $made(Rows, $c936, [$c1023, 1, 1000]);
+const $c1070 = $made(Entry, $c898, ["values", $c1080, true, "", "", "values", ""]);
+const $c1082 = $made(Rows, $c936, [$c1023, 1, 1000]);
+const $c1081 = $made(Rows, $c936, [$c1082, 1, 1000]);
+const $c1071 = $made(Entry, $c898, ["covariance", $c1081, true, "", "", "covariance", ""]);
+const $c1084 = $made(Limit, $c904, ["number", 0.0, Infinity, false, false]);
+const $c1083 = $made(Quantity, $c154, ["number", $c1084]);
+const $c1072 = $made(Entry, $c898, ["residual_noise", $c1083, false, "", "", "residual_noise", ""]);
+const $c1086 = $made(Limit, $c904, ["number", 1.0, Infinity, false, false]);
+const $c1085 = $made(Quantity, $c154, ["number", $c1086]);
+const $c1073 = $made(Entry, $c898, ["coverage_factor", $c1085, false, "", "", "coverage_factor", ""]);
+const $c1087 = $made(Text, $c901, [60, false]);
+const $c1074 = $made(Entry, $c898, ["date", $c1087, false, "", "", "date", ""]);
+const $c1088 = $made(Text, $c901, [500, false]);
+const $c1075 = $made(Entry, $c898, ["method", $c1088, false, "", "", "method", ""]);
+const $c1090 = $made(Text, $c901, [2000, true]);
+const $c1089 = $made(Rows, $c936, [$c1090, 0, 50]);
+const $c1076 = $made(Entry, $c898, ["misfit", $c1089, false, "", "", "misfit", ""]);
+const $c1091 = $made(Text, $c901, [500, false]);
+const $c1077 = $made(Entry, $c898, ["misfit_accepted", $c1091, false, "", "", "misfit_accepted", ""]);
+const $c1067 = [$c1069, $c1070, $c1071, $c1072, $c1073, $c1074, $c1075, $c1076, $c1077];
+const $c1068 = new Map([["parameters", $c1069], ["values", $c1070], ["covariance", $c1071], ["residual_noise", $c1072], ["coverage_factor", $c1073], ["date", $c1074], ["method", $c1075], ["misfit", $c1076], ["misfit_accepted", $c1077]]);
+const $c99 = $made(tables$Table, $c883, [Fit, $c1067, $c1068]);
+const $c1051 = $made(Entry, $c898, ["fit", $c99, false, "", "", "fit", ""]);
+const $c1094 = ["lagging shear", "cover shear"];
+const $c1093 = $made(Choice, $c920, [$c1094]);
+const $c1092 = $made(Rows, $c936, [$c1093, 0, 2]);
+const $c1052 = $made(Entry, $c898, ["slip_includes", $c1092, false, "", "", "slip_includes", ""]);
+const $c1101 = $made(Limit, $c904, ["speed", 0.0, Infinity, true, false]);
+const $c1100 = $made(Quantity, $c154, ["speed", $c1101]);
+const $c1099 = $made(Rows, $c936, [$c1100, 2, 100]);
+const $c1097 = $made(Entry, $c898, ["slip_speed", $c1099, true, "", "", "at", ""]);
+const $c1102 = $made(Rows, $c936, [$c1035, 2, 100]);
+const $c1098 = $made(Entry, $c898, ["factor", $c1102, true, "", "", "factor", ""]);
+const $c1095 = [$c1097, $c1098, $c1033];
+const $c1096 = new Map([["slip_speed", $c1097], ["factor", $c1098], ["provenance", $c1033]]);
+const $c97 = $made(tables$Table, $c883, [FrictionFactor, $c1095, $c1096]);
+const $c1053 = $made(Entry, $c898, ["slip_speed_factor", $c97, false, "", "", "slip_speed_factor", ""]);
+const $c1108 = $made(Limit, $c904, ["temperature", 0.0, Infinity, false, false]);
+const $c1107 = $made(Quantity, $c154, ["temperature", $c1108]);
+const $c1106 = $made(Rows, $c936, [$c1107, 2, 100]);
+const $c1105 = $made(Entry, $c898, ["temperature", $c1106, true, "", "", "at", ""]);
+const $c1103 = [$c1105, $c1098, $c1033];
+const $c1104 = new Map([["temperature", $c1105], ["factor", $c1098], ["provenance", $c1033]]);
+const $c98 = $made(tables$Table, $c883, [FrictionFactor, $c1103, $c1104]);
+const $c1054 = $made(Entry, $c898, ["temperature_factor", $c98, false, "", "", "temperature_factor", ""]);
+const $c1055 = $made(Entry, $c898, ["notes", $c1089, false, "", "", "notes", ""]);
+const $c1111 = $made(Limit, $c904, ["pressure", 0.0, 1000000000.0, true, false]);
+const $c1110 = $made(Quantity, $c154, ["pressure", $c1111]);
+const $c1109 = $made(Rows, $c936, [$c1110, 2, 2]);
+const $c1056 = $made(Entry, $c898, ["tested_pressure", $c1109, false, "", "", "tested_pressure", ""]);
+const $c1113 = $made(Limit, $c904, ["length", 0.0, 1.0, true, false]);
+const $c1112 = $made(Quantity, $c154, ["length", $c1113]);
+const $c1057 = $made(Entry, $c898, ["tested_slip", $c1112, false, "", "", "tested_slip", ""]);
+const $c1115 = $made(Limit, $c904, ["speed", 0.0, Infinity, true, false]);
+const $c1114 = $made(Quantity, $c154, ["speed", $c1115]);
+const $c1058 = $made(Entry, $c898, ["tested_slip_speed", $c1114, false, "", "", "tested_slip_speed", ""]);
+const $c1120 = $made(Entry, $c898, ["pressure", $c1110, true, "", "", "pressure", ""]);
+const $c1126 = $made(Limit, $c904, ["number", 0.0, 5.0, true, false]);
+const $c1125 = $made(Quantity, $c154, ["number", $c1126]);
+const $c1121 = $made(Entry, $c898, ["peak_friction", $c1125, true, "", "", "peak_friction", ""]);
+const $c1122 = $made(Entry, $c898, ["peak_slip", $c1112, true, "", "", "peak_slip", ""]);
+const $c1128 = $made(Limit, $c904, ["per_length", -1000000.0, 0.0, false, false]);
+const $c1127 = $made(Quantity, $c154, ["per_length", $c1128]);
+const $c1123 = $made(Entry, $c898, ["post_peak_slope", $c1127, false, "", "", "post_peak_slope", ""]);
+const $c1124 = $made(Entry, $c898, ["residual_friction", $c1125, false, "", "", "residual_friction", ""]);
+const $c1118 = [$c1120, $c1121, $c1122, $c1123, $c1124];
+const $c1119 = new Map([["pressure", $c1120], ["peak_friction", $c1121], ["peak_slip", $c1122], ["post_peak_slope", $c1123], ["residual_friction", $c1124]]);
+const $c1117 = $made(tables$Table, $c883, [null, $c1118, $c1119]);
+const $c1116 = $made(Rows, $c936, [$c1117, 1, 200]);
+const $c1059 = $made(Entry, $c898, ["knots", $c1116, false, "", "", "knots", ""]);
+const $c1133 = $made(Entry, $c898, ["from", $c1110, true, "", "", "from", ""]);
+const $c1134 = $made(Entry, $c898, ["to", $c1110, true, "", "", "to", ""]);
+const $c1139 = $made(Text, $c901, [300, false]);
+const $c1135 = $made(Entry, $c898, ["A", $c1139, true, "", "", "A", ""]);
+const $c1136 = $made(Entry, $c898, ["b", $c1139, true, "", "", "b", ""]);
+const $c1137 = $made(Entry, $c898, ["post_peak_slope", $c1139, false, "", "", "post_peak_slope", ""]);
+const $c1138 = $made(Entry, $c898, ["residual_friction", $c1139, false, "", "", "residual_friction", ""]);
+const $c1131 = [$c1133, $c1134, $c1135, $c1136, $c1137, $c1138];
+const $c1132 = new Map([["from", $c1133], ["to", $c1134], ["A", $c1135], ["b", $c1136], ["post_peak_slope", $c1137], ["residual_friction", $c1138]]);
+const $c1130 = $made(tables$Table, $c883, [null, $c1131, $c1132]);
+const $c1129 = $made(Rows, $c936, [$c1130, 1, 50]);
+const $c1060 = $made(Entry, $c898, ["pieces", $c1129, false, "", "", "pieces", ""]);
+const $c1140 = $made(Text, $c901, [20, false]);
+const $c1061 = $made(Entry, $c898, ["slip_unit", $c1140, false, "", "", "slip_unit", ""]);
+const $c1141 = $made(Text, $c901, [20, false]);
+const $c1062 = $made(Entry, $c898, ["pressure_unit", $c1141, false, "", "", "pressure_unit", ""]);
+const $c1143 = $made(Limit, $c904, ["number", 0.0, 0.5, false, false]);
+const $c1142 = $made(Quantity, $c154, ["number", $c1143]);
+const $c1063 = $made(Entry, $c898, ["continuity", $c1142, false, "", "", "continuity", ""]);
+const $c1045 = [$c1047, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1059, $c1060, $c1061, $c1062, $c1063];
+const $c1046 = new Map([["kind", $c1047], ["condition", $c1048], ["provenance", $c1049], ["condition_source", $c1050], ["fit", $c1051], ["slip_includes", $c1052], ["slip_speed_factor", $c1053], ["temperature_factor", $c1054], ["notes", $c1055], ["tested_pressure", $c1056], ["tested_slip", $c1057], ["tested_slip_speed", $c1058], ["knots", $c1059], ["pieces", $c1060], ["slip_unit", $c1061], ["pressure_unit", $c1062], ["continuity", $c1063]]);
+const $c1040 = $made(tables$Table, $c883, [IntegralLog, $c1045, $c1046]);
+const $c1149 = ["constant"];
+const $c1148 = $made(Choice, $c920, [$c1149]);
+const $c1146 = $made(Entry, $c898, ["kind", $c1148, true, "", "", "kind", ""]);
+const $c1147 = $made(Entry, $c898, ["friction", $c1125, true, "", "", "friction_coefficient", ""]);
+const $c1144 = [$c1146, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1147];
+const $c1145 = new Map([["kind", $c1146], ["condition", $c1048], ["provenance", $c1049], ["condition_source", $c1050], ["fit", $c1051], ["slip_includes", $c1052], ["slip_speed_factor", $c1053], ["temperature_factor", $c1054], ["notes", $c1055], ["tested_pressure", $c1056], ["tested_slip", $c1057], ["tested_slip_speed", $c1058], ["friction", $c1147]]);
+const $c1041 = $made(tables$Table, $c883, [Constant, $c1144, $c1145]);
+const $c1155 = ["elastic-plastic"];
+const $c1154 = $made(Choice, $c920, [$c1155]);
+const $c1152 = $made(Entry, $c898, ["kind", $c1154, true, "", "", "kind", ""]);
+const $c1157 = $made(Limit, $c904, ["pressure_per_length", 0.0, 1000000000000000.0, true, false]);
+const $c1156 = $made(Quantity, $c154, ["pressure_per_length", $c1157]);
+const $c1153 = $made(Entry, $c898, ["stiffness", $c1156, true, "", "", "stiffness", ""]);
+const $c1150 = [$c1152, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1153, $c1147];
+const $c1151 = new Map([["kind", $c1152], ["condition", $c1048], ["provenance", $c1049], ["condition_source", $c1050], ["fit", $c1051], ["slip_includes", $c1052], ["slip_speed_factor", $c1053], ["temperature_factor", $c1054], ["notes", $c1055], ["tested_pressure", $c1056], ["tested_slip", $c1057], ["tested_slip_speed", $c1058], ["stiffness", $c1153], ["friction", $c1147]]);
+const $c1042 = $made(tables$Table, $c883, [ElasticPlastic, $c1150, $c1151]);
+const $c1165 = ["power"];
+const $c1164 = $made(Choice, $c920, [$c1165]);
+const $c1160 = $made(Entry, $c898, ["kind", $c1164, true, "", "", "kind", ""]);
+const $c1161 = $made(Entry, $c898, ["friction", $c1125, true, "", "", "friction_coefficient", ""]);
+const $c1162 = $made(Entry, $c898, ["reference_pressure", $c1110, true, "", "", "reference_pressure", ""]);
+const $c1163 = $made(Entry, $c898, ["exponent", $c1023, true, "", "", "exponent", ""]);
+const $c1158 = [$c1160, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1056, $c1057, $c1058, $c1161, $c1162, $c1163];
+const $c1159 = new Map([["kind", $c1160], ["condition", $c1048], ["provenance", $c1049], ["condition_source", $c1050], ["fit", $c1051], ["slip_includes", $c1052], ["slip_speed_factor", $c1053], ["temperature_factor", $c1054], ["notes", $c1055], ["tested_pressure", $c1056], ["tested_slip", $c1057], ["tested_slip_speed", $c1058], ["friction", $c1161], ["reference_pressure", $c1162], ["exponent", $c1163]]);
+const $c1043 = $made(tables$Table, $c883, [PressurePower, $c1158, $c1159]);
+const $c1172 = ["table"];
+const $c1171 = $made(Choice, $c920, [$c1172]);
+const $c1168 = $made(Entry, $c898, ["kind", $c1171, true, "", "", "kind", ""]);
+const $c1175 = $made(Limit, $c904, ["length", 0.0, 1.0, false, false]);
+const $c1174 = $made(Quantity, $c154, ["length", $c1175]);
+const $c1173 = $made(Rows, $c936, [$c1174, 2, 1000]);
+const $c1169 = $made(Entry, $c898, ["slip", $c1173, true, "", "slip = [\"0 mm\", \"2 mm\", \"10 mm\"]", "slip", ""]);
+const $c1180 = $made(Entry, $c898, ["pressure", $c1110, true, "", "", "pressure", ""]);
+const $c1184 = $made(Limit, $c904, ["number", 0.0, 5.0, false, false]);
+const $c1183 = $made(Quantity, $c154, ["number", $c1184]);
+const $c1182 = $made(Rows, $c936, [$c1183, 2, 1000]);
+const $c1181 = $made(Entry, $c898, ["friction", $c1182, true, "", "", "values", ""]);
+const $c1178 = [$c1180, $c1181];
+const $c1179 = new Map([["pressure", $c1180], ["friction", $c1181]]);
+const $c1177 = $made(tables$Table, $c883, [null, $c1178, $c1179]);
+const $c1176 = $made(Rows, $c936, [$c1177, 1, 200]);
+const $c1170 = $made(Entry, $c898, ["rows", $c1176, true, "", "rows = [{ pressure = \"100 kPa\", friction = [0.0, 0.4, 0.5] }], a friction for each slip", "rows", ""]);
+const $c1166 = [$c1168, $c1048, $c1049, $c1050, $c1051, $c1052, $c1053, $c1054, $c1055, $c1169, $c1170];
+const $c1167 = new Map([["kind", $c1168], ["condition", $c1048], ["provenance", $c1049], ["condition_source", $c1050], ["fit", $c1051], ["slip_includes", $c1052], ["slip_speed_factor", $c1053], ["temperature_factor", $c1054], ["notes", $c1055], ["slip", $c1169], ["rows", $c1170]]);
+const $c1044 = $made(tables$Table, $c883, [MeasuredTable, $c1166, $c1167]);
+const $c1039 = new Map([["integral-log", $c1040], ["constant", $c1041], ["elastic-plastic", $c1042], ["power", $c1043], ["table", $c1044]]);
+const $c95 = $made(Variant, $c1038, ["kind", $c1039]);
+const $c1037 = $made(OneOrMore, $c906, [$c95, 50]);
+const $c979 = $made(Entry, $c898, ["law", $c1037, false, "", "", "law", ""]);
+const $c980 = $made(Entry, $c898, ["notes", $c1089, false, "", "", "notes", ""]);
+const $c959 = [$c961, $c962, $c963, $c964, $c965, $c966, $c967, $c968, $c969, $c970, $c971, $c972, $c973, $c974, $c975, $c976, $c977, $c978, $c979, $c147, $c148, $c980];
+const $c960 = new Map([["preset", $c961], ["name", $c962], ["title", $c963], ["description", $c964], ["surface", $c965], ["thickness", $c966], ["elastic_modulus", $c967], ["shear_modulus", $c968], ["compression_modulus", $c969], ["block", $c970], ["wear_coefficient", $c971], ["belt_energy_share", $c972], ["bond_strength", $c973], ["fatigue_limit", $c974], ["cost", $c975], ["slip_speed", $c976], ["temperature", $c977], ["condition_factor", $c978], ["law", $c979], ["provenance", $c147], ["sources", $c148], ["notes", $c980]]);
+const $c958 = $made(tables$Table, $c883, [Lagging, $c959, $c960]);
+const $c214 = $made(TextOr, $c907, [$c216, $c958]);
+const $c194 = $made(Entry, $c898, ["lagging", $c214, true, "", "lagging = \"diamond-rubber\"", "lagging", ""]);
+const $c195 = $made(Entry, $c898, ["condition", $c217, false, "", "", "condition", ""]);
+const $c220 = $made(Limit, $c904, ["force", 0.1, 1000000000.0, false, false]);
+const $c219 = $made(Quantity, $c154, ["force", $c220]);
+const $c196 = $made(Entry, $c898, ["entry_tension", $c219, false, "", "", "entry_tension", ""]);
+const $c197 = $made(Entry, $c898, ["exit_tension", $c219, false, "", "", "exit_tension", ""]);
+const $c221 = $made(Quantity, $c154, ["force", null]);
+const $c198 = $made(Entry, $c898, ["effective_tension", $c221, false, "", "", "effective_tension", ""]);
+const $c222 = $made(Quantity, $c154, ["torque", null]);
+const $c199 = $made(Entry, $c898, ["torque", $c222, false, "", "", "torque", ""]);
+const $c223 = $made(Quantity, $c154, ["power", null]);
+const $c200 = $made(Entry, $c898, ["power", $c223, false, "", "", "power", ""]);
+const $c226 = $made(Limit, $c904, ["length", -1.0, 1.0, false, false]);
+const $c225 = $made(Quantity, $c154, ["length", $c226]);
+const $c224 = $made(WordOr, $c934, ["formula", $c225, null]);
+const $c201 = $made(Entry, $c898, ["overrun", $c224, false, "", "", "overrun", ""]);
+const $c227 = $made(Flag, [], []);
+const $c202 = $made(Entry, $c898, ["recovery", $c227, false, "", "", "recovery", ""]);
+const $c229 = $made(Limit, $c904, ["length", 0.0, 1.0, true, false]);
+const $c228 = $made(Quantity, $c154, ["length", $c229]);
+const $c203 = $made(Entry, $c898, ["creep_limit", $c228, false, "", "", "creep_limit", ""]);
+const $c869 = ["pulley", "carry"];
+const $c230 = $made(Choice, $c920, [$c869]);
+const $c204 = $made(Entry, $c898, ["side", $c230, false, "", "", "side", ""]);
+const $c232 = $made(Limit, $c904, ["mass", 0.0, 1000000.0, true, false]);
+const $c231 = $made(Quantity, $c154, ["mass", $c232]);
+const $c205 = $made(Entry, $c898, ["mass", $c231, false, "", "", "mass", ""]);
+const $c1601 = ["dimension", "diameters", "rows", "within"];
+const $c1202 = ["kinds"];
+const $c1204 = $made(Quantity, $c154, ["length", null]);
+const $c1205 = $made(Quantity, $c154, ["length", null]);
+const $c1203 = [$c1204, $c1205];
+const $c1201 = $made(_Pair, $c1202, [$c1203]);
+const $c1199 = $made(Rows, $c936, [$c1201, 0, 500]);
+const $c1208 = $made(Entry, $c898, ["rows", $c1199, false, "", "", "rows", ""]);
+const $c1213 = $made(Quantity, $c154, ["length", null]);
+const $c1209 = $made(Entry, $c898, ["crown", $c1213, false, "", "", "crown", ""]);
+const $c1215 = $made(Limit, $c904, ["number", 0.0, 100.0, false, false]);
+const $c1214 = $made(Quantity, $c154, ["number", $c1215]);
+const $c1210 = $made(Entry, $c898, ["factor", $c1214, false, "", "", "factor", ""]);
+const $c1217 = $made(Limit, $c904, ["length", 0.0, Infinity, false, false]);
+const $c1216 = $made(Quantity, $c154, ["length", $c1217]);
+const $c1211 = $made(Entry, $c898, ["uncertainty", $c1216, false, "", "", "uncertainty", ""]);
+const $c1219 = ["radius", "diameter"];
+const $c1218 = $made(Choice, $c920, [$c1219]);
+const $c1212 = $made(Entry, $c898, ["on", $c1218, false, "", "", "on", ""]);
+const $c1206 = [$c1208, $c1209, $c1210, $c1211, $c1212];
+const $c1207 = new Map([["rows", $c1208], ["crown", $c1209], ["factor", $c1210], ["uncertainty", $c1211], ["on", $c1212]]);
+const $c1200 = $made(tables$Table, $c883, [null, $c1206, $c1207]);
+const $c1198 = $made(TextOr, $c907, [$c1199, $c1200]);
+const $c1196 = $made(Profile, $c1601, ["length", true, $c1199, $c1198]);
+const $c1187 = $made(Entry, $c898, ["shell_profile", $c1196, false, "", "", "shell_profile", ""]);
+const $c1226 = $made(Quantity, $c154, ["length", null]);
+const $c1227 = $made(Quantity, $c154, ["length", null]);
+const $c1225 = [$c1226, $c1227];
+const $c1224 = $made(_Pair, $c1202, [$c1225]);
+const $c1222 = $made(Rows, $c936, [$c1224, 0, 500]);
+const $c1230 = $made(Entry, $c898, ["rows", $c1222, false, "", "", "rows", ""]);
+const $c1235 = $made(Quantity, $c154, ["length", null]);
+const $c1231 = $made(Entry, $c898, ["crown", $c1235, false, "", "", "crown", ""]);
+const $c1237 = $made(Limit, $c904, ["number", 0.0, 100.0, false, false]);
+const $c1236 = $made(Quantity, $c154, ["number", $c1237]);
+const $c1232 = $made(Entry, $c898, ["factor", $c1236, false, "", "", "factor", ""]);
+const $c1239 = $made(Limit, $c904, ["length", 0.0, Infinity, false, false]);
+const $c1238 = $made(Quantity, $c154, ["length", $c1239]);
+const $c1233 = $made(Entry, $c898, ["uncertainty", $c1238, false, "", "", "uncertainty", ""]);
+const $c1240 = $made(Choice, $c920, [$c1219]);
+const $c1234 = $made(Entry, $c898, ["on", $c1240, false, "", "", "on", ""]);
+const $c1228 = [$c1230, $c1231, $c1232, $c1233, $c1234];
+const $c1229 = new Map([["rows", $c1230], ["crown", $c1231], ["factor", $c1232], ["uncertainty", $c1233], ["on", $c1234]]);
+const $c1223 = $made(tables$Table, $c883, [null, $c1228, $c1229]);
+const $c1221 = $made(TextOr, $c907, [$c1222, $c1223]);
+const $c1220 = $made(Profile, $c1601, ["length", true, $c1222, $c1221]);
+const $c1188 = $made(Entry, $c898, ["worn_depth", $c1220, false, "", "", "worn_depth", ""]);
+const $c1247 = $made(Quantity, $c154, ["length", null]);
+const $c1248 = $made(Quantity, $c154, ["length", null]);
+const $c1246 = [$c1247, $c1248];
+const $c1245 = $made(_Pair, $c1202, [$c1246]);
+const $c1243 = $made(Rows, $c936, [$c1245, 0, 500]);
+const $c1251 = $made(Entry, $c898, ["rows", $c1243, false, "", "", "rows", ""]);
+const $c1256 = $made(Quantity, $c154, ["length", null]);
+const $c1252 = $made(Entry, $c898, ["crown", $c1256, false, "", "", "crown", ""]);
+const $c1258 = $made(Limit, $c904, ["number", 0.0, 100.0, false, false]);
+const $c1257 = $made(Quantity, $c154, ["number", $c1258]);
+const $c1253 = $made(Entry, $c898, ["factor", $c1257, false, "", "", "factor", ""]);
+const $c1260 = $made(Limit, $c904, ["length", 0.0, Infinity, false, false]);
+const $c1259 = $made(Quantity, $c154, ["length", $c1260]);
+const $c1254 = $made(Entry, $c898, ["uncertainty", $c1259, false, "", "", "uncertainty", ""]);
+const $c1261 = $made(Choice, $c920, [$c1219]);
+const $c1255 = $made(Entry, $c898, ["on", $c1261, false, "", "", "on", ""]);
+const $c1249 = [$c1251, $c1252, $c1253, $c1254, $c1255];
+const $c1250 = new Map([["rows", $c1251], ["crown", $c1252], ["factor", $c1253], ["uncertainty", $c1254], ["on", $c1255]]);
+const $c1244 = $made(tables$Table, $c883, [null, $c1249, $c1250]);
+const $c1242 = $made(TextOr, $c907, [$c1243, $c1244]);
+const $c1241 = $made(Profile, $c1601, ["length", true, $c1243, $c1242]);
+const $c1189 = $made(Entry, $c898, ["build_up", $c1241, false, "", "", "build_up", ""]);
+const $c1263 = $made(Limit, $c904, ["number", -0.1, 0.1, false, false]);
+const $c1262 = $made(Quantity, $c154, ["number", $c1263]);
+const $c1190 = $made(Entry, $c898, ["misalignment", $c1262, false, "", "", "misalignment", ""]);
+const $c1265 = $made(Limit, $c904, ["length", -0.1, 0.1, false, false]);
+const $c1264 = $made(Quantity, $c154, ["length", $c1265]);
+const $c1191 = $made(Entry, $c898, ["deflection", $c1264, false, "", "", "deflection", ""]);
+const $c1272 = $made(Quantity, $c154, ["length", null]);
+const $c1273 = $made(Quantity, $c154, ["force_per_width", null]);
+const $c1271 = [$c1272, $c1273];
+const $c1270 = $made(_Pair, $c1202, [$c1271]);
+const $c1268 = $made(Rows, $c936, [$c1270, 0, 500]);
+const $c1276 = $made(Entry, $c898, ["rows", $c1268, false, "", "", "rows", ""]);
+const $c1280 = $made(Quantity, $c154, ["force_per_width", null]);
+const $c1277 = $made(Entry, $c898, ["crown", $c1280, false, "", "", "crown", ""]);
+const $c1282 = $made(Limit, $c904, ["number", 0.0, 100.0, false, false]);
+const $c1281 = $made(Quantity, $c154, ["number", $c1282]);
+const $c1278 = $made(Entry, $c898, ["factor", $c1281, false, "", "", "factor", ""]);
+const $c1284 = $made(Limit, $c904, ["force_per_width", 0.0, Infinity, false, false]);
+const $c1283 = $made(Quantity, $c154, ["force_per_width", $c1284]);
+const $c1279 = $made(Entry, $c898, ["uncertainty", $c1283, false, "", "", "uncertainty", ""]);
+const $c1274 = [$c1276, $c1277, $c1278, $c1279];
+const $c1275 = new Map([["rows", $c1276], ["crown", $c1277], ["factor", $c1278], ["uncertainty", $c1279]]);
+const $c1269 = $made(tables$Table, $c883, [null, $c1274, $c1275]);
+const $c1267 = $made(TextOr, $c907, [$c1268, $c1269]);
+const $c1266 = $made(Profile, $c1601, ["force_per_width", false, $c1268, $c1267]);
+const $c1192 = $made(Entry, $c898, ["entry_profile", $c1266, false, "", "", "entry_profile", ""]);
+const $c1294 = ["pulley"];
+const $c1293 = $made(Choice, $c920, [$c1294]);
+const $c1291 = $made(Entry, $c898, ["kind", $c1293, true, "", "", "kind", ""]);
+const $c1296 = $made(Limit, $c904, ["length", 0.0, 100000.0, true, false]);
+const $c1295 = $made(Quantity, $c154, ["length", $c1296]);
+const $c1292 = $made(Entry, $c898, ["distance", $c1295, true, "", "", "distance", ""]);
+const $c1289 = [$c1291, $c1292];
+const $c1290 = new Map([["kind", $c1291], ["distance", $c1292]]);
+const $c1287 = $made(tables$Table, $c883, [GrippingPulley, $c1289, $c1290]);
+const $c1305 = ["transition"];
+const $c1304 = $made(Choice, $c920, [$c1305]);
+const $c1299 = $made(Entry, $c898, ["kind", $c1304, true, "", "", "kind", ""]);
+const $c1307 = $made(Limit, $c904, ["length", 0.0, 1000.0, true, false]);
+const $c1306 = $made(Quantity, $c154, ["length", $c1307]);
+const $c1300 = $made(Entry, $c898, ["length", $c1306, true, "", "length = \"2.9 m\"", "length", ""]);
+const $c1309 = $made(Limit, $c904, ["angle", 0.0, 1.5707963267948966, true, false]);
+const $c1308 = $made(Quantity, $c154, ["angle", $c1309]);
+const $c1301 = $made(Entry, $c898, ["trough_angle", $c1308, true, "", "trough_angle = \"35 deg\"", "trough_angle", ""]);
+const $c1311 = $made(Limit, $c904, ["length", 0.0, 100.0, false, false]);
+const $c1310 = $made(Quantity, $c154, ["length", $c1311]);
+const $c1302 = $made(Entry, $c898, ["centre_roll", $c1310, true, "", "centre_roll = \"465 mm\"", "centre_roll", ""]);
+const $c1313 = ["full", "half"];
+const $c1312 = $made(Choice, $c920, [$c1313]);
+const $c1303 = $made(Entry, $c898, ["depth", $c1312, false, "", "", "depth", ""]);
+const $c1297 = [$c1299, $c1300, $c1301, $c1302, $c1303];
+const $c1298 = new Map([["kind", $c1299], ["length", $c1300], ["trough_angle", $c1301], ["centre_roll", $c1302], ["depth", $c1303]]);
+const $c1288 = $made(tables$Table, $c883, [Transition, $c1297, $c1298]);
+const $c1286 = new Map([["pulley", $c1287], ["transition", $c1288]]);
+const $c28 = $made(Variant, $c1038, ["kind", $c1286]);
+const $c1285 = $made(WordOr, $c934, ["far", $c28, null]);
+const $c1193 = $made(Entry, $c898, ["before", $c1285, false, "", "", "before", ""]);
+const $c1321 = ["pulley"];
+const $c1320 = $made(Choice, $c920, [$c1321]);
+const $c1319 = $made(Entry, $c898, ["kind", $c1320, true, "", "", "kind", ""]);
+const $c1317 = [$c1319, $c1292];
+const $c1318 = new Map([["kind", $c1319], ["distance", $c1292]]);
+const $c1316 = $made(tables$Table, $c883, [GrippingPulley, $c1317, $c1318]);
+const $c1315 = new Map([["pulley", $c1316]]);
+const $c29 = $made(Variant, $c1038, ["kind", $c1315]);
+const $c1314 = $made(WordOr, $c934, ["far", $c29, null]);
+const $c1194 = $made(Entry, $c898, ["after", $c1314, false, "", "", "after", ""]);
+const $c1323 = ["least", "most"];
+const $c1322 = $made(Count, $c1323, [4, 128]);
+const $c1195 = $made(Entry, $c898, ["strips", $c1322, false, "", "", "strips", ""]);
+const $c1185 = [$c1187, $c1188, $c1189, $c1190, $c1191, $c1192, $c1193, $c1194, $c1195];
+const $c1186 = new Map([["shell_profile", $c1187], ["worn_depth", $c1188], ["build_up", $c1189], ["misalignment", $c1190], ["deflection", $c1191], ["entry_profile", $c1192], ["before", $c1193], ["after", $c1194], ["strips", $c1195]]);
+const $c30 = $made(tables$Table, $c883, [Across, $c1185, $c1186]);
+const $c206 = $made(Entry, $c898, ["across", $c30, false, "", "", "across", ""]);
+const $c233 = $made(ByName, $c906, [$c2, 200]);
+const $c207 = $made(Entry, $c898, ["sources", $c233, false, "", "", "sources", ""]);
+const $c9 = [$c190, $c191, $c192, $c193, $c194, $c195, $c196, $c197, $c198, $c199, $c200, $c201, $c202, $c203, $c204, $c205, $c206, $c207];
+const $c937 = new Map([["name", $c190], ["diameter", $c191], ["wrap_angle", $c192], ["belt_path", $c193], ["lagging", $c194], ["condition", $c195], ["entry_tension", $c196], ["exit_tension", $c197], ["effective_tension", $c198], ["torque", $c199], ["power", $c200], ["overrun", $c201], ["recovery", $c202], ["creep_limit", $c203], ["side", $c204], ["mass", $c205], ["across", $c206], ["sources", $c207]]);
+const $c31 = $made(tables$Table, $c883, [Pulley, $c9, $c937]);
+const $c935 = $made(Rows, $c936, [$c31, 1, 10]);
+const $c892 = $made(Entry, $c898, ["pulley", $c935, true, "", "a [[pulley]] table for each pulley", "pulley", ""]);
+const $c1324 = $made(ByName, $c906, [$c958, 200]);
+const $c893 = $made(Entry, $c898, ["lagging", $c1324, false, "", "", "lagging", ""]);
+const $c1335 = $made(Name, $c908, [60]);
+const $c1329 = $made(Entry, $c898, ["name", $c1335, true, "", "name = \"start\"", "name", ""]);
+const $c1336 = $made(Text, $c901, [1000, true]);
+const $c1330 = $made(Entry, $c898, ["description", $c1336, false, "", "", "description", ""]);
+const $c104 = ["running", "starting", "braking"];
+const $c1337 = $made(Choice, $c920, [$c104]);
+const $c1331 = $made(Entry, $c898, ["kind", $c1337, false, "", "", "kind", ""]);
+const $c1332 = $made(Entry, $c898, ["condition", $c217, false, "", "", "condition", ""]);
+const $c1340 = [$c196, $c197, $c198, $c199, $c200];
+const $c1341 = new Map([["entry_tension", $c196], ["exit_tension", $c197], ["effective_tension", $c198], ["torque", $c199], ["power", $c200]]);
+const $c1339 = $made(tables$Table, $c883, [null, $c1340, $c1341]);
+const $c1338 = $made(ByName, $c906, [$c1339, 200]);
+const $c1333 = $made(Entry, $c898, ["pulley", $c1338, false, "", "", "pulley", ""]);
+const $c1342 = $made(Elsewhere, [], []);
+const $c1334 = $made(Entry, $c898, ["train", $c1342, false, "", "", "train", ""]);
+const $c1327 = [$c1329, $c1330, $c1331, $c1332, $c1333, $c1334];
+const $c1328 = new Map([["name", $c1329], ["description", $c1330], ["kind", $c1331], ["condition", $c1332], ["pulley", $c1333], ["train", $c1334]]);
+const $c1326 = $made(tables$Table, $c883, [null, $c1327, $c1328]);
+const $c1325 = $made(Rows, $c936, [$c1326, 1, 1000]);
+const $c894 = $made(Entry, $c898, ["load_case", $c1325, false, "", "", "load_case", ""]);
+const $c683 = $made(Limit, $c904, ["length", 0.0, 100000.0, true, false]);
+const $c1364 = $made(Quantity, $c154, ["length", $c683]);
+const $c1345 = $made(Entry, $c898, ["length", $c1364, true, "", "length = \"600 m\"", "length", ""]);
+const $c684 = $made(Limit, $c904, ["length", -5000.0, 5000.0, false, false]);
+const $c1365 = $made(Quantity, $c154, ["length", $c684]);
+const $c1346 = $made(Entry, $c898, ["lift", $c1365, false, "", "", "lift", ""]);
+const $c685 = $made(Limit, $c904, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1366 = $made(Quantity, $c154, ["mass_per_length", $c685]);
+const $c1347 = $made(Entry, $c898, ["belt_mass", $c1366, true, "", "", "belt_mass", ""]);
+const $c686 = $made(Limit, $c904, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1367 = $made(Quantity, $c154, ["mass_per_length", $c686]);
+const $c1348 = $made(Entry, $c898, ["carry_idler_mass", $c1367, true, "", "", "carry_idler_mass", ""]);
+const $c687 = $made(Limit, $c904, ["mass_per_length", 0.0, 10000.0, false, false]);
+const $c1368 = $made(Quantity, $c154, ["mass_per_length", $c687]);
+const $c1349 = $made(Entry, $c898, ["return_idler_mass", $c1368, true, "", "", "return_idler_mass", ""]);
+const $c1369 = $made(Quantity, $c154, ["mass_per_length", $c685]);
+const $c1350 = $made(Entry, $c898, ["material_mass", $c1369, false, "", "", "material_mass", ""]);
+const $c688 = $made(Limit, $c904, ["mass_flow", 0.0, 100000.0, true, false]);
+const $c1370 = $made(Quantity, $c154, ["mass_flow", $c688]);
+const $c1351 = $made(Entry, $c898, ["capacity", $c1370, false, "", "", "capacity", ""]);
+const $c689 = $made(Limit, $c904, ["number", 0.005, 0.1, false, false]);
+const $c1371 = $made(Quantity, $c154, ["number", $c689]);
+const $c1352 = $made(Entry, $c898, ["friction_factor", $c1371, false, "", "", "friction_factor", ""]);
+const $c690 = $made(Limit, $c904, ["number", 1.0, 10.0, false, false]);
+const $c1372 = $made(Quantity, $c154, ["number", $c690]);
+const $c1353 = $made(Entry, $c898, ["length_coefficient", $c1372, false, "", "", "length_coefficient", ""]);
+const $c691 = $made(Limit, $c904, ["force", 0.0, 100000000.0, false, false]);
+const $c1373 = $made(Quantity, $c154, ["force", $c691]);
+const $c1354 = $made(Entry, $c898, ["secondary_resistance", $c1373, false, "", "", "secondary_resistance", ""]);
+const $c1374 = $made(Quantity, $c154, ["force", $c691]);
+const $c1355 = $made(Entry, $c898, ["special_resistance", $c1374, false, "", "", "special_resistance", ""]);
+const $c692 = $made(Limit, $c904, ["number", 0.0, 1.0, false, false]);
+const $c1375 = $made(Quantity, $c154, ["number", $c692]);
+const $c1356 = $made(Entry, $c898, ["return_share", $c1375, false, "", "", "return_share", ""]);
+const $c693 = $made(Limit, $c904, ["number", 1.0, 5.0, false, false]);
+const $c1376 = $made(Quantity, $c154, ["number", $c693]);
+const $c1357 = $made(Entry, $c898, ["start_factor", $c1376, false, "", "", "start_factor", ""]);
+const $c694 = $made(Limit, $c904, ["time", 0.0, 3600.0, true, false]);
+const $c1377 = $made(Quantity, $c154, ["time", $c694]);
+const $c1358 = $made(Entry, $c898, ["start_time", $c1377, false, "", "", "start_time", ""]);
+const $c1378 = $made(Quantity, $c154, ["time", $c694]);
+const $c1359 = $made(Entry, $c898, ["stop_time", $c1378, false, "", "", "stop_time", ""]);
+const $c695 = $made(Limit, $c904, ["force", 0.0, 100000000.0, true, false]);
+const $c1379 = $made(Quantity, $c154, ["force", $c695]);
+const $c1360 = $made(Entry, $c898, ["take_up_tension", $c1379, false, "", "", "take_up_tension", ""]);
+const $c696 = $made(Limit, $c904, ["mass", 0.0, 10000000.0, true, false]);
+const $c1380 = $made(Quantity, $c154, ["mass", $c696]);
+const $c1361 = $made(Entry, $c898, ["counterweight", $c1380, false, "", "", "counterweight", ""]);
+const $c697 = $made(Limit, $c904, ["length", 0.0, 100000.0, false, false]);
+const $c1381 = $made(Quantity, $c154, ["length", $c697]);
+const $c1362 = $made(Entry, $c898, ["take_up_distance", $c1381, false, "", "", "take_up_distance", ""]);
+const $c870 = ["head", "tail"];
+const $c1382 = $made(Choice, $c920, [$c870]);
+const $c1363 = $made(Entry, $c898, ["drive_at", $c1382, false, "", "", "drive_at", ""]);
+const $c1343 = [$c1345, $c1346, $c1347, $c1348, $c1349, $c1350, $c1351, $c1352, $c1353, $c1354, $c1355, $c1356, $c1357, $c1358, $c1359, $c1360, $c1361, $c1362, $c1363];
+const $c1344 = new Map([["length", $c1345], ["lift", $c1346], ["belt_mass", $c1347], ["carry_idler_mass", $c1348], ["return_idler_mass", $c1349], ["material_mass", $c1350], ["capacity", $c1351], ["friction_factor", $c1352], ["length_coefficient", $c1353], ["secondary_resistance", $c1354], ["special_resistance", $c1355], ["return_share", $c1356], ["start_factor", $c1357], ["start_time", $c1358], ["stop_time", $c1359], ["take_up_tension", $c1360], ["counterweight", $c1361], ["take_up_distance", $c1362], ["drive_at", $c1363]]);
+const $c35 = $made(tables$Table, $c883, [Conveyor, $c1343, $c1344]);
+const $c895 = $made(Entry, $c898, ["conveyor", $c35, false, "", "", "conveyor", ""]);
+const $c863 = ["gravity", "winch", "fixed"];
+const $c1388 = $made(Choice, $c920, [$c863]);
+const $c1385 = $made(Entry, $c898, ["kind", $c1388, false, "", "", "kind", ""]);
+const $c854 = $made(Limit, $c904, ["number", 0.01, 100.0, false, false]);
+const $c1389 = $made(Quantity, $c154, ["number", $c854]);
+const $c1386 = $made(Entry, $c898, ["sheave_ratio", $c1389, false, "", "", "sheave_ratio", ""]);
+const $c1390 = $made(Name, $c908, [60]);
+const $c1387 = $made(Entry, $c898, ["after", $c1390, false, "", "", "after", ""]);
+const $c1383 = [$c1385, $c1386, $c1387];
+const $c1384 = new Map([["kind", $c1385], ["sheave_ratio", $c1386], ["after", $c1387]]);
+const $c563 = $made(tables$Table, $c883, [TakeUp, $c1383, $c1384]);
+const $c559 = $made(Entry, $c898, ["take_up", $c563, false, "", "", "take_up", ""]);
+const $c864 = ["CEMA", "DIN 22101", "own", "none"];
+const $c1398 = $made(Choice, $c920, [$c864]);
+const $c1393 = $made(Entry, $c898, ["name", $c1398, false, "", "", "name", ""]);
+const $c865 = ["dry", "wet", "wet and dirty"];
+const $c1399 = $made(Choice, $c920, [$c865]);
+const $c1394 = $made(Entry, $c898, ["condition", $c1399, false, "", "", "condition", ""]);
+const $c855 = $made(Limit, $c904, ["number", 0.01, 2.0, false, false]);
+const $c1400 = $made(Quantity, $c154, ["number", $c855]);
+const $c1395 = $made(Entry, $c898, ["friction", $c1400, false, "", "", "friction", ""]);
+const $c856 = $made(Limit, $c904, ["number", 1.0, 10.0, false, false]);
+const $c1401 = $made(Quantity, $c154, ["number", $c856]);
+const $c1396 = $made(Entry, $c898, ["start_factor", $c1401, false, "", "", "start_factor", ""]);
+const $c1402 = $made(Flag, [], []);
+const $c1397 = $made(Entry, $c898, ["binding", $c1402, false, "", "", "binding", ""]);
+const $c1391 = [$c1393, $c1394, $c1395, $c1396, $c1397];
+const $c1392 = new Map([["name", $c1393], ["condition", $c1394], ["friction", $c1395], ["start_factor", $c1396], ["binding", $c1397]]);
+const $c564 = $made(tables$Table, $c883, [DesignStandard, $c1391, $c1392]);
+const $c560 = $made(Entry, $c898, ["design_standard", $c564, false, "", "", "standard", ""]);
+const $c1409 = $made(Quantity, $c154, ["number", $c856]);
+const $c1405 = $made(Entry, $c898, ["running", $c1409, false, "", "", "running", ""]);
+const $c1410 = $made(Quantity, $c154, ["number", $c856]);
+const $c1406 = $made(Entry, $c898, ["starting", $c1410, false, "", "", "starting", ""]);
+const $c1411 = $made(Quantity, $c154, ["number", $c856]);
+const $c1407 = $made(Entry, $c898, ["braking", $c1411, false, "", "", "braking", ""]);
+const $c1412 = $made(Text, $c901, [500, false]);
+const $c1408 = $made(Entry, $c898, ["source", $c1412, false, "", "", "source", ""]);
+const $c1403 = [$c1405, $c1406, $c1407, $c1408];
+const $c1404 = new Map([["running", $c1405], ["starting", $c1406], ["braking", $c1407], ["source", $c1408]]);
+const $c565 = $made(tables$Table, $c883, [SafetyFactors, $c1403, $c1404]);
+const $c561 = $made(Entry, $c898, ["safety_factor", $c565, false, "", "", "safety", ""]);
+const $c1419 = $made(Limit, $c904, ["length", 0.0, 100.0, true, false]);
+const $c1418 = $made(Quantity, $c154, ["length", $c1419]);
+const $c1415 = $made(Entry, $c898, ["idler_spacing", $c1418, true, "", "idler_spacing = \"3 m\"", "spacing", ""]);
+const $c1421 = $made(Limit, $c904, ["mass_per_length", 0.0, 10000.0, true, false]);
+const $c1420 = $made(Quantity, $c154, ["mass_per_length", $c1421]);
+const $c1416 = $made(Entry, $c898, ["line_mass", $c1420, true, "", "line_mass = \"22 kg/m\"", "line_mass", ""]);
+const $c1423 = $made(Limit, $c904, ["number", 0.0, 0.1, true, false]);
+const $c1422 = $made(Quantity, $c154, ["number", $c1423]);
+const $c1417 = $made(Entry, $c898, ["share", $c1422, false, "", "", "share", ""]);
+const $c1413 = [$c1415, $c1416, $c1417];
+const $c1414 = new Map([["idler_spacing", $c1415], ["line_mass", $c1416], ["share", $c1417]]);
+const $c566 = $made(tables$Table, $c883, [Sag, $c1413, $c1414]);
+const $c562 = $made(Entry, $c898, ["sag", $c566, false, "", "", "sag", ""]);
+const $c1424 = $made(Elsewhere, [], []);
+const $c896 = $made(Entry, $c898, ["train", $c1424, false, "", "", "train", ""]);
+const $c1425 = $made(Elsewhere, [], []);
+const $c897 = $made(Entry, $c898, ["motion", $c1425, false, "", "", "motion", ""]);
+const $c884 = [$c886, $c887, $c888, $c889, $c890, $c891, $c892, $c893, $c894, $c895, $c559, $c560, $c561, $c562, $c896, $c897];
+const $c885 = new Map([["format", $c886], ["title", $c887], ["description", $c888], ["creep_limit", $c889], ["condition", $c890], ["belt", $c891], ["pulley", $c892], ["lagging", $c893], ["load_case", $c894], ["conveyor", $c895], ["take_up", $c559], ["design_standard", $c560], ["safety_factor", $c561], ["sag", $c562], ["train", $c896], ["motion", $c897]]);
+const $c0 = $made(tables$Table, $c883, [Drive, $c884, $c885]);
 const $c3 = ["name", "kind", "modulus", "rating", "least_pulley_diameter", "carcass"];
-const $c4 = new Map([["width", $c154], ["modulus", $c159], ["rating", $c161], ["strength", $c163], ["speed", $c165], ["momentary_factor", $c167], ["least_pulley_diameter", $c169], ["largest_wrap_pressure", $c171], ["in_plane_shear_stiffness", $c173], ["pulley_cover", $c175], ["carry_cover", $c177], ["carcass", $c179], ["thickness", $c181], ["cover_shear_modulus", $c184], ["mass", $c186]]);
+const $c4 = new Map([["width", $c155], ["modulus", $c160], ["rating", $c162], ["strength", $c164], ["speed", $c166], ["momentary_factor", $c168], ["least_pulley_diameter", $c170], ["largest_wrap_pressure", $c172], ["in_plane_shear_stiffness", $c174], ["pulley_cover", $c176], ["carry_cover", $c178], ["carcass", $c180], ["thickness", $c182], ["cover_shear_modulus", $c185], ["mass", $c187]]);
 const $c6 = ["pulley_cover", "carry_cover", "carcass"];
 const $c7 = $made(_Nothing, [], []);
 const $c10 = ["x", "y", "diameter", "turn"];
-const $c258 = [10000, "m"];
-const $c257 = [$c258];
-const $c235 = ["mm", $c257];
-const $c236 = ["kN", []];
-const $c237 = ["kN/m", []];
-const $c260 = [10000, "MPa"];
-const $c259 = [$c260];
-const $c238 = ["kPa", $c259];
-const $c239 = ["kPa/mm", []];
-const $c240 = ["m/s", []];
-const $c241 = ["deg", []];
-const $c242 = ["kW", []];
-const $c243 = ["kN m", []];
-const $c244 = ["m2", []];
-const $c245 = ["s", []];
-const $c246 = ["degC", []];
-const $c247 = ["1/mm", []];
-const $c248 = ["mm3/J", []];
-const $c249 = ["J/m2", []];
-const $c262 = [10000, "kW/m2"];
-const $c261 = [$c262];
-const $c250 = ["W/m2", $c261];
-const $c251 = ["rpm", []];
-const $c252 = ["kg", []];
-const $c253 = ["kg/m", []];
-const $c254 = ["t/h", []];
-const $c255 = ["kg m2", []];
-const $c256 = ["", []];
-const $c233 = new Map([["length", $c235], ["force", $c236], ["force_per_width", $c237], ["spring_rate", $c237], ["pressure", $c238], ["pressure_per_length", $c239], ["speed", $c240], ["angle", $c241], ["power", $c242], ["torque", $c243], ["area", $c244], ["time", $c245], ["temperature", $c246], ["per_length", $c247], ["wear_coefficient", $c248], ["energy_per_area", $c249], ["power_per_area", $c250], ["rotation_speed", $c251], ["mass", $c252], ["mass_per_length", $c253], ["mass_flow", $c254], ["moment_of_inertia", $c255], ["number", $c256]]);
-const $c283 = [400, "ft"];
-const $c282 = [$c283];
-const $c263 = ["in", $c282];
-const $c264 = ["lbf", []];
-const $c265 = ["PIW", []];
-const $c266 = ["lbf/in", []];
-const $c285 = [10000, "ksi"];
-const $c284 = [$c285];
-const $c267 = ["psi", $c284];
-const $c268 = ["psi/in", []];
-const $c269 = ["fpm", []];
-const $c270 = ["hp", []];
-const $c271 = ["lbf ft", []];
-const $c272 = ["in2", []];
-const $c273 = ["degF", []];
-const $c274 = ["1/in", []];
-const $c275 = ["in3/(ft lbf)", []];
-const $c276 = ["ft lbf/ft2", []];
-const $c277 = ["hp/ft2", []];
-const $c278 = ["lbm", []];
-const $c279 = ["lbm/ft", []];
-const $c280 = ["lbm/h", []];
-const $c281 = ["lbm ft2", []];
-const $c234 = new Map([["length", $c263], ["force", $c264], ["force_per_width", $c265], ["spring_rate", $c266], ["pressure", $c267], ["pressure_per_length", $c268], ["speed", $c269], ["angle", $c241], ["power", $c270], ["torque", $c271], ["area", $c272], ["time", $c245], ["temperature", $c273], ["per_length", $c274], ["wear_coefficient", $c275], ["energy_per_area", $c276], ["power_per_area", $c277], ["rotation_speed", $c251], ["mass", $c278], ["mass_per_length", $c279], ["mass_flow", $c280], ["moment_of_inertia", $c281], ["number", $c256]]);
-const $c11 = new Map([["si", $c233], ["us", $c234]]);
-const $c286 = new DimensionText("m", "a length", "1200 mm");
-const $c287 = new DimensionText("N", "a force", "150 kN");
-const $c288 = new DimensionText("N/m", "a force per width", "12960 kN/m");
-const $c289 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
-const $c290 = new DimensionText("Pa", "a pressure", "200 kPa");
-const $c291 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
-const $c292 = new DimensionText("m/s", "a speed", "3 m/s");
-const $c293 = new DimensionText("rad", "an angle", "180 deg");
-const $c294 = new DimensionText("W", "a power", "250 kW");
-const $c295 = new DimensionText("N m", "a torque", "40 kN m");
-const $c296 = new DimensionText("m2", "an area", "2500 mm2");
-const $c297 = new DimensionText("s", "a time", "10 s");
-const $c298 = new DimensionText("K", "a temperature", "20 degC");
-const $c299 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
-const $c300 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
-const $c301 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
-const $c302 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
-const $c303 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
-const $c304 = new DimensionText("kg", "a mass", "500 kg");
-const $c305 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
-const $c306 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
-const $c307 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
-const $c308 = new DimensionText("", "a plain number", "0.35");
-const $c12 = new Map([["length", $c286], ["force", $c287], ["force_per_width", $c288], ["spring_rate", $c289], ["pressure", $c290], ["pressure_per_length", $c291], ["speed", $c292], ["angle", $c293], ["power", $c294], ["torque", $c295], ["area", $c296], ["time", $c297], ["temperature", $c298], ["per_length", $c299], ["wear_coefficient", $c300], ["energy_per_area", $c301], ["power_per_area", $c302], ["rotation_speed", $c303], ["mass", $c304], ["mass_per_length", $c305], ["mass_flow", $c306], ["moment_of_inertia", $c307], ["number", $c308]]);
+const $c259 = [10000, "m"];
+const $c258 = [$c259];
+const $c236 = ["mm", $c258];
+const $c237 = ["kN", []];
+const $c238 = ["kN/m", []];
+const $c261 = [10000, "MPa"];
+const $c260 = [$c261];
+const $c239 = ["kPa", $c260];
+const $c240 = ["kPa/mm", []];
+const $c241 = ["m/s", []];
+const $c242 = ["deg", []];
+const $c243 = ["kW", []];
+const $c244 = ["kN m", []];
+const $c245 = ["m2", []];
+const $c246 = ["s", []];
+const $c247 = ["degC", []];
+const $c248 = ["1/mm", []];
+const $c249 = ["mm3/J", []];
+const $c250 = ["J/m2", []];
+const $c263 = [10000, "kW/m2"];
+const $c262 = [$c263];
+const $c251 = ["W/m2", $c262];
+const $c252 = ["rpm", []];
+const $c253 = ["kg", []];
+const $c254 = ["kg/m", []];
+const $c255 = ["t/h", []];
+const $c256 = ["kg m2", []];
+const $c257 = ["", []];
+const $c234 = new Map([["length", $c236], ["force", $c237], ["force_per_width", $c238], ["spring_rate", $c238], ["pressure", $c239], ["pressure_per_length", $c240], ["speed", $c241], ["angle", $c242], ["power", $c243], ["torque", $c244], ["area", $c245], ["time", $c246], ["temperature", $c247], ["per_length", $c248], ["wear_coefficient", $c249], ["energy_per_area", $c250], ["power_per_area", $c251], ["rotation_speed", $c252], ["mass", $c253], ["mass_per_length", $c254], ["mass_flow", $c255], ["moment_of_inertia", $c256], ["number", $c257]]);
+const $c284 = [400, "ft"];
+const $c283 = [$c284];
+const $c264 = ["in", $c283];
+const $c265 = ["lbf", []];
+const $c266 = ["PIW", []];
+const $c267 = ["lbf/in", []];
+const $c286 = [10000, "ksi"];
+const $c285 = [$c286];
+const $c268 = ["psi", $c285];
+const $c269 = ["psi/in", []];
+const $c270 = ["fpm", []];
+const $c271 = ["hp", []];
+const $c272 = ["lbf ft", []];
+const $c273 = ["in2", []];
+const $c274 = ["degF", []];
+const $c275 = ["1/in", []];
+const $c276 = ["in3/(ft lbf)", []];
+const $c277 = ["ft lbf/ft2", []];
+const $c278 = ["hp/ft2", []];
+const $c279 = ["lbm", []];
+const $c280 = ["lbm/ft", []];
+const $c281 = ["lbm/h", []];
+const $c282 = ["lbm ft2", []];
+const $c235 = new Map([["length", $c264], ["force", $c265], ["force_per_width", $c266], ["spring_rate", $c267], ["pressure", $c268], ["pressure_per_length", $c269], ["speed", $c270], ["angle", $c242], ["power", $c271], ["torque", $c272], ["area", $c273], ["time", $c246], ["temperature", $c274], ["per_length", $c275], ["wear_coefficient", $c276], ["energy_per_area", $c277], ["power_per_area", $c278], ["rotation_speed", $c252], ["mass", $c279], ["mass_per_length", $c280], ["mass_flow", $c281], ["moment_of_inertia", $c282], ["number", $c257]]);
+const $c11 = new Map([["si", $c234], ["us", $c235]]);
+const $c287 = new DimensionText("m", "a length", "1200 mm");
+const $c288 = new DimensionText("N", "a force", "150 kN");
+const $c289 = new DimensionText("N/m", "a force per width", "12960 kN/m");
+const $c290 = new DimensionText("N/m", "a spring rate", "12000 kN/m");
+const $c291 = new DimensionText("Pa", "a pressure", "200 kPa");
+const $c292 = new DimensionText("Pa/m", "a pressure per length", "190 kPa/mm");
+const $c293 = new DimensionText("m/s", "a speed", "3 m/s");
+const $c294 = new DimensionText("rad", "an angle", "180 deg");
+const $c295 = new DimensionText("W", "a power", "250 kW");
+const $c296 = new DimensionText("N m", "a torque", "40 kN m");
+const $c297 = new DimensionText("m2", "an area", "2500 mm2");
+const $c298 = new DimensionText("s", "a time", "10 s");
+const $c299 = new DimensionText("K", "a temperature", "20 degC");
+const $c300 = new DimensionText("1/m", "a value per length", "-0.016 1/mm");
+const $c301 = new DimensionText("m3/J", "a wear volume per energy", "0.05 mm3/J");
+const $c302 = new DimensionText("J/m2", "an energy per area", "800 J/m2");
+const $c303 = new DimensionText("W/m2", "a power per area", "1500 W/m2");
+const $c304 = new DimensionText("rad/s", "a rotation speed", "71.6 rpm");
+const $c305 = new DimensionText("kg", "a mass", "500 kg");
+const $c306 = new DimensionText("kg/m", "a mass per length", "22 kg/m");
+const $c307 = new DimensionText("kg/s", "a mass flow", "1500 t/h");
+const $c308 = new DimensionText("kg m2", "a moment of inertia", "2200 kg m2");
+const $c309 = new DimensionText("", "a plain number", "0.35");
+const $c12 = new Map([["length", $c287], ["force", $c288], ["force_per_width", $c289], ["spring_rate", $c290], ["pressure", $c291], ["pressure_per_length", $c292], ["speed", $c293], ["angle", $c294], ["power", $c295], ["torque", $c296], ["area", $c297], ["time", $c298], ["temperature", $c299], ["per_length", $c300], ["wear_coefficient", $c301], ["energy_per_area", $c302], ["power_per_area", $c303], ["rotation_speed", $c304], ["mass", $c305], ["mass_per_length", $c306], ["mass_flow", $c307], ["moment_of_inertia", $c308], ["number", $c309]]);
 const $c13 = $re("[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?", "");
 const $c14 = $re("[0-9.,'’_´`\\s+\\-−/:;]*(?:(?<=[0-9])[eE][+-]?[0-9]+)?", "");
 const $c15 = $re("[+-]?\\s*(?:nan|inf|infinity|∞)\\b", "i");
@@ -8656,812 +8652,814 @@ const $c18 = $re("[,.]", "");
 const $c19 = $re("1\\s*/\\s*[A-Za-z(]", "");
 const $c20 = $re("[0-9.,'’_´`+\\-−:;]|/\\s*[0-9]", "");
 const $c21 = ["kg", "m", "s", "K", "rad"];
-const $c371 = ["meter", "meters", "metre", "metres"];
-const $c372 = $Decimal.of("1");
-const $c373 = $Decimal.of("0");
-const $c309 = new Definition($c371, $c372, "m", $c373);
-const $c374 = ["km"];
-const $c375 = $Decimal.of("1000");
-const $c376 = $Decimal.of("0");
-const $c310 = new Definition($c374, $c375, "m", $c376);
-const $c377 = ["dm"];
-const $c378 = $Decimal.of("0.1");
-const $c379 = $Decimal.of("0");
-const $c311 = new Definition($c377, $c378, "m", $c379);
-const $c380 = ["cm"];
-const $c381 = $Decimal.of("0.01");
-const $c382 = $Decimal.of("0");
-const $c312 = new Definition($c380, $c381, "m", $c382);
-const $c383 = ["mm"];
-const $c384 = $Decimal.of("0.001");
-const $c385 = $Decimal.of("0");
-const $c313 = new Definition($c383, $c384, "m", $c385);
-const $c386 = ["um", "micron", "microns"];
-const $c387 = $Decimal.of("0.000001");
-const $c388 = $Decimal.of("0");
-const $c314 = new Definition($c386, $c387, "m", $c388);
-const $c389 = ["in", "inch", "inches", "\""];
-const $c390 = $Decimal.of("0.0254");
-const $c391 = $Decimal.of("0");
-const $c315 = new Definition($c389, $c390, "m", $c391);
-const $c392 = ["ft", "foot", "feet"];
-const $c393 = $Decimal.of("12");
-const $c394 = $Decimal.of("0");
-const $c316 = new Definition($c392, $c393, "in", $c394);
-const $c395 = ["yd"];
-const $c396 = $Decimal.of("3");
-const $c397 = $Decimal.of("0");
-const $c317 = new Definition($c395, $c396, "ft", $c397);
-const $c398 = ["mi", "mile", "miles"];
-const $c399 = $Decimal.of("5280");
-const $c400 = $Decimal.of("0");
-const $c318 = new Definition($c398, $c399, "ft", $c400);
-const $c401 = ["thou"];
-const $c402 = $Decimal.of("0.001");
-const $c403 = $Decimal.of("0");
-const $c319 = new Definition($c401, $c402, "in", $c403);
-const $c404 = ["g"];
-const $c405 = $Decimal.of("0.001");
-const $c406 = $Decimal.of("0");
-const $c320 = new Definition($c404, $c405, "kg", $c406);
-const $c407 = ["t", "tonne", "tonnes"];
-const $c408 = $Decimal.of("1000");
-const $c409 = $Decimal.of("0");
-const $c321 = new Definition($c407, $c408, "kg", $c409);
-const $c410 = ["lbm"];
-const $c411 = $Decimal.of("0.45359237");
-const $c412 = $Decimal.of("0");
-const $c322 = new Definition($c410, $c411, "kg", $c412);
-const $c413 = ["sec", "second", "seconds"];
-const $c414 = $Decimal.of("1");
-const $c415 = $Decimal.of("0");
-const $c323 = new Definition($c413, $c414, "s", $c415);
-const $c416 = ["ms"];
-const $c417 = $Decimal.of("0.001");
-const $c418 = $Decimal.of("0");
-const $c324 = new Definition($c416, $c417, "s", $c418);
-const $c419 = ["min", "minute", "minutes"];
-const $c420 = $Decimal.of("60");
-const $c421 = $Decimal.of("0");
-const $c325 = new Definition($c419, $c420, "s", $c421);
-const $c422 = ["h", "hr", "hour", "hours"];
-const $c423 = $Decimal.of("60");
-const $c424 = $Decimal.of("0");
-const $c326 = new Definition($c422, $c423, "min", $c424);
-const $c425 = ["d", "day", "days"];
-const $c426 = $Decimal.of("24");
-const $c427 = $Decimal.of("0");
-const $c327 = new Definition($c425, $c426, "h", $c427);
-const $c428 = ["N", "newton", "newtons"];
-const $c429 = $Decimal.of("1");
-const $c430 = $Decimal.of("0");
-const $c328 = new Definition($c428, $c429, "kg m/s2", $c430);
-const $c431 = ["mN"];
-const $c432 = $Decimal.of("0.001");
-const $c433 = $Decimal.of("0");
-const $c329 = new Definition($c431, $c432, "N", $c433);
-const $c434 = ["daN"];
-const $c435 = $Decimal.of("10");
-const $c436 = $Decimal.of("0");
-const $c330 = new Definition($c434, $c435, "N", $c436);
-const $c437 = ["kN"];
-const $c438 = $Decimal.of("1000");
-const $c439 = $Decimal.of("0");
-const $c331 = new Definition($c437, $c438, "N", $c439);
-const $c440 = ["MN"];
-const $c441 = $Decimal.of("1E+6");
-const $c442 = $Decimal.of("0");
-const $c332 = new Definition($c440, $c441, "N", $c442);
-const $c443 = ["kgf", "kp"];
-const $c444 = $Decimal.of("9.80665");
-const $c445 = $Decimal.of("0");
-const $c333 = new Definition($c443, $c444, "N", $c445);
-const $c446 = ["gf"];
-const $c447 = $Decimal.of("0.001");
-const $c448 = $Decimal.of("0");
-const $c334 = new Definition($c446, $c447, "kgf", $c448);
-const $c449 = ["tf"];
-const $c450 = $Decimal.of("1000");
-const $c451 = $Decimal.of("0");
-const $c335 = new Definition($c449, $c450, "kgf", $c451);
-const $c452 = ["lbf", "lb", "lbs"];
-const $c453 = $Decimal.of("4.4482216152605");
-const $c454 = $Decimal.of("0");
-const $c336 = new Definition($c452, $c453, "N", $c454);
-const $c455 = ["klbf", "kip", "kips"];
-const $c456 = $Decimal.of("1000");
-const $c457 = $Decimal.of("0");
-const $c337 = new Definition($c455, $c456, "lbf", $c457);
-const $c458 = ["PIW", "piw", "PLI", "pli"];
-const $c459 = $Decimal.of("1");
-const $c460 = $Decimal.of("0");
-const $c338 = new Definition($c458, $c459, "lbf/in", $c460);
-const $c461 = ["Pa"];
-const $c462 = $Decimal.of("1");
-const $c463 = $Decimal.of("0");
-const $c339 = new Definition($c461, $c462, "N/m2", $c463);
-const $c464 = ["hPa"];
-const $c465 = $Decimal.of("100");
-const $c466 = $Decimal.of("0");
-const $c340 = new Definition($c464, $c465, "Pa", $c466);
-const $c467 = ["kPa"];
-const $c468 = $Decimal.of("1000");
-const $c469 = $Decimal.of("0");
-const $c341 = new Definition($c467, $c468, "Pa", $c469);
-const $c470 = ["MPa"];
-const $c471 = $Decimal.of("1E+6");
-const $c472 = $Decimal.of("0");
-const $c342 = new Definition($c470, $c471, "Pa", $c472);
-const $c473 = ["GPa"];
-const $c474 = $Decimal.of("1E+9");
-const $c475 = $Decimal.of("0");
-const $c343 = new Definition($c473, $c474, "Pa", $c475);
-const $c476 = ["bar"];
-const $c477 = $Decimal.of("1E+5");
-const $c478 = $Decimal.of("0");
-const $c344 = new Definition($c476, $c477, "Pa", $c478);
-const $c479 = ["mbar"];
-const $c480 = $Decimal.of("100");
-const $c481 = $Decimal.of("0");
-const $c345 = new Definition($c479, $c480, "Pa", $c481);
-const $c482 = ["psi", "PSI"];
-const $c483 = $Decimal.of("1");
-const $c484 = $Decimal.of("0");
-const $c346 = new Definition($c482, $c483, "lbf/in2", $c484);
-const $c485 = ["ksi"];
-const $c486 = $Decimal.of("1000");
-const $c487 = $Decimal.of("0");
-const $c347 = new Definition($c485, $c486, "psi", $c487);
-const $c488 = ["J", "joule"];
-const $c489 = $Decimal.of("1");
-const $c490 = $Decimal.of("0");
-const $c348 = new Definition($c488, $c489, "N m", $c490);
-const $c491 = ["mJ"];
-const $c492 = $Decimal.of("0.001");
-const $c493 = $Decimal.of("0");
-const $c349 = new Definition($c491, $c492, "J", $c493);
-const $c494 = ["kJ"];
-const $c495 = $Decimal.of("1000");
-const $c496 = $Decimal.of("0");
-const $c350 = new Definition($c494, $c495, "J", $c496);
-const $c497 = ["MJ"];
-const $c498 = $Decimal.of("1E+6");
-const $c499 = $Decimal.of("0");
-const $c351 = new Definition($c497, $c498, "J", $c499);
-const $c500 = ["Nm"];
-const $c501 = $Decimal.of("1");
-const $c502 = $Decimal.of("0");
-const $c352 = new Definition($c500, $c501, "N m", $c502);
-const $c503 = ["kNm"];
-const $c504 = $Decimal.of("1000");
-const $c505 = $Decimal.of("0");
-const $c353 = new Definition($c503, $c504, "N m", $c505);
-const $c506 = ["MNm"];
-const $c507 = $Decimal.of("1E+6");
-const $c508 = $Decimal.of("0");
-const $c354 = new Definition($c506, $c507, "N m", $c508);
-const $c509 = ["W", "watt", "watts"];
-const $c510 = $Decimal.of("1");
-const $c511 = $Decimal.of("0");
-const $c355 = new Definition($c509, $c510, "J/s", $c511);
-const $c512 = ["kW"];
-const $c513 = $Decimal.of("1000");
-const $c514 = $Decimal.of("0");
-const $c356 = new Definition($c512, $c513, "W", $c514);
-const $c515 = ["MW"];
-const $c516 = $Decimal.of("1E+6");
-const $c517 = $Decimal.of("0");
-const $c357 = new Definition($c515, $c516, "W", $c517);
-const $c518 = ["hp", "HP", "bhp", "BHP"];
-const $c519 = $Decimal.of("550");
-const $c520 = $Decimal.of("0");
-const $c358 = new Definition($c518, $c519, "ft lbf/s", $c520);
-const $c521 = ["PS", "cv", "CV", "hp(metric)"];
-const $c522 = $Decimal.of("75");
-const $c523 = $Decimal.of("0");
-const $c359 = new Definition($c521, $c522, "kgf m/s", $c523);
-const $c524 = ["fpm", "FPM"];
-const $c525 = $Decimal.of("1");
-const $c526 = $Decimal.of("0");
-const $c360 = new Definition($c524, $c525, "ft/min", $c526);
-const $c527 = ["fps"];
-const $c528 = $Decimal.of("1");
-const $c529 = $Decimal.of("0");
-const $c361 = new Definition($c527, $c528, "ft/s", $c529);
-const $c530 = ["kph", "kmh"];
-const $c531 = $Decimal.of("1");
-const $c532 = $Decimal.of("0");
-const $c362 = new Definition($c530, $c531, "km/h", $c532);
-const $c533 = ["mph"];
-const $c534 = $Decimal.of("1");
-const $c535 = $Decimal.of("0");
-const $c363 = new Definition($c533, $c534, "mi/h", $c535);
-const $c536 = ["mrad"];
-const $c537 = $Decimal.of("0.001");
-const $c538 = $Decimal.of("0");
-const $c364 = new Definition($c536, $c537, "rad", $c538);
-const $c539 = ["deg", "degree", "degrees", "°"];
-const $c540 = $Decimal.of("0.01745329251994329576923690768");
-const $c541 = $Decimal.of("0");
-const $c365 = new Definition($c539, $c540, "rad", $c541);
-const $c542 = ["rev", "turn", "turns"];
-const $c543 = $Decimal.of("360");
-const $c544 = $Decimal.of("0");
-const $c366 = new Definition($c542, $c543, "deg", $c544);
-const $c545 = ["rpm", "RPM"];
-const $c546 = $Decimal.of("1");
-const $c547 = $Decimal.of("0");
-const $c367 = new Definition($c545, $c546, "rev/min", $c547);
-const $c548 = ["degC", "°C"];
-const $c549 = $Decimal.of("1");
-const $c550 = $Decimal.of("-273.15");
-const $c368 = new Definition($c548, $c549, "K", $c550);
-const $c551 = ["degF", "°F"];
-const $c552 = $Decimal.of("0.5555555555555555555555555556");
-const $c553 = $Decimal.of("-459.67");
-const $c369 = new Definition($c551, $c552, "K", $c553);
-const $c554 = ["%", "percent"];
-const $c555 = $Decimal.of("0.01");
-const $c556 = $Decimal.of("0");
-const $c370 = new Definition($c554, $c555, "", $c556);
-const $c22 = [$c309, $c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366, $c367, $c368, $c369, $c370];
+const $c372 = ["meter", "meters", "metre", "metres"];
+const $c373 = $Decimal.of("1");
+const $c374 = $Decimal.of("0");
+const $c310 = new Definition($c372, $c373, "m", $c374);
+const $c375 = ["km"];
+const $c376 = $Decimal.of("1000");
+const $c377 = $Decimal.of("0");
+const $c311 = new Definition($c375, $c376, "m", $c377);
+const $c378 = ["dm"];
+const $c379 = $Decimal.of("0.1");
+const $c380 = $Decimal.of("0");
+const $c312 = new Definition($c378, $c379, "m", $c380);
+const $c381 = ["cm"];
+const $c382 = $Decimal.of("0.01");
+const $c383 = $Decimal.of("0");
+const $c313 = new Definition($c381, $c382, "m", $c383);
+const $c384 = ["mm"];
+const $c385 = $Decimal.of("0.001");
+const $c386 = $Decimal.of("0");
+const $c314 = new Definition($c384, $c385, "m", $c386);
+const $c387 = ["um", "micron", "microns"];
+const $c388 = $Decimal.of("0.000001");
+const $c389 = $Decimal.of("0");
+const $c315 = new Definition($c387, $c388, "m", $c389);
+const $c390 = ["in", "inch", "inches", "\""];
+const $c391 = $Decimal.of("0.0254");
+const $c392 = $Decimal.of("0");
+const $c316 = new Definition($c390, $c391, "m", $c392);
+const $c393 = ["ft", "foot", "feet"];
+const $c394 = $Decimal.of("12");
+const $c395 = $Decimal.of("0");
+const $c317 = new Definition($c393, $c394, "in", $c395);
+const $c396 = ["yd"];
+const $c397 = $Decimal.of("3");
+const $c398 = $Decimal.of("0");
+const $c318 = new Definition($c396, $c397, "ft", $c398);
+const $c399 = ["mi", "mile", "miles"];
+const $c400 = $Decimal.of("5280");
+const $c401 = $Decimal.of("0");
+const $c319 = new Definition($c399, $c400, "ft", $c401);
+const $c402 = ["thou"];
+const $c403 = $Decimal.of("0.001");
+const $c404 = $Decimal.of("0");
+const $c320 = new Definition($c402, $c403, "in", $c404);
+const $c405 = ["g"];
+const $c406 = $Decimal.of("0.001");
+const $c407 = $Decimal.of("0");
+const $c321 = new Definition($c405, $c406, "kg", $c407);
+const $c408 = ["t", "tonne", "tonnes"];
+const $c409 = $Decimal.of("1000");
+const $c410 = $Decimal.of("0");
+const $c322 = new Definition($c408, $c409, "kg", $c410);
+const $c411 = ["lbm"];
+const $c412 = $Decimal.of("0.45359237");
+const $c413 = $Decimal.of("0");
+const $c323 = new Definition($c411, $c412, "kg", $c413);
+const $c414 = ["sec", "second", "seconds"];
+const $c415 = $Decimal.of("1");
+const $c416 = $Decimal.of("0");
+const $c324 = new Definition($c414, $c415, "s", $c416);
+const $c417 = ["ms"];
+const $c418 = $Decimal.of("0.001");
+const $c419 = $Decimal.of("0");
+const $c325 = new Definition($c417, $c418, "s", $c419);
+const $c420 = ["min", "minute", "minutes"];
+const $c421 = $Decimal.of("60");
+const $c422 = $Decimal.of("0");
+const $c326 = new Definition($c420, $c421, "s", $c422);
+const $c423 = ["h", "hr", "hour", "hours"];
+const $c424 = $Decimal.of("60");
+const $c425 = $Decimal.of("0");
+const $c327 = new Definition($c423, $c424, "min", $c425);
+const $c426 = ["d", "day", "days"];
+const $c427 = $Decimal.of("24");
+const $c428 = $Decimal.of("0");
+const $c328 = new Definition($c426, $c427, "h", $c428);
+const $c429 = ["N", "newton", "newtons"];
+const $c430 = $Decimal.of("1");
+const $c431 = $Decimal.of("0");
+const $c329 = new Definition($c429, $c430, "kg m/s2", $c431);
+const $c432 = ["mN"];
+const $c433 = $Decimal.of("0.001");
+const $c434 = $Decimal.of("0");
+const $c330 = new Definition($c432, $c433, "N", $c434);
+const $c435 = ["daN"];
+const $c436 = $Decimal.of("10");
+const $c437 = $Decimal.of("0");
+const $c331 = new Definition($c435, $c436, "N", $c437);
+const $c438 = ["kN"];
+const $c439 = $Decimal.of("1000");
+const $c440 = $Decimal.of("0");
+const $c332 = new Definition($c438, $c439, "N", $c440);
+const $c441 = ["MN"];
+const $c442 = $Decimal.of("1E+6");
+const $c443 = $Decimal.of("0");
+const $c333 = new Definition($c441, $c442, "N", $c443);
+const $c444 = ["kgf", "kp"];
+const $c445 = $Decimal.of("9.80665");
+const $c446 = $Decimal.of("0");
+const $c334 = new Definition($c444, $c445, "N", $c446);
+const $c447 = ["gf"];
+const $c448 = $Decimal.of("0.001");
+const $c449 = $Decimal.of("0");
+const $c335 = new Definition($c447, $c448, "kgf", $c449);
+const $c450 = ["tf"];
+const $c451 = $Decimal.of("1000");
+const $c452 = $Decimal.of("0");
+const $c336 = new Definition($c450, $c451, "kgf", $c452);
+const $c453 = ["lbf", "lb", "lbs"];
+const $c454 = $Decimal.of("4.4482216152605");
+const $c455 = $Decimal.of("0");
+const $c337 = new Definition($c453, $c454, "N", $c455);
+const $c456 = ["klbf", "kip", "kips"];
+const $c457 = $Decimal.of("1000");
+const $c458 = $Decimal.of("0");
+const $c338 = new Definition($c456, $c457, "lbf", $c458);
+const $c459 = ["PIW", "piw", "PLI", "pli"];
+const $c460 = $Decimal.of("1");
+const $c461 = $Decimal.of("0");
+const $c339 = new Definition($c459, $c460, "lbf/in", $c461);
+const $c462 = ["Pa"];
+const $c463 = $Decimal.of("1");
+const $c464 = $Decimal.of("0");
+const $c340 = new Definition($c462, $c463, "N/m2", $c464);
+const $c465 = ["hPa"];
+const $c466 = $Decimal.of("100");
+const $c467 = $Decimal.of("0");
+const $c341 = new Definition($c465, $c466, "Pa", $c467);
+const $c468 = ["kPa"];
+const $c469 = $Decimal.of("1000");
+const $c470 = $Decimal.of("0");
+const $c342 = new Definition($c468, $c469, "Pa", $c470);
+const $c471 = ["MPa"];
+const $c472 = $Decimal.of("1E+6");
+const $c473 = $Decimal.of("0");
+const $c343 = new Definition($c471, $c472, "Pa", $c473);
+const $c474 = ["GPa"];
+const $c475 = $Decimal.of("1E+9");
+const $c476 = $Decimal.of("0");
+const $c344 = new Definition($c474, $c475, "Pa", $c476);
+const $c477 = ["bar"];
+const $c478 = $Decimal.of("1E+5");
+const $c479 = $Decimal.of("0");
+const $c345 = new Definition($c477, $c478, "Pa", $c479);
+const $c480 = ["mbar"];
+const $c481 = $Decimal.of("100");
+const $c482 = $Decimal.of("0");
+const $c346 = new Definition($c480, $c481, "Pa", $c482);
+const $c483 = ["psi", "PSI"];
+const $c484 = $Decimal.of("1");
+const $c485 = $Decimal.of("0");
+const $c347 = new Definition($c483, $c484, "lbf/in2", $c485);
+const $c486 = ["ksi"];
+const $c487 = $Decimal.of("1000");
+const $c488 = $Decimal.of("0");
+const $c348 = new Definition($c486, $c487, "psi", $c488);
+const $c489 = ["J", "joule"];
+const $c490 = $Decimal.of("1");
+const $c491 = $Decimal.of("0");
+const $c349 = new Definition($c489, $c490, "N m", $c491);
+const $c492 = ["mJ"];
+const $c493 = $Decimal.of("0.001");
+const $c494 = $Decimal.of("0");
+const $c350 = new Definition($c492, $c493, "J", $c494);
+const $c495 = ["kJ"];
+const $c496 = $Decimal.of("1000");
+const $c497 = $Decimal.of("0");
+const $c351 = new Definition($c495, $c496, "J", $c497);
+const $c498 = ["MJ"];
+const $c499 = $Decimal.of("1E+6");
+const $c500 = $Decimal.of("0");
+const $c352 = new Definition($c498, $c499, "J", $c500);
+const $c501 = ["Nm"];
+const $c502 = $Decimal.of("1");
+const $c503 = $Decimal.of("0");
+const $c353 = new Definition($c501, $c502, "N m", $c503);
+const $c504 = ["kNm"];
+const $c505 = $Decimal.of("1000");
+const $c506 = $Decimal.of("0");
+const $c354 = new Definition($c504, $c505, "N m", $c506);
+const $c507 = ["MNm"];
+const $c508 = $Decimal.of("1E+6");
+const $c509 = $Decimal.of("0");
+const $c355 = new Definition($c507, $c508, "N m", $c509);
+const $c510 = ["W", "watt", "watts"];
+const $c511 = $Decimal.of("1");
+const $c512 = $Decimal.of("0");
+const $c356 = new Definition($c510, $c511, "J/s", $c512);
+const $c513 = ["kW"];
+const $c514 = $Decimal.of("1000");
+const $c515 = $Decimal.of("0");
+const $c357 = new Definition($c513, $c514, "W", $c515);
+const $c516 = ["MW"];
+const $c517 = $Decimal.of("1E+6");
+const $c518 = $Decimal.of("0");
+const $c358 = new Definition($c516, $c517, "W", $c518);
+const $c519 = ["hp", "HP", "bhp", "BHP"];
+const $c520 = $Decimal.of("550");
+const $c521 = $Decimal.of("0");
+const $c359 = new Definition($c519, $c520, "ft lbf/s", $c521);
+const $c522 = ["PS", "cv", "CV", "hp(metric)"];
+const $c523 = $Decimal.of("75");
+const $c524 = $Decimal.of("0");
+const $c360 = new Definition($c522, $c523, "kgf m/s", $c524);
+const $c525 = ["fpm", "FPM"];
+const $c526 = $Decimal.of("1");
+const $c527 = $Decimal.of("0");
+const $c361 = new Definition($c525, $c526, "ft/min", $c527);
+const $c528 = ["fps"];
+const $c529 = $Decimal.of("1");
+const $c530 = $Decimal.of("0");
+const $c362 = new Definition($c528, $c529, "ft/s", $c530);
+const $c531 = ["kph", "kmh"];
+const $c532 = $Decimal.of("1");
+const $c533 = $Decimal.of("0");
+const $c363 = new Definition($c531, $c532, "km/h", $c533);
+const $c534 = ["mph"];
+const $c535 = $Decimal.of("1");
+const $c536 = $Decimal.of("0");
+const $c364 = new Definition($c534, $c535, "mi/h", $c536);
+const $c537 = ["mrad"];
+const $c538 = $Decimal.of("0.001");
+const $c539 = $Decimal.of("0");
+const $c365 = new Definition($c537, $c538, "rad", $c539);
+const $c540 = ["deg", "degree", "degrees", "°"];
+const $c541 = $Decimal.of("0.01745329251994329576923690768");
+const $c542 = $Decimal.of("0");
+const $c366 = new Definition($c540, $c541, "rad", $c542);
+const $c543 = ["rev", "turn", "turns"];
+const $c544 = $Decimal.of("360");
+const $c545 = $Decimal.of("0");
+const $c367 = new Definition($c543, $c544, "deg", $c545);
+const $c546 = ["rpm", "RPM"];
+const $c547 = $Decimal.of("1");
+const $c548 = $Decimal.of("0");
+const $c368 = new Definition($c546, $c547, "rev/min", $c548);
+const $c549 = ["degC", "°C"];
+const $c550 = $Decimal.of("1");
+const $c551 = $Decimal.of("-273.15");
+const $c369 = new Definition($c549, $c550, "K", $c551);
+const $c552 = ["degF", "°F"];
+const $c553 = $Decimal.of("0.5555555555555555555555555556");
+const $c554 = $Decimal.of("-459.67");
+const $c370 = new Definition($c552, $c553, "K", $c554);
+const $c555 = ["%", "percent"];
+const $c556 = $Decimal.of("0.01");
+const $c557 = $Decimal.of("0");
+const $c371 = new Definition($c555, $c556, "", $c557);
+const $c22 = [$c310, $c311, $c312, $c313, $c314, $c315, $c316, $c317, $c318, $c319, $c320, $c321, $c322, $c323, $c324, $c325, $c326, $c327, $c328, $c329, $c330, $c331, $c332, $c333, $c334, $c335, $c336, $c337, $c338, $c339, $c340, $c341, $c342, $c343, $c344, $c345, $c346, $c347, $c348, $c349, $c350, $c351, $c352, $c353, $c354, $c355, $c356, $c357, $c358, $c359, $c360, $c361, $c362, $c363, $c364, $c365, $c366, $c367, $c368, $c369, $c370, $c371];
 const $c23 = new Map([[181, "u"], [956, "u"], [8243, "\""], [8221, "\""], [186, "°"], [183, "*"], [8901, "*"], [215, "*"], [178, "2"], [179, "3"], [8315, "-"], [185, "1"], [160, " "], [8239, " "]]);
 const $c24 = $re("(?<over>1|[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)?\\s*(?:/\\s*(?:(?<one>[A-Za-z°%\"]+(?:\\^?-?[1-9])?)|\\(\\s*(?<under>[A-Za-z°%\"]+(?:\\^?-?[1-9])?(?:(?:\\s*[*.]\\s*|\\s+|-(?=[A-Za-z]))[A-Za-z°%\"]+(?:\\^?-?[1-9])?)*)\\s*\\)))?", "");
 const $c25 = $re("([A-Za-z°%\"]+)(?:\\^?(-?[1-9]))?", "");
 const $c26 = ["length", "force", "force_per_width", "spring_rate", "pressure", "pressure_per_length", "speed", "angle", "power", "torque", "area", "time", "temperature", "per_length", "wear_coefficient", "energy_per_area", "power_per_area", "rotation_speed", "mass", "mass_per_length", "mass_flow", "moment_of_inertia", "number"];
-const $c557 = ["kind", "source", "date", "note"];
-const $c27 = $made(Provenance, $c557, ["given", "", "", "from the coordinates of the pulleys"]);
-const $c32 = [$c558, $c559, $c560, $c561];
+const $c558 = ["kind", "source", "date", "note"];
+const $c27 = $made(Provenance, $c558, ["given", "", "", "from the coordinates of the pulleys"]);
+const $c32 = [$c559, $c560, $c561, $c562];
 const $c33 = ["entry_tension", "exit_tension", "effective_tension", "torque", "power"];
 const $c34 = new Map([["entry", "entry_tension"], ["exit", "exit_tension"]]);
-const $c566 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
-const $c567 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
-const $c568 = ["length_coefficient", "secondary_resistance", ""];
-const $c569 = ["start_factor", "start_time", ""];
-const $c36 = [$c566, $c567, $c568, $c569];
+const $c567 = ["material_mass", "capacity", "material_mass = \"120 kg/m\""];
+const $c568 = ["take_up_tension", "counterweight", "take_up_tension = \"40 kN\""];
+const $c569 = ["length_coefficient", "secondary_resistance", ""];
+const $c570 = ["start_factor", "start_time", ""];
+const $c36 = [$c567, $c568, $c569, $c570];
 const $c37 = ["capacity", "start_time", "stop_time"];
-const $c1443 = $made(Quantity, $c153, ["force", $c219]);
-const $c1436 = $made(Entry, $c896, ["entry_tension", $c1443, false, "", "", "entry_tension", ""]);
-const $c1437 = $made(Entry, $c896, ["exit_tension", $c1443, false, "", "", "exit_tension", ""]);
-const $c1444 = $made(Quantity, $c153, ["force", null]);
-const $c1438 = $made(Entry, $c896, ["effective_tension", $c1444, false, "", "", "effective_tension", ""]);
-const $c1445 = $made(Quantity, $c153, ["power", null]);
-const $c1439 = $made(Entry, $c896, ["power", $c1445, false, "", "", "power", ""]);
-const $c1447 = $made(Quantity, $c153, ["force", null]);
-const $c1446 = $made(ByName, $c904, [$c1447, 200]);
-const $c1440 = $made(Entry, $c896, ["run", $c1446, false, "", "", "run", ""]);
-const $c1600 = ["first", "second", "words"];
-const $c1603 = $made(Limit, $c902, ["number", -100.0, 100.0, false, false]);
-const $c1601 = $made(Quantity, $c153, ["number", $c1603]);
-const $c1602 = $made(Quantity, $c153, ["power", null]);
-const $c1449 = $made(Either, $c1600, [$c1601, $c1602, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
-const $c1448 = $made(Rows, $c934, [$c1449, 1, 10]);
-const $c1441 = $made(Entry, $c896, ["share", $c1448, false, "", "", "share", ""]);
-const $c1451 = $made(SpeedList, [], []);
-const $c1442 = $made(Entry, $c896, ["speeds", $c1451, false, "", "", "speeds", ""]);
-const $c1434 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442];
-const $c1435 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442]]);
-const $c1433 = $made(tables$Table, $c881, [null, $c1434, $c1435]);
-const $c1432 = $made(Entry, $c896, ["train", $c1433, false, "", "", "train", ""]);
-const $c1430 = [$c1327, $c1328, $c1329, $c1330, $c1331, $c1432];
-const $c1431 = new Map([["name", $c1327], ["description", $c1328], ["kind", $c1329], ["condition", $c1330], ["pulley", $c1331], ["train", $c1432]]);
-const $c1429 = $made(tables$Table, $c881, [null, $c1430, $c1431]);
-const $c1428 = $made(Rows, $c934, [$c1429, 1, 1000]);
-const $c1426 = $made(Entry, $c896, ["load_case", $c1428, false, "", "", "load_case", ""]);
-const $c1458 = $made(Quantity, $c153, ["length", $c209]);
-const $c1457 = $made(Rows, $c934, [$c1458, 1, 10]);
-const $c1455 = $made(Entry, $c896, ["diameters", $c1457, false, "", "", "diameters", ""]);
-const $c1474 = ["converter"];
-const $c1473 = $made(Choice, $c918, [$c1474]);
-const $c1462 = $made(Entry, $c896, ["kind", $c1473, true, "", "", "kind", ""]);
-const $c834 = $made(Limit, $c902, ["power", 0.0, 1000000000.0, true, false]);
-const $c1475 = $made(Quantity, $c153, ["power", $c834]);
-const $c1463 = $made(Entry, $c896, ["rated_power", $c1475, true, "", "", "rated_power", ""]);
-const $c835 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1476 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1464 = $made(Entry, $c896, ["rated_speed", $c1476, true, "", "", "rated_speed", ""]);
-const $c836 = $made(Limit, $c902, ["number", 0.0, 10000.0, true, false]);
-const $c1477 = $made(Quantity, $c153, ["number", $c836]);
-const $c1465 = $made(Entry, $c896, ["gear_ratio", $c1477, false, "", "", "gear_ratio", ""]);
-const $c837 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
-const $c1478 = $made(Quantity, $c153, ["number", $c837]);
-const $c1466 = $made(Entry, $c896, ["gear_efficiency", $c1478, false, "", "", "gear_efficiency", ""]);
-const $c838 = $made(Limit, $c902, ["number", 0.05, 1.0, false, false]);
-const $c1479 = $made(Quantity, $c153, ["number", $c838]);
-const $c1467 = $made(Entry, $c896, ["motor_efficiency", $c1479, false, "", "", "motor_efficiency", ""]);
-const $c1480 = $made(Count, $c1321, [1, 8]);
-const $c1468 = $made(Entry, $c896, ["count", $c1480, false, "", "", "count", ""]);
-const $c1481 = $made(Flag, [], []);
-const $c1469 = $made(Entry, $c896, ["brakes", $c1481, false, "", "", "brakes", ""]);
-const $c840 = $made(Limit, $c902, ["number", 0.01, 3.0, false, false]);
-const $c1482 = $made(Quantity, $c153, ["number", $c840]);
-const $c1470 = $made(Entry, $c896, ["setting", $c1482, false, "", "", "setting", ""]);
-const $c841 = $made(Limit, $c902, ["number", 0.0, 0.5, false, false]);
-const $c1483 = $made(Quantity, $c153, ["number", $c841]);
-const $c1471 = $made(Entry, $c896, ["droop", $c1483, false, "", "", "droop", ""]);
-const $c842 = $made(Limit, $c902, ["number", 0.0, Infinity, true, true]);
-const $c1485 = $made(Quantity, $c153, ["number", $c842]);
-const $c1484 = $made(WordOr, $c932, ["rigid", $c1485, Infinity]);
-const $c1472 = $made(Entry, $c896, ["torque_limit", $c1484, false, "", "", "torque_limit", ""]);
-const $c1460 = [$c1462, $c1463, $c1464, $c1465, $c1466, $c1467, $c1468, $c1469, $c1470, $c1471, $c1472];
-const $c1461 = new Map([["kind", $c1462], ["rated_power", $c1463], ["rated_speed", $c1464], ["gear_ratio", $c1465], ["gear_efficiency", $c1466], ["motor_efficiency", $c1467], ["count", $c1468], ["brakes", $c1469], ["setting", $c1470], ["droop", $c1471], ["torque_limit", $c1472]]);
-const $c821 = $made(tables$Table, $c881, [VariableSpeed, $c1460, $c1461]);
-const $c1498 = ["induction"];
-const $c1497 = $made(Choice, $c918, [$c1498]);
-const $c1488 = $made(Entry, $c896, ["kind", $c1497, true, "", "", "kind", ""]);
-const $c1499 = $made(Quantity, $c153, ["power", $c834]);
-const $c1489 = $made(Entry, $c896, ["rated_power", $c1499, true, "", "", "rated_power", ""]);
-const $c1500 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1490 = $made(Entry, $c896, ["rated_speed", $c1500, true, "", "", "rated_speed", ""]);
-const $c1501 = $made(Quantity, $c153, ["number", $c836]);
-const $c1491 = $made(Entry, $c896, ["gear_ratio", $c1501, false, "", "", "gear_ratio", ""]);
-const $c1502 = $made(Quantity, $c153, ["number", $c837]);
-const $c1492 = $made(Entry, $c896, ["gear_efficiency", $c1502, false, "", "", "gear_efficiency", ""]);
-const $c1503 = $made(Quantity, $c153, ["number", $c838]);
-const $c1493 = $made(Entry, $c896, ["motor_efficiency", $c1503, false, "", "", "motor_efficiency", ""]);
-const $c1504 = $made(Flag, [], []);
-const $c1494 = $made(Entry, $c896, ["brakes", $c1504, false, "", "", "brakes", ""]);
-const $c1506 = $made(Limit, $c902, ["rotation_speed", 0.0, 100000.0, true, false]);
-const $c1505 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
-const $c1495 = $made(Entry, $c896, ["synchronous_speed", $c1505, true, "", "", "synchronous_speed", ""]);
-const $c1508 = $made(Limit, $c902, ["number", 1.1, 10.0, false, false]);
-const $c1507 = $made(Quantity, $c153, ["number", $c1508]);
-const $c1496 = $made(Entry, $c896, ["breakdown_ratio", $c1507, false, "", "", "breakdown_ratio", ""]);
-const $c1486 = [$c1488, $c1489, $c1490, $c1491, $c1492, $c1493, $c1468, $c1494, $c1495, $c1496];
-const $c1487 = new Map([["kind", $c1488], ["rated_power", $c1489], ["rated_speed", $c1490], ["gear_ratio", $c1491], ["gear_efficiency", $c1492], ["motor_efficiency", $c1493], ["count", $c1468], ["brakes", $c1494], ["synchronous_speed", $c1495], ["breakdown_ratio", $c1496]]);
-const $c822 = $made(tables$Table, $c881, [Induction, $c1486, $c1487]);
-const $c1523 = ["fluid-coupling"];
-const $c1522 = $made(Choice, $c918, [$c1523]);
-const $c1511 = $made(Entry, $c896, ["kind", $c1522, true, "", "", "kind", ""]);
-const $c1524 = $made(Quantity, $c153, ["power", $c834]);
-const $c1512 = $made(Entry, $c896, ["rated_power", $c1524, true, "", "", "rated_power", ""]);
-const $c1525 = $made(Quantity, $c153, ["rotation_speed", $c835]);
-const $c1513 = $made(Entry, $c896, ["rated_speed", $c1525, true, "", "", "rated_speed", ""]);
-const $c1526 = $made(Quantity, $c153, ["number", $c836]);
-const $c1514 = $made(Entry, $c896, ["gear_ratio", $c1526, false, "", "", "gear_ratio", ""]);
-const $c1527 = $made(Quantity, $c153, ["number", $c837]);
-const $c1515 = $made(Entry, $c896, ["gear_efficiency", $c1527, false, "", "", "gear_efficiency", ""]);
-const $c1528 = $made(Quantity, $c153, ["number", $c838]);
-const $c1516 = $made(Entry, $c896, ["motor_efficiency", $c1528, false, "", "", "motor_efficiency", ""]);
-const $c1529 = $made(Flag, [], []);
-const $c1517 = $made(Entry, $c896, ["brakes", $c1529, false, "", "", "brakes", ""]);
-const $c1530 = $made(Quantity, $c153, ["rotation_speed", $c1506]);
-const $c1518 = $made(Entry, $c896, ["synchronous_speed", $c1530, true, "", "", "synchronous_speed", ""]);
-const $c1531 = $made(Quantity, $c153, ["number", $c1508]);
-const $c1519 = $made(Entry, $c896, ["breakdown_ratio", $c1531, false, "", "", "breakdown_ratio", ""]);
-const $c1534 = $made(Limit, $c902, ["number", 0.0, 10.0, false, false]);
-const $c1533 = $made(Quantity, $c153, ["number", $c1534]);
-const $c1532 = $made(Rows, $c934, [$c1533, 2, 200]);
-const $c1520 = $made(Entry, $c896, ["coupling_load", $c1532, true, "", "", "coupling_load", ""]);
-const $c1521 = $made(Entry, $c896, ["coupling_slip", $c1532, true, "", "", "coupling_slip", ""]);
-const $c1509 = [$c1511, $c1512, $c1513, $c1514, $c1515, $c1516, $c1468, $c1517, $c1518, $c1519, $c1520, $c1521];
-const $c1510 = new Map([["kind", $c1511], ["rated_power", $c1512], ["rated_speed", $c1513], ["gear_ratio", $c1514], ["gear_efficiency", $c1515], ["motor_efficiency", $c1516], ["count", $c1468], ["brakes", $c1517], ["synchronous_speed", $c1518], ["breakdown_ratio", $c1519], ["coupling_load", $c1520], ["coupling_slip", $c1521]]);
-const $c823 = $made(tables$Table, $c881, [FluidCoupling, $c1509, $c1510]);
-const $c1541 = ["follower"];
-const $c1540 = $made(Choice, $c918, [$c1541]);
-const $c1537 = $made(Entry, $c896, ["kind", $c1540, true, "", "", "kind", ""]);
-const $c1542 = $made(Name, $c906, [60]);
-const $c1538 = $made(Entry, $c896, ["master", $c1542, true, "", "", "master", ""]);
-const $c851 = $made(Limit, $c902, ["number", -10.0, 10.0, false, false]);
-const $c1543 = $made(Quantity, $c153, ["number", $c851]);
-const $c1539 = $made(Entry, $c896, ["ratio", $c1543, false, "", "", "ratio", ""]);
-const $c1535 = [$c1537, $c1538, $c1539];
-const $c1536 = new Map([["kind", $c1537], ["master", $c1538], ["ratio", $c1539]]);
-const $c824 = $made(tables$Table, $c881, [TorqueFollower, $c1535, $c1536]);
-const $c106 = new Map([["converter", $c821], ["induction", $c822], ["fluid-coupling", $c823], ["follower", $c824]]);
-const $c107 = $made(Variant, $c1036, ["kind", $c106]);
-const $c1459 = $made(ByName, $c904, [$c107, 200]);
-const $c1456 = $made(Entry, $c896, ["motor", $c1459, false, "", "", "motor", ""]);
-const $c1453 = [$c1436, $c1437, $c1438, $c1439, $c1440, $c1441, $c1442, $c1455, $c1456];
-const $c1454 = new Map([["entry_tension", $c1436], ["exit_tension", $c1437], ["effective_tension", $c1438], ["power", $c1439], ["run", $c1440], ["share", $c1441], ["speeds", $c1442], ["diameters", $c1455], ["motor", $c1456]]);
-const $c1452 = $made(tables$Table, $c881, [null, $c1453, $c1454]);
-const $c1427 = $made(Entry, $c896, ["train", $c1452, false, "", "", "train", ""]);
-const $c1424 = [$c884, $c885, $c886, $c887, $c888, $c889, $c890, $c891, $c1426, $c893, $c558, $c559, $c560, $c561, $c1427, $c895];
-const $c1425 = new Map([["format", $c884], ["title", $c885], ["description", $c886], ["creep_limit", $c887], ["condition", $c888], ["belt", $c889], ["pulley", $c890], ["lagging", $c891], ["load_case", $c1426], ["conveyor", $c893], ["take_up", $c558], ["design_standard", $c559], ["safety_factor", $c560], ["sag", $c561], ["train", $c1427], ["motion", $c895]]);
-const $c38 = $made(tables$Table, $c881, [Drive, $c1424, $c1425]);
+const $c1445 = $made(Quantity, $c154, ["force", $c220]);
+const $c1438 = $made(Entry, $c898, ["entry_tension", $c1445, false, "", "", "entry_tension", ""]);
+const $c1439 = $made(Entry, $c898, ["exit_tension", $c1445, false, "", "", "exit_tension", ""]);
+const $c1446 = $made(Quantity, $c154, ["force", null]);
+const $c1440 = $made(Entry, $c898, ["effective_tension", $c1446, false, "", "", "effective_tension", ""]);
+const $c1447 = $made(Quantity, $c154, ["power", null]);
+const $c1441 = $made(Entry, $c898, ["power", $c1447, false, "", "", "power", ""]);
+const $c1449 = $made(Quantity, $c154, ["force", null]);
+const $c1448 = $made(ByName, $c906, [$c1449, 200]);
+const $c1442 = $made(Entry, $c898, ["run", $c1448, false, "", "", "run", ""]);
+const $c1602 = ["first", "second", "words"];
+const $c1605 = $made(Limit, $c904, ["number", -100.0, 100.0, false, false]);
+const $c1603 = $made(Quantity, $c154, ["number", $c1605]);
+const $c1604 = $made(Quantity, $c154, ["power", null]);
+const $c1451 = $made(Either, $c1602, [$c1603, $c1604, "a share like 0.5 or \"50 %\", or a power like \"300 kW\""]);
+const $c1450 = $made(Rows, $c936, [$c1451, 1, 10]);
+const $c1443 = $made(Entry, $c898, ["share", $c1450, false, "", "", "share", ""]);
+const $c1453 = $made(SpeedList, [], []);
+const $c1444 = $made(Entry, $c898, ["speeds", $c1453, false, "", "", "speeds", ""]);
+const $c1436 = [$c1438, $c1439, $c1440, $c1441, $c1442, $c1443, $c1444];
+const $c1437 = new Map([["entry_tension", $c1438], ["exit_tension", $c1439], ["effective_tension", $c1440], ["power", $c1441], ["run", $c1442], ["share", $c1443], ["speeds", $c1444]]);
+const $c1435 = $made(tables$Table, $c883, [null, $c1436, $c1437]);
+const $c1434 = $made(Entry, $c898, ["train", $c1435, false, "", "", "train", ""]);
+const $c1432 = [$c1329, $c1330, $c1331, $c1332, $c1333, $c1434];
+const $c1433 = new Map([["name", $c1329], ["description", $c1330], ["kind", $c1331], ["condition", $c1332], ["pulley", $c1333], ["train", $c1434]]);
+const $c1431 = $made(tables$Table, $c883, [null, $c1432, $c1433]);
+const $c1430 = $made(Rows, $c936, [$c1431, 1, 1000]);
+const $c1428 = $made(Entry, $c898, ["load_case", $c1430, false, "", "", "load_case", ""]);
+const $c1460 = $made(Quantity, $c154, ["length", $c210]);
+const $c1459 = $made(Rows, $c936, [$c1460, 1, 10]);
+const $c1457 = $made(Entry, $c898, ["diameters", $c1459, false, "", "", "diameters", ""]);
+const $c1476 = ["converter"];
+const $c1475 = $made(Choice, $c920, [$c1476]);
+const $c1464 = $made(Entry, $c898, ["kind", $c1475, true, "", "", "kind", ""]);
+const $c836 = $made(Limit, $c904, ["power", 0.0, 1000000000.0, true, false]);
+const $c1477 = $made(Quantity, $c154, ["power", $c836]);
+const $c1465 = $made(Entry, $c898, ["rated_power", $c1477, true, "", "", "rated_power", ""]);
+const $c837 = $made(Limit, $c904, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1478 = $made(Quantity, $c154, ["rotation_speed", $c837]);
+const $c1466 = $made(Entry, $c898, ["rated_speed", $c1478, true, "", "", "rated_speed", ""]);
+const $c838 = $made(Limit, $c904, ["number", 0.0, 10000.0, true, false]);
+const $c1479 = $made(Quantity, $c154, ["number", $c838]);
+const $c1467 = $made(Entry, $c898, ["gear_ratio", $c1479, false, "", "", "gear_ratio", ""]);
+const $c839 = $made(Limit, $c904, ["number", 0.05, 1.0, false, false]);
+const $c1480 = $made(Quantity, $c154, ["number", $c839]);
+const $c1468 = $made(Entry, $c898, ["gear_efficiency", $c1480, false, "", "", "gear_efficiency", ""]);
+const $c840 = $made(Limit, $c904, ["number", 0.05, 1.0, false, false]);
+const $c1481 = $made(Quantity, $c154, ["number", $c840]);
+const $c1469 = $made(Entry, $c898, ["motor_efficiency", $c1481, false, "", "", "motor_efficiency", ""]);
+const $c1482 = $made(Count, $c1323, [1, 8]);
+const $c1470 = $made(Entry, $c898, ["count", $c1482, false, "", "", "count", ""]);
+const $c1483 = $made(Flag, [], []);
+const $c1471 = $made(Entry, $c898, ["brakes", $c1483, false, "", "", "brakes", ""]);
+const $c842 = $made(Limit, $c904, ["number", 0.01, 3.0, false, false]);
+const $c1484 = $made(Quantity, $c154, ["number", $c842]);
+const $c1472 = $made(Entry, $c898, ["setting", $c1484, false, "", "", "setting", ""]);
+const $c843 = $made(Limit, $c904, ["number", 0.0, 0.5, false, false]);
+const $c1485 = $made(Quantity, $c154, ["number", $c843]);
+const $c1473 = $made(Entry, $c898, ["droop", $c1485, false, "", "", "droop", ""]);
+const $c844 = $made(Limit, $c904, ["number", 0.0, Infinity, true, true]);
+const $c1487 = $made(Quantity, $c154, ["number", $c844]);
+const $c1486 = $made(WordOr, $c934, ["rigid", $c1487, Infinity]);
+const $c1474 = $made(Entry, $c898, ["torque_limit", $c1486, false, "", "", "torque_limit", ""]);
+const $c1462 = [$c1464, $c1465, $c1466, $c1467, $c1468, $c1469, $c1470, $c1471, $c1472, $c1473, $c1474];
+const $c1463 = new Map([["kind", $c1464], ["rated_power", $c1465], ["rated_speed", $c1466], ["gear_ratio", $c1467], ["gear_efficiency", $c1468], ["motor_efficiency", $c1469], ["count", $c1470], ["brakes", $c1471], ["setting", $c1472], ["droop", $c1473], ["torque_limit", $c1474]]);
+const $c823 = $made(tables$Table, $c883, [VariableSpeed, $c1462, $c1463]);
+const $c1500 = ["induction"];
+const $c1499 = $made(Choice, $c920, [$c1500]);
+const $c1490 = $made(Entry, $c898, ["kind", $c1499, true, "", "", "kind", ""]);
+const $c1501 = $made(Quantity, $c154, ["power", $c836]);
+const $c1491 = $made(Entry, $c898, ["rated_power", $c1501, true, "", "", "rated_power", ""]);
+const $c1502 = $made(Quantity, $c154, ["rotation_speed", $c837]);
+const $c1492 = $made(Entry, $c898, ["rated_speed", $c1502, true, "", "", "rated_speed", ""]);
+const $c1503 = $made(Quantity, $c154, ["number", $c838]);
+const $c1493 = $made(Entry, $c898, ["gear_ratio", $c1503, false, "", "", "gear_ratio", ""]);
+const $c1504 = $made(Quantity, $c154, ["number", $c839]);
+const $c1494 = $made(Entry, $c898, ["gear_efficiency", $c1504, false, "", "", "gear_efficiency", ""]);
+const $c1505 = $made(Quantity, $c154, ["number", $c840]);
+const $c1495 = $made(Entry, $c898, ["motor_efficiency", $c1505, false, "", "", "motor_efficiency", ""]);
+const $c1506 = $made(Flag, [], []);
+const $c1496 = $made(Entry, $c898, ["brakes", $c1506, false, "", "", "brakes", ""]);
+const $c1508 = $made(Limit, $c904, ["rotation_speed", 0.0, 100000.0, true, false]);
+const $c1507 = $made(Quantity, $c154, ["rotation_speed", $c1508]);
+const $c1497 = $made(Entry, $c898, ["synchronous_speed", $c1507, true, "", "", "synchronous_speed", ""]);
+const $c1510 = $made(Limit, $c904, ["number", 1.1, 10.0, false, false]);
+const $c1509 = $made(Quantity, $c154, ["number", $c1510]);
+const $c1498 = $made(Entry, $c898, ["breakdown_ratio", $c1509, false, "", "", "breakdown_ratio", ""]);
+const $c1488 = [$c1490, $c1491, $c1492, $c1493, $c1494, $c1495, $c1470, $c1496, $c1497, $c1498];
+const $c1489 = new Map([["kind", $c1490], ["rated_power", $c1491], ["rated_speed", $c1492], ["gear_ratio", $c1493], ["gear_efficiency", $c1494], ["motor_efficiency", $c1495], ["count", $c1470], ["brakes", $c1496], ["synchronous_speed", $c1497], ["breakdown_ratio", $c1498]]);
+const $c824 = $made(tables$Table, $c883, [Induction, $c1488, $c1489]);
+const $c1525 = ["fluid-coupling"];
+const $c1524 = $made(Choice, $c920, [$c1525]);
+const $c1513 = $made(Entry, $c898, ["kind", $c1524, true, "", "", "kind", ""]);
+const $c1526 = $made(Quantity, $c154, ["power", $c836]);
+const $c1514 = $made(Entry, $c898, ["rated_power", $c1526, true, "", "", "rated_power", ""]);
+const $c1527 = $made(Quantity, $c154, ["rotation_speed", $c837]);
+const $c1515 = $made(Entry, $c898, ["rated_speed", $c1527, true, "", "", "rated_speed", ""]);
+const $c1528 = $made(Quantity, $c154, ["number", $c838]);
+const $c1516 = $made(Entry, $c898, ["gear_ratio", $c1528, false, "", "", "gear_ratio", ""]);
+const $c1529 = $made(Quantity, $c154, ["number", $c839]);
+const $c1517 = $made(Entry, $c898, ["gear_efficiency", $c1529, false, "", "", "gear_efficiency", ""]);
+const $c1530 = $made(Quantity, $c154, ["number", $c840]);
+const $c1518 = $made(Entry, $c898, ["motor_efficiency", $c1530, false, "", "", "motor_efficiency", ""]);
+const $c1531 = $made(Flag, [], []);
+const $c1519 = $made(Entry, $c898, ["brakes", $c1531, false, "", "", "brakes", ""]);
+const $c1532 = $made(Quantity, $c154, ["rotation_speed", $c1508]);
+const $c1520 = $made(Entry, $c898, ["synchronous_speed", $c1532, true, "", "", "synchronous_speed", ""]);
+const $c1533 = $made(Quantity, $c154, ["number", $c1510]);
+const $c1521 = $made(Entry, $c898, ["breakdown_ratio", $c1533, false, "", "", "breakdown_ratio", ""]);
+const $c1536 = $made(Limit, $c904, ["number", 0.0, 10.0, false, false]);
+const $c1535 = $made(Quantity, $c154, ["number", $c1536]);
+const $c1534 = $made(Rows, $c936, [$c1535, 2, 200]);
+const $c1522 = $made(Entry, $c898, ["coupling_load", $c1534, true, "", "", "coupling_load", ""]);
+const $c1523 = $made(Entry, $c898, ["coupling_slip", $c1534, true, "", "", "coupling_slip", ""]);
+const $c1511 = [$c1513, $c1514, $c1515, $c1516, $c1517, $c1518, $c1470, $c1519, $c1520, $c1521, $c1522, $c1523];
+const $c1512 = new Map([["kind", $c1513], ["rated_power", $c1514], ["rated_speed", $c1515], ["gear_ratio", $c1516], ["gear_efficiency", $c1517], ["motor_efficiency", $c1518], ["count", $c1470], ["brakes", $c1519], ["synchronous_speed", $c1520], ["breakdown_ratio", $c1521], ["coupling_load", $c1522], ["coupling_slip", $c1523]]);
+const $c825 = $made(tables$Table, $c883, [FluidCoupling, $c1511, $c1512]);
+const $c1543 = ["follower"];
+const $c1542 = $made(Choice, $c920, [$c1543]);
+const $c1539 = $made(Entry, $c898, ["kind", $c1542, true, "", "", "kind", ""]);
+const $c1544 = $made(Name, $c908, [60]);
+const $c1540 = $made(Entry, $c898, ["master", $c1544, true, "", "", "master", ""]);
+const $c853 = $made(Limit, $c904, ["number", -10.0, 10.0, false, false]);
+const $c1545 = $made(Quantity, $c154, ["number", $c853]);
+const $c1541 = $made(Entry, $c898, ["ratio", $c1545, false, "", "", "ratio", ""]);
+const $c1537 = [$c1539, $c1540, $c1541];
+const $c1538 = new Map([["kind", $c1539], ["master", $c1540], ["ratio", $c1541]]);
+const $c826 = $made(tables$Table, $c883, [TorqueFollower, $c1537, $c1538]);
+const $c107 = new Map([["converter", $c823], ["induction", $c824], ["fluid-coupling", $c825], ["follower", $c826]]);
+const $c108 = $made(Variant, $c1038, ["kind", $c107]);
+const $c1461 = $made(ByName, $c906, [$c108, 200]);
+const $c1458 = $made(Entry, $c898, ["motor", $c1461, false, "", "", "motor", ""]);
+const $c1455 = [$c1438, $c1439, $c1440, $c1441, $c1442, $c1443, $c1444, $c1457, $c1458];
+const $c1456 = new Map([["entry_tension", $c1438], ["exit_tension", $c1439], ["effective_tension", $c1440], ["power", $c1441], ["run", $c1442], ["share", $c1443], ["speeds", $c1444], ["diameters", $c1457], ["motor", $c1458]]);
+const $c1454 = $made(tables$Table, $c883, [null, $c1455, $c1456]);
+const $c1429 = $made(Entry, $c898, ["train", $c1454, false, "", "", "train", ""]);
+const $c1426 = [$c886, $c887, $c888, $c889, $c890, $c891, $c892, $c893, $c1428, $c895, $c559, $c560, $c561, $c562, $c1429, $c897];
+const $c1427 = new Map([["format", $c886], ["title", $c887], ["description", $c888], ["creep_limit", $c889], ["condition", $c890], ["belt", $c891], ["pulley", $c892], ["lagging", $c893], ["load_case", $c1428], ["conveyor", $c895], ["take_up", $c559], ["design_standard", $c560], ["safety_factor", $c561], ["sag", $c562], ["train", $c1429], ["motion", $c897]]);
+const $c38 = $made(tables$Table, $c883, [Drive, $c1426, $c1427]);
 const $c39 = $re("[A-Za-z0-9_-]{1,60}", "");
 const $c40 = new Map([["The pulley carries its load.", true], ["Breakaway: no creep makes enough friction for this tension ratio. Raise the slack-side tension (take-up), enlarge the wrap angle, or choose a lagging with more friction.", false], ["The solver did not reach its accuracy on this arc. Please report the drive file; until then change a value slightly.", false], ["The drives carry the load.", true], ["Breakaway: a drive cannot hold its part of the load. Raise the slack-side tension (take-up), bring the speeds closer together, or choose a lagging with more friction.", false], ["No operating point: a motor would have to work beyond its curve. Change its set speed or gear, or choose another motor.", false], ["The solver did not reach its accuracy on this train. Please report the drive file; until then change a value slightly.", false]]);
 const $c41 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c42 = ["illustrative", "calibrated", "estimated"];
 const $c43 = new WeakMap();
-const $c1544 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "words", "asked"];
-const $c44 = $made(Rule, $c1544, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
+const $c1546 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "words", "asked"];
+const $c44 = $made(Rule, $c1546, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c45 = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c46 = $made(Rule, $c1544, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
-const $c47 = $made(Rule, $c1544, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
+const $c46 = $made(Rule, $c1546, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c47 = $made(Rule, $c1546, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
 const $c48 = ["Speed"];
 const $c49 = ["Motor"];
-const $c50 = $made(Rule, $c1544, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, null, null, null, null, false, null, null]);
-const $c571 = ["by creep", "The belt slides (creep of {slides})"];
-const $c572 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
-const $c573 = ["by the largest friction", "All friction of the wrap is used up"];
-const $c51 = new Map([[0, $c571], [1, $c572], [2, $c573]]);
-const $c574 = $made(Rule, $c1544, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, null, null, null, null, false, null, of_arc___standard]);
-const $c575 = $made(Rule, $c1544, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, of_arc___creep, null, of_arc___creep_limit, null, true, of_arc___creeps, null]);
-const $c576 = $made(Rule, $c1544, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, of_arc___cover_creep]);
-const $c577 = $made(Rule, $c1544, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, in_page_checks__creep_interval]);
-const $c578 = $made(Rule, $c1544, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___running_tension, of_drive___over_width, null, false, of_drive___running, null]);
-const $c579 = $made(Rule, $c1544, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, false, of_drive___momentary, null]);
-const $c580 = $made(Rule, $c1544, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, false, of_drive___safety, null]);
-const $c581 = $made(Rule, $c1544, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___face_pressure, null, null, false, of_drive___on_face, null]);
-const $c582 = $made(Rule, $c1544, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___bond_strength, null, null, true, of_arc___bond, null]);
-const $c583 = $made(Rule, $c1544, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___fatigue_limit, null, null, true, of_arc___tires, null]);
-const $c584 = $made(Rule, $c1544, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___pressure_max, null, null, false, of_drive___tested_max, null]);
-const $c585 = $made(Rule, $c1544, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, of_drive___slack_pressure, of_drive___pressure_min, null, null, false, of_drive___tested_min, null]);
-const $c586 = $made(Rule, $c1544, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___condition]);
-const $c587 = $made(Rule, $c1544, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___fit]);
-const $c588 = $made(Rule, $c1544, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, of_arc___slip, of_arc___slip_max, null, null, true, of_arc___slips, null]);
-const $c589 = $made(Rule, $c1544, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, of_arc___slip_speed, of_arc___tested_speed, null, null, true, of_arc___slips_fast, null]);
-const $c590 = $made(Rule, $c1544, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_arc___balance]);
-const $c591 = $made(Rule, $c1544, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, of_drive___slack_end, of_drive___sag_tension, null, null, false, of_drive___sags, null]);
-const $c52 = [$c574, $c575, $c576, $c577, $c578, $c579, $c580, $c581, $c582, $c583, $c584, $c585, $c586, $c587, $c588, $c589, $c590, $c591];
-const $c53 = $made(Rule, $c1544, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, of_drive___diameter, of_drive___least_diameter, null, null, false, of_drive___bends, null]);
-const $c54 = ["Transition", "GrippingPulley"];
-const $c609 = [1.0, 2.0];
-const $c610 = [5000.0, 5000000.0];
-const $c611 = [0.0004, 0.025];
-const $c612 = [0.0004, 0.035];
-const $c613 = [0.0004, 0.03];
-const $c614 = [0.0015, 0.06];
-const $c615 = [300000.0, 5000000.0];
-const $c594 = new Map([["momentary_factor", $c609], ["in_plane_shear_stiffness", $c610], ["pulley_cover", $c611], ["carry_cover", $c612], ["carcass", $c613], ["thickness", $c614], ["cover_shear_modulus", $c615]]);
-const $c616 = [0.2, 8.0];
-const $c595 = new Map([["sheave_ratio", $c616]]);
-const $c617 = [0.1, 0.9];
-const $c618 = [1.0, 2.5];
-const $c596 = new Map([["friction", $c617], ["start_factor", $c618]]);
-const $c619 = [1.05, 6.0];
-const $c620 = [1.0, 4.0];
-const $c597 = new Map([["running", $c619], ["starting", $c620], ["braking", $c620]]);
-const $c621 = [0.3, 8.0];
-const $c622 = [1.0, 3000.0];
-const $c623 = [0.002, 0.05];
-const $c598 = new Map([["spacing", $c621], ["line_mass", $c622], ["share", $c623]]);
-const $c624 = [1.0, 9.5];
-const $c625 = [1.05, 2.5];
-const $c599 = new Map([["length_coefficient", $c624], ["start_factor", $c625]]);
-const $c626 = [300000.0, 100000000.0];
-const $c627 = [1e-13, 1e-10];
-const $c628 = [0.01, 1.0];
-const $c600 = new Map([["elastic_modulus", $c626], ["wear_coefficient", $c627], ["belt_energy_share", $c628]]);
-const $c629 = [0.002, 0.5];
-const $c630 = [0.0005, 0.06];
-const $c631 = [0.1, 4.0];
-const $c632 = [0.15, 1.0];
-const $c601 = new Map([["width", $c629], ["height", $c630], ["stiffening", $c631], ["contact_fraction", $c632]]);
-const $c633 = [0.05, 200.0];
-const $c602 = new Map([["area", $c633]]);
-const $c634 = [0.05, 1.3];
-const $c603 = new Map([["factor", $c634]]);
-const $c635 = [0.3, 500.0];
-const $c604 = new Map([["distance", $c635]]);
-const $c636 = [0.2, 20.0];
-const $c637 = [0.08726646259971647, 1.2217304763960306];
-const $c638 = [0.05, 2.0];
-const $c605 = new Map([["length", $c636], ["trough_angle", $c637], ["centre_roll", $c638]]);
-const $c639 = [-0.01, 0.01];
-const $c640 = [-0.005, 0.005];
-const $c606 = new Map([["misalignment", $c639], ["deflection", $c640]]);
-const $c641 = [1.0, 250.0];
-const $c642 = [0.6, 1.0];
-const $c643 = [0.5, 1.0];
-const $c644 = [0.001, 0.15];
-const $c645 = [0.8, 4.0];
-const $c646 = [1.5, 5.0];
-const $c607 = new Map([["gear_ratio", $c641], ["gear_efficiency", $c642], ["motor_efficiency", $c643], ["droop", $c644], ["torque_limit", $c645], ["breakdown_ratio", $c646]]);
-const $c647 = [0.1, 5.0];
-const $c608 = new Map([["ratio", $c647]]);
-const $c55 = new Map([["Belt", $c594], ["TakeUp", $c595], ["DesignStandard", $c596], ["SafetyFactors", $c597], ["Sag", $c598], ["Conveyor", $c599], ["Lagging", $c600], ["Block", $c601], ["Cost", $c602], ["ConditionFactor", $c603], ["GrippingPulley", $c604], ["Transition", $c605], ["Across", $c606], ["Motor", $c607], ["TorqueFollower", $c608]]);
-const $c648 = ["mm", "m", "cm", "in", "ft"];
-const $c649 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
-const $c650 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
-const $c651 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
-const $c652 = ["m/s", "m/min", "ft/min", "km/h"];
-const $c653 = ["deg", "rad"];
-const $c654 = ["kW", "W", "hp", "MW"];
-const $c655 = ["t", "kg", "g"];
-const $c656 = ["kg/m", "g/m", "t/m"];
-const $c657 = ["t/h", "kg/s", "kg/h"];
-const $c658 = ["kg m2", "t m2", "kg cm2"];
-const $c659 = ["kN m", "N m", "MN m"];
-const $c660 = ["s", "min", "ms", "h"];
-const $c56 = new Map([["length", $c648], ["force", $c649], ["force_per_width", $c650], ["pressure", $c651], ["speed", $c652], ["angle", $c653], ["power", $c654], ["mass", $c655], ["mass_per_length", $c656], ["mass_flow", $c657], ["moment_of_inertia", $c658], ["torque", $c659], ["time", $c660]]);
-const $c57 = new Place("", "", "");
-const $c58 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
-const $c661 = ["rated power of the motor", "power"];
-const $c662 = ["rated speed of the motor", "rotation_speed"];
-const $c663 = ["speed of the drum over that of the belt", "number"];
-const $c59 = [$c661, $c662, $c663];
-const $c664 = [250.0, 20000000.0];
-const $c665 = [10.0, 400.0];
-const $c666 = [0.95, 1.05];
-const $c60 = [$c664, $c665, $c666];
-const $c667 = ["length", 3.0, 30000.0];
-const $c668 = ["lift", -1500.0, 1500.0];
-const $c669 = ["belt_mass", 3.0, 100.0];
-const $c670 = ["carry_idler_mass", 2.0, 60.0];
-const $c671 = ["return_idler_mass", 0.7, 30.0];
-const $c672 = ["material_mass", 0.5, 4000.0];
-const $c673 = ["capacity", 0.1, 15000.0];
-const $c674 = ["friction_factor", 0.01, 0.04];
-const $c675 = ["secondary_resistance", 10.0, 500000.0];
-const $c676 = ["special_resistance", 10.0, 200000.0];
-const $c677 = ["start_time", 1.0, 600.0];
-const $c678 = ["stop_time", 1.0, 600.0];
-const $c679 = ["take_up_tension", 300.0, 2000000.0];
-const $c680 = ["counterweight", 30.0, 200000.0];
-const $c61 = [$c667, $c668, $c669, $c670, $c671, $c672, $c673, $c674, $c675, $c676, $c677, $c678, $c679, $c680];
-const $c62 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
-const $c696 = $made(Limit, $c902, ["speed", 0.0, Infinity, true, false]);
-const $c697 = $made(Limit, $c902, ["number", 0.01, 100.0, false, false]);
-const $c63 = new Map([["length", $c681], ["lift", $c682], ["belt_mass", $c683], ["carry_idler_mass", $c684], ["return_idler_mass", $c685], ["material_mass", $c683], ["capacity", $c686], ["friction_factor", $c687], ["length_coefficient", $c688], ["secondary_resistance", $c689], ["special_resistance", $c689], ["return_share", $c690], ["start_factor", $c691], ["start_time", $c692], ["stop_time", $c692], ["take_up_tension", $c693], ["counterweight", $c694], ["take_up_distance", $c695], ["speed", $c696], ["sheave_ratio", $c697]]);
-const $c698 = [0.2, 4.0];
-const $c699 = [100000.0, 1000000000.0];
-const $c700 = [0.05, 15.0];
-const $c701 = [0.15, 3.0];
-const $c702 = [0.17453292519943295, 4.71238898038469];
-const $c703 = [2.0943951023931953, 4.71238898038469];
-const $c704 = [0.0005, 0.061];
-const $c705 = [-0.002, 0.002];
-const $c706 = [0.0, 0.06];
-const $c707 = [100000.0, 50000000.0];
-const $c708 = [100000.0, 5000000000.0];
-const $c709 = [5000.0, 2000000.0];
-const $c710 = [10000.0, 50000000.0];
-const $c711 = [50000.0, 10000000.0];
-const $c712 = [0.1, 3.0];
-const $c713 = [500.0, 10000000.0];
-const $c714 = [4.0, 20.0];
-const $c715 = [15.0, 1000.0];
-const $c716 = [0.0, 1600000.0];
-const $c717 = [1.0, 130.0];
-const $c64 = [$c698, $c699, $c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c710, $c711, $c712, $c713, $c714, $c715, $c716, $c713, $c713, $c664, $c717];
-const $c722 = [500.0, 2000000.0];
-const $c718 = ["least tested pressure", "pressure", $c722];
-const $c723 = [10000.0, 10000000.0];
-const $c719 = ["largest tested pressure", "pressure", $c723];
-const $c724 = [5e-05, 0.3];
-const $c720 = ["largest tested slip", "length", $c724];
-const $c725 = [2e-06, 0.3];
-const $c721 = ["tested slip speed", "speed", $c725];
-const $c65 = new Map([["pressure_min", $c718], ["pressure_max", $c719], ["slip_max", $c720], ["slip_speed", $c721]]);
-const $c66 = [0.03, 1.9];
-const $c67 = ["force", "mass_per_length"];
-const $c68 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
-const $c69 = new WeakMap();
-const $c728 = [180.0, 1.2];
-const $c729 = [200.0, 1.0];
-const $c730 = [210.0, 1.0];
-const $c731 = [220.0, 0.9];
-const $c732 = [240.0, 0.8];
-const $c726 = [$c728, $c729, $c730, $c731, $c732];
-const $c733 = [180.0, 0.8];
-const $c734 = [200.0, 0.7];
-const $c735 = [210.0, 0.7];
-const $c736 = [220.0, 0.6];
-const $c737 = [240.0, 0.6];
-const $c727 = [$c733, $c734, $c735, $c736, $c737];
-const $c70 = new Map([["bare", $c726], ["lagged", $c727]]);
-const $c759 = ["standard", "surface", "condition", "friction", "provenance"];
-const $c760 = [0.25, 0.25];
-const $c761 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c738 = $made(DesignFriction, $c759, ["CEMA", "bare", "", $c760, $c761]);
-const $c762 = [0.35, 0.35];
-const $c763 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
-const $c739 = $made(DesignFriction, $c759, ["CEMA", "rubber", "", $c762, $c763]);
-const $c764 = [0.5, 0.5];
-const $c765 = $made(Provenance, $c557, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
-const $c740 = $made(DesignFriction, $c759, ["CEMA", "ceramic", "", $c764, $c765]);
-const $c766 = [0.35, 0.4];
-const $c767 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c741 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "dry", $c766, $c767]);
-const $c768 = [0.1, 0.1];
-const $c769 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c742 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet", $c768, $c769]);
-const $c770 = [0.05, 0.1];
-const $c771 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c743 = $made(DesignFriction, $c759, ["DIN 22101", "bare", "wet and dirty", $c770, $c771]);
-const $c772 = [0.4, 0.45];
-const $c773 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c744 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "dry", $c772, $c773]);
-const $c774 = [0.35, 0.35];
-const $c775 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
-const $c745 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet", $c774, $c775]);
-const $c776 = [0.25, 0.3];
-const $c777 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
-const $c746 = $made(DesignFriction, $c759, ["DIN 22101", "rubber", "wet and dirty", $c776, $c777]);
-const $c778 = [0.35, 0.4];
-const $c779 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c747 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "dry", $c778, $c779]);
-const $c780 = [0.35, 0.35];
-const $c781 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c748 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet", $c780, $c781]);
-const $c782 = [0.2, 0.2];
-const $c783 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c749 = $made(DesignFriction, $c759, ["DIN 22101", "polyurethane", "wet and dirty", $c782, $c783]);
-const $c784 = [0.4, 0.45];
-const $c785 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c750 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "dry", $c784, $c785]);
-const $c786 = [0.35, 0.4];
-const $c787 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
-const $c751 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet", $c786, $c787]);
-const $c788 = [0.35, 0.35];
-const $c789 = $made(Provenance, $c557, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
-const $c752 = $made(DesignFriction, $c759, ["DIN 22101", "ceramic", "wet and dirty", $c788, $c789]);
+const $c50 = $made(Rule, $c1546, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, "", null, null, null, null, null, null]);
+const $c572 = ["by creep", "The belt slides (creep of {slides})"];
+const $c573 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
+const $c574 = ["by the largest friction", "All friction of the wrap is used up"];
+const $c51 = new Map([[0, $c572], [1, $c573], [2, $c574]]);
+const $c52 = ["exit_creep", "peak_shear_stress", "largest_slip", "slip_speed"];
+const $c575 = $made(Rule, $c1546, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
+const $c576 = $made(Rule, $c1546, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creeps, null]);
+const $c577 = $made(Rule, $c1546, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
+const $c578 = $made(Rule, $c1546, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c579 = $made(Rule, $c1546, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
+const $c580 = $made(Rule, $c1546, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
+const $c581 = $made(Rule, $c1546, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
+const $c582 = $made(Rule, $c1546, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___face_pressure, null, null, of_drive___on_face, null]);
+const $c583 = $made(Rule, $c1546, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___bond_strength, null, null, of_arc___bond, null]);
+const $c584 = $made(Rule, $c1546, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___fatigue_limit, null, null, of_arc___tires, null]);
+const $c585 = $made(Rule, $c1546, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___pressure_max, null, null, of_drive___tested_max, null]);
+const $c586 = $made(Rule, $c1546, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, "", of_drive___slack_pressure, of_drive___pressure_min, null, null, of_drive___tested_min, null]);
+const $c587 = $made(Rule, $c1546, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___condition]);
+const $c588 = $made(Rule, $c1546, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___fit]);
+const $c589 = $made(Rule, $c1546, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, "largest_slip", null, of_arc___slip_max, null, null, of_arc___slips, null]);
+const $c590 = $made(Rule, $c1546, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___slips_fast, null]);
+const $c591 = $made(Rule, $c1546, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
+const $c592 = $made(Rule, $c1546, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sags, null]);
+const $c53 = [$c575, $c576, $c577, $c578, $c579, $c580, $c581, $c582, $c583, $c584, $c585, $c586, $c587, $c588, $c589, $c590, $c591, $c592];
+const $c54 = $made(Rule, $c1546, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bends, null]);
+const $c55 = ["Transition", "GrippingPulley"];
+const $c611 = [1.0, 2.0];
+const $c612 = [5000.0, 5000000.0];
+const $c613 = [0.0004, 0.025];
+const $c614 = [0.0004, 0.035];
+const $c615 = [0.0004, 0.03];
+const $c616 = [0.0015, 0.06];
+const $c617 = [300000.0, 5000000.0];
+const $c596 = new Map([["momentary_factor", $c611], ["in_plane_shear_stiffness", $c612], ["pulley_cover", $c613], ["carry_cover", $c614], ["carcass", $c615], ["thickness", $c616], ["cover_shear_modulus", $c617]]);
+const $c618 = [0.2, 8.0];
+const $c597 = new Map([["sheave_ratio", $c618]]);
+const $c619 = [0.1, 0.9];
+const $c620 = [1.0, 2.5];
+const $c598 = new Map([["friction", $c619], ["start_factor", $c620]]);
+const $c621 = [1.05, 6.0];
+const $c622 = [1.0, 4.0];
+const $c599 = new Map([["running", $c621], ["starting", $c622], ["braking", $c622]]);
+const $c623 = [0.3, 8.0];
+const $c624 = [1.0, 3000.0];
+const $c625 = [0.002, 0.05];
+const $c600 = new Map([["spacing", $c623], ["line_mass", $c624], ["share", $c625]]);
+const $c626 = [1.0, 9.5];
+const $c627 = [1.05, 2.5];
+const $c601 = new Map([["length_coefficient", $c626], ["start_factor", $c627]]);
+const $c628 = [300000.0, 100000000.0];
+const $c629 = [1e-13, 1e-10];
+const $c630 = [0.01, 1.0];
+const $c602 = new Map([["elastic_modulus", $c628], ["wear_coefficient", $c629], ["belt_energy_share", $c630]]);
+const $c631 = [0.002, 0.5];
+const $c632 = [0.0005, 0.06];
+const $c633 = [0.1, 4.0];
+const $c634 = [0.15, 1.0];
+const $c603 = new Map([["width", $c631], ["height", $c632], ["stiffening", $c633], ["contact_fraction", $c634]]);
+const $c635 = [0.05, 200.0];
+const $c604 = new Map([["area", $c635]]);
+const $c636 = [0.05, 1.3];
+const $c605 = new Map([["factor", $c636]]);
+const $c637 = [0.3, 500.0];
+const $c606 = new Map([["distance", $c637]]);
+const $c638 = [0.2, 20.0];
+const $c639 = [0.08726646259971647, 1.2217304763960306];
+const $c640 = [0.05, 2.0];
+const $c607 = new Map([["length", $c638], ["trough_angle", $c639], ["centre_roll", $c640]]);
+const $c641 = [-0.01, 0.01];
+const $c642 = [-0.005, 0.005];
+const $c608 = new Map([["misalignment", $c641], ["deflection", $c642]]);
+const $c643 = [1.0, 250.0];
+const $c644 = [0.6, 1.0];
+const $c645 = [0.5, 1.0];
+const $c646 = [0.001, 0.15];
+const $c647 = [0.8, 4.0];
+const $c648 = [1.5, 5.0];
+const $c609 = new Map([["gear_ratio", $c643], ["gear_efficiency", $c644], ["motor_efficiency", $c645], ["droop", $c646], ["torque_limit", $c647], ["breakdown_ratio", $c648]]);
+const $c649 = [0.1, 5.0];
+const $c610 = new Map([["ratio", $c649]]);
+const $c56 = new Map([["Belt", $c596], ["TakeUp", $c597], ["DesignStandard", $c598], ["SafetyFactors", $c599], ["Sag", $c600], ["Conveyor", $c601], ["Lagging", $c602], ["Block", $c603], ["Cost", $c604], ["ConditionFactor", $c605], ["GrippingPulley", $c606], ["Transition", $c607], ["Across", $c608], ["Motor", $c609], ["TorqueFollower", $c610]]);
+const $c650 = ["mm", "m", "cm", "in", "ft"];
+const $c651 = ["kN", "N", "lbf", "kgf", "tf", "MN"];
+const $c652 = ["kN/m", "N/m", "PIW", "N/mm", "MN/m"];
+const $c653 = ["kPa", "MPa", "Pa", "psi", "bar", "GPa"];
+const $c654 = ["m/s", "m/min", "ft/min", "km/h"];
+const $c655 = ["deg", "rad"];
+const $c656 = ["kW", "W", "hp", "MW"];
+const $c657 = ["t", "kg", "g"];
+const $c658 = ["kg/m", "g/m", "t/m"];
+const $c659 = ["t/h", "kg/s", "kg/h"];
+const $c660 = ["kg m2", "t m2", "kg cm2"];
+const $c661 = ["kN m", "N m", "MN m"];
+const $c662 = ["s", "min", "ms", "h"];
+const $c57 = new Map([["length", $c650], ["force", $c651], ["force_per_width", $c652], ["pressure", $c653], ["speed", $c654], ["angle", $c655], ["power", $c656], ["mass", $c657], ["mass_per_length", $c658], ["mass_flow", $c659], ["moment_of_inertia", $c660], ["torque", $c661], ["time", $c662]]);
+const $c58 = new Place("", "", "");
+const $c59 = new Map([["shell_profile", 0.015], ["worn_depth", 0.025], ["build_up", 0.03]]);
+const $c663 = ["rated power of the motor", "power"];
+const $c664 = ["rated speed of the motor", "rotation_speed"];
+const $c665 = ["speed of the drum over that of the belt", "number"];
+const $c60 = [$c663, $c664, $c665];
+const $c666 = [250.0, 20000000.0];
+const $c667 = [10.0, 400.0];
+const $c668 = [0.95, 1.05];
+const $c61 = [$c666, $c667, $c668];
+const $c669 = ["length", 3.0, 30000.0];
+const $c670 = ["lift", -1500.0, 1500.0];
+const $c671 = ["belt_mass", 3.0, 100.0];
+const $c672 = ["carry_idler_mass", 2.0, 60.0];
+const $c673 = ["return_idler_mass", 0.7, 30.0];
+const $c674 = ["material_mass", 0.5, 4000.0];
+const $c675 = ["capacity", 0.1, 15000.0];
+const $c676 = ["friction_factor", 0.01, 0.04];
+const $c677 = ["secondary_resistance", 10.0, 500000.0];
+const $c678 = ["special_resistance", 10.0, 200000.0];
+const $c679 = ["start_time", 1.0, 600.0];
+const $c680 = ["stop_time", 1.0, 600.0];
+const $c681 = ["take_up_tension", 300.0, 2000000.0];
+const $c682 = ["counterweight", 30.0, 200000.0];
+const $c62 = [$c669, $c670, $c671, $c672, $c673, $c674, $c675, $c676, $c677, $c678, $c679, $c680, $c681, $c682];
+const $c63 = ["belt_mass", "carry_idler_mass", "return_idler_mass"];
+const $c698 = $made(Limit, $c904, ["speed", 0.0, Infinity, true, false]);
+const $c699 = $made(Limit, $c904, ["number", 0.01, 100.0, false, false]);
+const $c64 = new Map([["length", $c683], ["lift", $c684], ["belt_mass", $c685], ["carry_idler_mass", $c686], ["return_idler_mass", $c687], ["material_mass", $c685], ["capacity", $c688], ["friction_factor", $c689], ["length_coefficient", $c690], ["secondary_resistance", $c691], ["special_resistance", $c691], ["return_share", $c692], ["start_factor", $c693], ["start_time", $c694], ["stop_time", $c694], ["take_up_tension", $c695], ["counterweight", $c696], ["take_up_distance", $c697], ["speed", $c698], ["sheave_ratio", $c699]]);
+const $c700 = [0.2, 4.0];
+const $c701 = [100000.0, 1000000000.0];
+const $c702 = [0.05, 15.0];
+const $c703 = [0.15, 3.0];
+const $c704 = [0.17453292519943295, 4.71238898038469];
+const $c705 = [2.0943951023931953, 4.71238898038469];
+const $c706 = [0.0005, 0.061];
+const $c707 = [-0.002, 0.002];
+const $c708 = [0.0, 0.06];
+const $c709 = [100000.0, 50000000.0];
+const $c710 = [100000.0, 5000000000.0];
+const $c711 = [5000.0, 2000000.0];
+const $c712 = [10000.0, 50000000.0];
+const $c713 = [50000.0, 10000000.0];
+const $c714 = [0.1, 3.0];
+const $c715 = [500.0, 10000000.0];
+const $c716 = [4.0, 20.0];
+const $c717 = [15.0, 1000.0];
+const $c718 = [0.0, 1600000.0];
+const $c719 = [1.0, 130.0];
+const $c65 = [$c700, $c701, $c702, $c703, $c704, $c705, $c706, $c707, $c708, $c709, $c710, $c711, $c712, $c712, $c713, $c714, $c715, $c716, $c717, $c718, $c715, $c715, $c666, $c719];
+const $c724 = [500.0, 2000000.0];
+const $c720 = ["least tested pressure", "pressure", $c724];
+const $c725 = [10000.0, 10000000.0];
+const $c721 = ["largest tested pressure", "pressure", $c725];
+const $c726 = [5e-05, 0.3];
+const $c722 = ["largest tested slip", "length", $c726];
+const $c727 = [2e-06, 0.3];
+const $c723 = ["tested slip speed", "speed", $c727];
+const $c66 = new Map([["pressure_min", $c720], ["pressure_max", $c721], ["slip_max", $c722], ["slip_speed", $c723]]);
+const $c67 = [0.03, 1.9];
+const $c68 = ["force", "mass_per_length"];
+const $c69 = new Map([["illustrative", "on illustrative data"], ["untested", "on friction without tests"], ["estimated", "on estimated data"], ["calibrated", "on calibrated data"]]);
+const $c70 = new WeakMap();
+const $c730 = [180.0, 1.2];
+const $c731 = [200.0, 1.0];
+const $c732 = [210.0, 1.0];
+const $c733 = [220.0, 0.9];
+const $c734 = [240.0, 0.8];
+const $c728 = [$c730, $c731, $c732, $c733, $c734];
+const $c735 = [180.0, 0.8];
+const $c736 = [200.0, 0.7];
+const $c737 = [210.0, 0.7];
+const $c738 = [220.0, 0.6];
+const $c739 = [240.0, 0.6];
+const $c729 = [$c735, $c736, $c737, $c738, $c739];
+const $c71 = new Map([["bare", $c728], ["lagged", $c729]]);
+const $c761 = ["standard", "surface", "condition", "friction", "provenance"];
+const $c762 = [0.25, 0.25];
+const $c763 = $made(Provenance, $c558, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c740 = $made(DesignFriction, $c761, ["CEMA", "bare", "", $c762, $c763]);
+const $c764 = [0.35, 0.35];
+const $c765 = $made(Provenance, $c558, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", ""]);
+const $c741 = $made(DesignFriction, $c761, ["CEMA", "rubber", "", $c764, $c765]);
+const $c766 = [0.5, 0.5];
+const $c767 = $made(Provenance, $c558, ["published", "CEMA, Belt Conveyors for Bulk Materials (5th edition, table 6-8; ceramic: a later one)", "", "dimpled ceramic"]);
+const $c742 = $made(DesignFriction, $c761, ["CEMA", "ceramic", "", $c766, $c767]);
+const $c768 = [0.35, 0.4];
+const $c769 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c743 = $made(DesignFriction, $c761, ["DIN 22101", "bare", "dry", $c768, $c769]);
+const $c770 = [0.1, 0.1];
+const $c771 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c744 = $made(DesignFriction, $c761, ["DIN 22101", "bare", "wet", $c770, $c771]);
+const $c772 = [0.05, 0.1];
+const $c773 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c745 = $made(DesignFriction, $c761, ["DIN 22101", "bare", "wet and dirty", $c772, $c773]);
+const $c774 = [0.4, 0.45];
+const $c775 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c746 = $made(DesignFriction, $c761, ["DIN 22101", "rubber", "dry", $c774, $c775]);
+const $c776 = [0.35, 0.35];
+const $c777 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves; single value, partly from IS 11592 and REMA"]);
+const $c747 = $made(DesignFriction, $c761, ["DIN 22101", "rubber", "wet", $c776, $c777]);
+const $c778 = [0.25, 0.3];
+const $c779 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "herringbone grooves"]);
+const $c748 = $made(DesignFriction, $c761, ["DIN 22101", "rubber", "wet and dirty", $c778, $c779]);
+const $c780 = [0.35, 0.4];
+const $c781 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c749 = $made(DesignFriction, $c761, ["DIN 22101", "polyurethane", "dry", $c780, $c781]);
+const $c782 = [0.35, 0.35];
+const $c783 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c750 = $made(DesignFriction, $c761, ["DIN 22101", "polyurethane", "wet", $c782, $c783]);
+const $c784 = [0.2, 0.2];
+const $c785 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c751 = $made(DesignFriction, $c761, ["DIN 22101", "polyurethane", "wet and dirty", $c784, $c785]);
+const $c786 = [0.4, 0.45];
+const $c787 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c752 = $made(DesignFriction, $c761, ["DIN 22101", "ceramic", "dry", $c786, $c787]);
+const $c788 = [0.35, 0.4];
+const $c789 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", ""]);
+const $c753 = $made(DesignFriction, $c761, ["DIN 22101", "ceramic", "wet", $c788, $c789]);
 const $c790 = [0.35, 0.35];
-const $c791 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c753 = $made(DesignFriction, $c759, ["practice", "rubber", "dry", $c790, $c791]);
+const $c791 = $made(Provenance, $c558, ["published", "DIN 22101 by works that follow it (they do not tell the edition; that of the resistances here is 2002-08)", "", "single value, partly from IS 11592 and REMA"]);
+const $c754 = $made(DesignFriction, $c761, ["DIN 22101", "ceramic", "wet and dirty", $c790, $c791]);
 const $c792 = [0.35, 0.35];
-const $c793 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c754 = $made(DesignFriction, $c759, ["practice", "rubber", "wet", $c792, $c793]);
-const $c794 = [0.3, 0.3];
-const $c795 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
-const $c755 = $made(DesignFriction, $c759, ["practice", "rubber", "wet and dirty", $c794, $c795]);
-const $c796 = [0.8, 0.8];
-const $c797 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c756 = $made(DesignFriction, $c759, ["practice", "ceramic", "dry", $c796, $c797]);
-const $c798 = [0.45, 0.45];
-const $c799 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c757 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet", $c798, $c799]);
-const $c800 = [0.35, 0.35];
-const $c801 = $made(Provenance, $c557, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
-const $c758 = $made(DesignFriction, $c759, ["practice", "ceramic", "wet and dirty", $c800, $c801]);
-const $c71 = [$c738, $c739, $c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758];
-const $c72 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
-const $c73 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
-const $c74 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c802 = $made(Rule, $c1544, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c803 = $made(Rule, $c1544, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c804 = $made(Rule, $c1544, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
-const $c805 = $made(Rule, $c1544, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, null, null, null, null, false, null, null]);
-const $c75 = new Map([["gross_slip", $c50], ["design_standard", $c574], ["creep", $c575], ["cover_creep", $c576], ["creep_interval", $c577], ["belt_tension", $c578], ["momentary_tension", $c579], ["belt_safety", $c580], ["face_pressure", $c581], ["bond_stress", $c582], ["fatigue_stress", $c583], ["tested_pressure_max", $c584], ["tested_pressure_min", $c585], ["condition", $c586], ["fit", $c587], ["tested_slip", $c588], ["tested_slip_speed", $c589], ["balance", $c590], ["sag", $c591], ["taut", $c802], ["pulley_diameter", $c53], ["belt_thickness", $c803], ["usual_sizes", $c804], ["motor_load", $c47], ["momentary_load", $c46], ["motor_heat", $c805], ["train_balance", $c44]]);
-const $c76 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
-const $c77 = new WeakMap();
-const $c809 = ["name", "surface", "material", "life_years", "provenance"];
-const $c810 = [1, 2];
-const $c811 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c806 = $made(LaggingCost, $c809, ["rubber", "rubber", 625, $c810, $c811]);
-const $c812 = [10, 10];
-const $c813 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c807 = $made(LaggingCost, $c809, ["ceramic, cold bonded", "ceramic", 4600, $c812, $c813]);
+const $c793 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c755 = $made(DesignFriction, $c761, ["practice", "rubber", "dry", $c792, $c793]);
+const $c794 = [0.35, 0.35];
+const $c795 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c756 = $made(DesignFriction, $c761, ["practice", "rubber", "wet", $c794, $c795]);
+const $c796 = [0.3, 0.3];
+const $c797 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "diamond rubber"]);
+const $c757 = $made(DesignFriction, $c761, ["practice", "rubber", "wet and dirty", $c796, $c797]);
+const $c798 = [0.8, 0.8];
+const $c799 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c758 = $made(DesignFriction, $c761, ["practice", "ceramic", "dry", $c798, $c799]);
+const $c800 = [0.45, 0.45];
+const $c801 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c759 = $made(DesignFriction, $c761, ["practice", "ceramic", "wet", $c800, $c801]);
+const $c802 = [0.35, 0.35];
+const $c803 = $made(Provenance, $c558, ["published", "Practitioners' values for a running drive, bulk-online forum", "2005", "ceramic in rubber"]);
+const $c760 = $made(DesignFriction, $c761, ["practice", "ceramic", "wet and dirty", $c802, $c803]);
+const $c72 = [$c740, $c741, $c742, $c743, $c744, $c745, $c746, $c747, $c748, $c749, $c750, $c751, $c752, $c753, $c754, $c755, $c756, $c757, $c758, $c759, $c760];
+const $c73 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
+const $c74 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
+const $c75 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
+const $c804 = $made(Rule, $c1546, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c805 = $made(Rule, $c1546, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c806 = $made(Rule, $c1546, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c807 = $made(Rule, $c1546, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
+const $c76 = new Map([["gross_slip", $c50], ["design_standard", $c575], ["creep", $c576], ["cover_creep", $c577], ["creep_interval", $c578], ["belt_tension", $c579], ["momentary_tension", $c580], ["belt_safety", $c581], ["face_pressure", $c582], ["bond_stress", $c583], ["fatigue_stress", $c584], ["tested_pressure_max", $c585], ["tested_pressure_min", $c586], ["condition", $c587], ["fit", $c588], ["tested_slip", $c589], ["tested_slip_speed", $c590], ["balance", $c591], ["sag", $c592], ["taut", $c804], ["pulley_diameter", $c54], ["belt_thickness", $c805], ["usual_sizes", $c806], ["motor_load", $c47], ["momentary_load", $c46], ["motor_heat", $c807], ["train_balance", $c44]]);
+const $c77 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
+const $c78 = new WeakMap();
+const $c811 = ["name", "surface", "material", "life_years", "provenance"];
+const $c812 = [1, 2];
+const $c813 = $made(Provenance, $c558, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c808 = $made(LaggingCost, $c811, ["rubber", "rubber", 625, $c812, $c813]);
 const $c814 = [10, 10];
-const $c815 = $made(Provenance, $c557, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
-const $c808 = $made(LaggingCost, $c809, ["ceramic, hot vulcanised", "ceramic", 4950, $c814, $c815]);
-const $c78 = [$c806, $c807, $c808];
-const $c79 = $made(Provenance, $c557, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
-const $c80 = $made(Provenance, $c557, ["given", "", "", ""]);
-const $c81 = $made(Provenance, $c557, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
-const $c82 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
-const $c83 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
-const $c84 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
-const $c85 = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
-const $c87 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
-const $c88 = ["thickness", "shear_modulus", "compression_modulus"];
-const $c89 = new Map([["width", $c816], ["height", $c817], ["stiffening", $c818], ["contact_fraction", $c819]]);
-const $c92 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
-const $c93 = new Map([["integral-log", "knots"], ["table", "rows"]]);
-const $c95 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
-const $c1556 = $made(Name, $c906, [60]);
-const $c1547 = $made(Entry, $c896, ["name", $c1556, true, "", "name = \"my-lagging\"", "name", ""]);
-const $c1557 = $made(Quantity, $c153, ["length", $c843]);
-const $c1548 = $made(Entry, $c896, ["thickness", $c1557, false, "", "", "thickness", ""]);
-const $c1558 = $made(Quantity, $c153, ["pressure", $c846]);
-const $c1549 = $made(Entry, $c896, ["elastic_modulus", $c1558, false, "", "", "elastic_modulus", ""]);
-const $c1560 = $made(Quantity, $c153, ["pressure", $c844]);
-const $c1559 = $made(WordOr, $c932, ["rigid", $c1560, Infinity]);
-const $c1550 = $made(Entry, $c896, ["shear_modulus", $c1559, false, "", "", "shear_modulus", ""]);
-const $c1562 = $made(Quantity, $c153, ["pressure", $c845]);
-const $c1561 = $made(WordOr, $c932, ["rigid", $c1562, Infinity]);
-const $c1551 = $made(Entry, $c896, ["compression_modulus", $c1561, false, "", "", "compression_modulus", ""]);
-const $c1563 = $made(Quantity, $c153, ["wear_coefficient", $c847]);
-const $c1552 = $made(Entry, $c896, ["wear_coefficient", $c1563, false, "", "", "wear_coefficient", ""]);
-const $c1564 = $made(Quantity, $c153, ["number", $c848]);
-const $c1553 = $made(Entry, $c896, ["belt_energy_share", $c1564, false, "", "", "belt_energy_share", ""]);
-const $c1565 = $made(Quantity, $c153, ["pressure", $c849]);
-const $c1554 = $made(Entry, $c896, ["bond_strength", $c1565, false, "", "", "bond_strength", ""]);
-const $c1566 = $made(Quantity, $c153, ["pressure", $c850]);
-const $c1555 = $made(Entry, $c896, ["fatigue_limit", $c1566, false, "", "", "fatigue_limit", ""]);
-const $c1545 = [$c884, $c1547, $c961, $c962, $c963, $c1548, $c1549, $c1550, $c1551, $c968, $c1552, $c1553, $c1554, $c1555, $c973, $c974, $c975, $c976, $c977, $c146, $c147, $c978];
-const $c1546 = new Map([["format", $c884], ["name", $c1547], ["title", $c961], ["description", $c962], ["surface", $c963], ["thickness", $c1548], ["elastic_modulus", $c1549], ["shear_modulus", $c1550], ["compression_modulus", $c1551], ["block", $c968], ["wear_coefficient", $c1552], ["belt_energy_share", $c1553], ["bond_strength", $c1554], ["fatigue_limit", $c1555], ["cost", $c973], ["slip_speed", $c974], ["temperature", $c975], ["condition_factor", $c976], ["law", $c977], ["provenance", $c146], ["sources", $c147], ["notes", $c978]]);
-const $c99 = $made(tables$Table, $c881, [Lagging, $c1545, $c1546]);
-const $c820 = ["compression_modulus", "block"];
-const $c100 = [$c820];
-const $c101 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
-const $c102 = new RunsGain(0.0, 0.0);
-const $c104 = ["effective_tension", "torque", "power"];
-const $c105 = ["share", "speeds", "motor"];
-const $c108 = ["data", "sense"];
-const $c109 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
-const $c110 = $Decimal.of("0");
-const $c111 = [""];
-const $c825 = ["form", "coefficients", "sign"];
-const $c826 = [0.0];
-const $c112 = $made(Trend, $c825, ["polynomial", $c826, 1]);
-const $c827 = [1000000000.0];
-const $c113 = $made(Trend, $c825, ["polynomial", $c827, 1]);
-const $c114 = new Map([["factor", $c828]]);
-const $c115 = new Map([["x", $c829], ["y", $c829], ["diameter", $c830]]);
-const $c831 = $made(Limit, $c902, ["force", 0.1, 1000000000.0, false, false]);
-const $c116 = new Map([["entry", $c219], ["exit", $c831]]);
-const $c117 = new Map([["creep_limit", $c832]]);
-const $c833 = $made(Limit, $c902, ["length", 0.0, Infinity, true, false]);
-const $c118 = new Map([["creep_limit", $c833]]);
-const $c839 = $made(Limit, $c902, ["number", 1, 8, false, false]);
-const $c119 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839]]);
-const $c120 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["setting", $c840], ["droop", $c841], ["torque_limit", $c842]]);
-const $c121 = new Map([["thickness", $c843], ["shear_modulus", $c844], ["compression_modulus", $c845], ["elastic_modulus", $c846], ["wear_coefficient", $c847], ["belt_energy_share", $c848], ["bond_strength", $c849], ["fatigue_limit", $c850]]);
-const $c122 = new Map([["ratio", $c851]]);
-const $c123 = new Map([["entry_tension", $c219], ["exit_tension", $c831]]);
-const $c124 = new Map([["sheave_ratio", $c852]]);
-const $c125 = new Map([["friction", $c853], ["start_factor", $c854]]);
-const $c126 = new Map([["running", $c854], ["starting", $c854], ["braking", $c854]]);
-const $c127 = ["of"];
-const $c148 = ["key", "kind", "example", "attribute"];
-const $c155 = ["dimension", "least"];
-const $c157 = ["word", "kind"];
-const $c188 = ["kind"];
-const $c214 = ["text"];
-const $c570 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "of_solution", "words"];
-const $c592 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
-const $c593 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
-const $c855 = ["balance", "train_balance", "across_balance"];
-const $c856 = ["cover_creep", "creep_interval", "tested_slip_speed"];
-const $c857 = ["gross_slip", "operating_point", "fight"];
-const $c858 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
-const $c1567 = [false, false];
-const $c1568 = [true, false];
-const $c1569 = [true, true];
-const $c1570 = [false, true];
-const $c859 = new Map([["polynomial", $c1567], ["logarithmic", $c1568], ["power", $c1569], ["exponential", $c1570]]);
-const $c864 = $made(_OfClass, [], []);
-const $c865 = new Map([[10, null], [9, null]]);
-const $c866 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
-const $c1571 = [80.0, 1.92];
-const $c1572 = [90.0, 1.86];
-const $c1573 = [100.0, 1.78];
-const $c1574 = [120.0, 1.7];
-const $c1575 = [140.0, 1.63];
-const $c1576 = [160.0, 1.56];
-const $c1577 = [180.0, 1.5];
-const $c1578 = [200.0, 1.45];
-const $c1579 = [250.0, 1.38];
-const $c1580 = [300.0, 1.31];
-const $c1581 = [350.0, 1.27];
-const $c1582 = [400.0, 1.25];
-const $c1583 = [450.0, 1.22];
-const $c1584 = [500.0, 1.2];
-const $c1585 = [550.0, 1.18];
-const $c1586 = [600.0, 1.17];
-const $c1587 = [700.0, 1.14];
-const $c1588 = [800.0, 1.12];
-const $c1589 = [900.0, 1.1];
-const $c1590 = [1000.0, 1.09];
-const $c1591 = [1500.0, 1.06];
-const $c1592 = [2000.0, 1.05];
-const $c869 = [$c1571, $c1572, $c1573, $c1574, $c1575, $c1576, $c1577, $c1578, $c1579, $c1580, $c1581, $c1582, $c1583, $c1584, $c1585, $c1586, $c1587, $c1588, $c1589, $c1590, $c1591, $c1592];
-const $c1593 = $made(Limit, $c902, ["number", 0.0, Infinity, false, false]);
-const $c1594 = $made(Limit, $c902, ["number", 1.0, Infinity, false, false]);
-const $c871 = new Map([["residual_noise", $c1593], ["coverage_factor", $c1594]]);
-const $c872 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
-const $c873 = $Decimal.of("0");
-const $c874 = new Map([["misalignment", $c1261], ["deflection", $c1263]]);
-const $c875 = new Map([["diameter", $c209], ["wrap_angle", $c211], ["overrun", $c225], ["creep_limit", $c228], ["mass", $c231]]);
-const $c876 = new Map([["spacing", $c1417], ["line_mass", $c1419], ["share", $c1421]]);
-const $c877 = new Map([["material", $c1014], ["installation", $c1016], ["area", $c1019]]);
-const $c1595 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c878 = new Map([["factor", $c1595]]);
-const $c879 = new Map([["rated_power", $c834], ["rated_speed", $c835], ["gear_ratio", $c836], ["gear_efficiency", $c837], ["motor_efficiency", $c838], ["count", $c839], ["synchronous_speed", $c1506], ["breakdown_ratio", $c1508]]);
-const $c880 = new Map([["length", $c1305], ["trough_angle", $c1307], ["centre_roll", $c1309]]);
-const $c1195 = ["dimension", "within"];
-const $c1450 = ["words"];
-const $c1596 = [0.016, 0.03];
-const $c1597 = new Map([["distance", $c1294]]);
-const $c1607 = $made(Limit, $c902, ["number", 0.0, 10.0, true, false]);
-const $c1605 = $made(Quantity, $c153, ["number", $c1607]);
-const $c1608 = $made(Limit, $c902, ["rotation_speed", 0.0, Infinity, true, false]);
-const $c1606 = $made(Quantity, $c153, ["rotation_speed", $c1608]);
-const $c1604 = $made(Either, $c1600, [$c1605, $c1606, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
-const $c1598 = $made(Rows, $c934, [$c1604, 1, 10]);
+const $c815 = $made(Provenance, $c558, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c809 = $made(LaggingCost, $c811, ["ceramic, cold bonded", "ceramic", 4600, $c814, $c815]);
+const $c816 = [10, 10];
+const $c817 = $made(Provenance, $c558, ["published", "Elastotec, lagging comparison, elastotec.com.au/lagging-comparison", "", "life of ceramic: over 10 years; the vendor's own assumptions; currency not stated there, AUD assumed"]);
+const $c810 = $made(LaggingCost, $c811, ["ceramic, hot vulcanised", "ceramic", 4950, $c816, $c817]);
+const $c79 = [$c808, $c809, $c810];
+const $c80 = $made(Provenance, $c558, ["given", "", "", "estimated: belt covers have 0.8 to 1.5 MPa (116 to 218 psi)"]);
+const $c81 = $made(Provenance, $c558, ["given", "", "", ""]);
+const $c82 = $made(Provenance, $c558, ["published", "B. DeVries, A model of lagging friction as a function of creep history and wrap pressure", "", "the conservative customary limit"]);
+const $c83 = new Map([["entry_tension", "T1"], ["exit_tension", "T2"]]);
+const $c84 = $re("\\.?([A-Za-z_][A-Za-z0-9_-]*)|\\[(\\d+)\\]", "");
+const $c85 = ["format", "name", "title", "description", "surface", "thickness", "elastic_modulus", "shear_modulus", "compression_modulus", "block", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "slip_speed", "temperature", "condition_factor", "law", "provenance", "sources", "notes"];
+const $c86 = ["name", "title", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "description"];
+const $c88 = ["elastic_modulus", "shear_modulus", "compression_modulus", "block"];
+const $c89 = ["thickness", "shear_modulus", "compression_modulus"];
+const $c90 = new Map([["width", $c818], ["height", $c819], ["stiffening", $c820], ["contact_fraction", $c821]]);
+const $c93 = new Map([["friction_coefficient", "friction"], ["slip_max", "tested_slip"], ["tested", "tested_pressure"], ["pieces.a", "A"], ["values", "rows"], ["peak_friction", "knots"], ["peak_slip", "knots"], ["post_peak_slope", "knots"], ["residual_friction", "knots"]]);
+const $c94 = new Map([["integral-log", "knots"], ["table", "rows"]]);
+const $c96 = $re("\\s*(?<sign>[+-])?\\s*(?<number>(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)?\\s*\\*?\\s*(?<factor>p(?:\\s*\\^\\s*(?:\\(\\s*(?<within>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)\\s*\\)|(?<power>[+-]?(?:[0-9]+(?:\\.[0-9]*)?|\\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?)))?|ln\\(\\s*p\\s*\\)(?:\\s*\\^\\s*(?<log_power>[123]))?|exp\\((?<exponent>(?:[^()]|\\(\\s*p\\s*\\))*)\\))?\\s*", "");
+const $c1558 = $made(Name, $c908, [60]);
+const $c1549 = $made(Entry, $c898, ["name", $c1558, true, "", "name = \"my-lagging\"", "name", ""]);
+const $c1559 = $made(Quantity, $c154, ["length", $c845]);
+const $c1550 = $made(Entry, $c898, ["thickness", $c1559, false, "", "", "thickness", ""]);
+const $c1560 = $made(Quantity, $c154, ["pressure", $c848]);
+const $c1551 = $made(Entry, $c898, ["elastic_modulus", $c1560, false, "", "", "elastic_modulus", ""]);
+const $c1562 = $made(Quantity, $c154, ["pressure", $c846]);
+const $c1561 = $made(WordOr, $c934, ["rigid", $c1562, Infinity]);
+const $c1552 = $made(Entry, $c898, ["shear_modulus", $c1561, false, "", "", "shear_modulus", ""]);
+const $c1564 = $made(Quantity, $c154, ["pressure", $c847]);
+const $c1563 = $made(WordOr, $c934, ["rigid", $c1564, Infinity]);
+const $c1553 = $made(Entry, $c898, ["compression_modulus", $c1563, false, "", "", "compression_modulus", ""]);
+const $c1565 = $made(Quantity, $c154, ["wear_coefficient", $c849]);
+const $c1554 = $made(Entry, $c898, ["wear_coefficient", $c1565, false, "", "", "wear_coefficient", ""]);
+const $c1566 = $made(Quantity, $c154, ["number", $c850]);
+const $c1555 = $made(Entry, $c898, ["belt_energy_share", $c1566, false, "", "", "belt_energy_share", ""]);
+const $c1567 = $made(Quantity, $c154, ["pressure", $c851]);
+const $c1556 = $made(Entry, $c898, ["bond_strength", $c1567, false, "", "", "bond_strength", ""]);
+const $c1568 = $made(Quantity, $c154, ["pressure", $c852]);
+const $c1557 = $made(Entry, $c898, ["fatigue_limit", $c1568, false, "", "", "fatigue_limit", ""]);
+const $c1547 = [$c886, $c1549, $c963, $c964, $c965, $c1550, $c1551, $c1552, $c1553, $c970, $c1554, $c1555, $c1556, $c1557, $c975, $c976, $c977, $c978, $c979, $c147, $c148, $c980];
+const $c1548 = new Map([["format", $c886], ["name", $c1549], ["title", $c963], ["description", $c964], ["surface", $c965], ["thickness", $c1550], ["elastic_modulus", $c1551], ["shear_modulus", $c1552], ["compression_modulus", $c1553], ["block", $c970], ["wear_coefficient", $c1554], ["belt_energy_share", $c1555], ["bond_strength", $c1556], ["fatigue_limit", $c1557], ["cost", $c975], ["slip_speed", $c976], ["temperature", $c977], ["condition_factor", $c978], ["law", $c979], ["provenance", $c147], ["sources", $c148], ["notes", $c980]]);
+const $c100 = $made(tables$Table, $c883, [Lagging, $c1547, $c1548]);
+const $c822 = ["compression_modulus", "block"];
+const $c101 = [$c822];
+const $c102 = new Set(["belt_energy_share", "block", "bond_strength", "compression_modulus", "condition_factor", "cost", "elastic_modulus", "fatigue_limit", "law", "shear_modulus", "slip_speed", "temperature", "thickness", "wear_coefficient"]);
+const $c103 = new RunsGain(0.0, 0.0);
+const $c105 = ["effective_tension", "torque", "power"];
+const $c106 = ["share", "speeds", "motor"];
+const $c109 = ["data", "sense"];
+const $c110 = new Map([["NOT CHECKED", 0], ["OK", 1], ["ATTENTION", 2], ["FAILS", 3], ["FAULT OF THE PROGRAM", 4]]);
+const $c111 = $Decimal.of("0");
+const $c112 = [""];
+const $c827 = ["form", "coefficients", "sign"];
+const $c828 = [0.0];
+const $c113 = $made(Trend, $c827, ["polynomial", $c828, 1]);
+const $c829 = [1000000000.0];
+const $c114 = $made(Trend, $c827, ["polynomial", $c829, 1]);
+const $c115 = new Map([["factor", $c830]]);
+const $c116 = new Map([["x", $c831], ["y", $c831], ["diameter", $c832]]);
+const $c833 = $made(Limit, $c904, ["force", 0.1, 1000000000.0, false, false]);
+const $c117 = new Map([["entry", $c220], ["exit", $c833]]);
+const $c118 = new Map([["creep_limit", $c834]]);
+const $c835 = $made(Limit, $c904, ["length", 0.0, Infinity, true, false]);
+const $c119 = new Map([["creep_limit", $c835]]);
+const $c841 = $made(Limit, $c904, ["number", 1, 8, false, false]);
+const $c120 = new Map([["rated_power", $c836], ["rated_speed", $c837], ["gear_ratio", $c838], ["gear_efficiency", $c839], ["motor_efficiency", $c840], ["count", $c841]]);
+const $c121 = new Map([["rated_power", $c836], ["rated_speed", $c837], ["gear_ratio", $c838], ["gear_efficiency", $c839], ["motor_efficiency", $c840], ["count", $c841], ["setting", $c842], ["droop", $c843], ["torque_limit", $c844]]);
+const $c122 = new Map([["thickness", $c845], ["shear_modulus", $c846], ["compression_modulus", $c847], ["elastic_modulus", $c848], ["wear_coefficient", $c849], ["belt_energy_share", $c850], ["bond_strength", $c851], ["fatigue_limit", $c852]]);
+const $c123 = new Map([["ratio", $c853]]);
+const $c124 = new Map([["entry_tension", $c220], ["exit_tension", $c833]]);
+const $c125 = new Map([["sheave_ratio", $c854]]);
+const $c126 = new Map([["friction", $c855], ["start_factor", $c856]]);
+const $c127 = new Map([["running", $c856], ["starting", $c856], ["braking", $c856]]);
+const $c128 = ["of"];
+const $c149 = ["key", "kind", "example", "attribute"];
+const $c156 = ["dimension", "least"];
+const $c158 = ["word", "kind"];
+const $c189 = ["kind"];
+const $c215 = ["text"];
+const $c571 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "words"];
+const $c593 = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
+const $c594 = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $c595 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "words"];
+const $c857 = ["balance", "train_balance", "across_balance"];
+const $c858 = ["cover_creep", "creep_interval", "tested_slip_speed"];
+const $c859 = ["gross_slip", "operating_point", "fight"];
+const $c860 = ["on illustrative data", "on friction without tests", "on estimated data", "on calibrated data"];
+const $c1569 = [false, false];
+const $c1570 = [true, false];
+const $c1571 = [true, true];
+const $c1572 = [false, true];
+const $c861 = new Map([["polynomial", $c1569], ["logarithmic", $c1570], ["power", $c1571], ["exponential", $c1572]]);
+const $c866 = $made(_OfClass, [], []);
+const $c867 = new Map([[10, null], [9, null]]);
+const $c868 = $re("(?:ST[ -]?|(?:\\b(?:EP|EE|NN|PN|NP|PP|EB)[ -]?|^)(?=\\d+/\\d))(\\d{3,5})\\b", "");
+const $c1573 = [80.0, 1.92];
+const $c1574 = [90.0, 1.86];
+const $c1575 = [100.0, 1.78];
+const $c1576 = [120.0, 1.7];
+const $c1577 = [140.0, 1.63];
+const $c1578 = [160.0, 1.56];
+const $c1579 = [180.0, 1.5];
+const $c1580 = [200.0, 1.45];
+const $c1581 = [250.0, 1.38];
+const $c1582 = [300.0, 1.31];
+const $c1583 = [350.0, 1.27];
+const $c1584 = [400.0, 1.25];
+const $c1585 = [450.0, 1.22];
+const $c1586 = [500.0, 1.2];
+const $c1587 = [550.0, 1.18];
+const $c1588 = [600.0, 1.17];
+const $c1589 = [700.0, 1.14];
+const $c1590 = [800.0, 1.12];
+const $c1591 = [900.0, 1.1];
+const $c1592 = [1000.0, 1.09];
+const $c1593 = [1500.0, 1.06];
+const $c1594 = [2000.0, 1.05];
+const $c871 = [$c1573, $c1574, $c1575, $c1576, $c1577, $c1578, $c1579, $c1580, $c1581, $c1582, $c1583, $c1584, $c1585, $c1586, $c1587, $c1588, $c1589, $c1590, $c1591, $c1592, $c1593, $c1594];
+const $c1595 = $made(Limit, $c904, ["number", 0.0, Infinity, false, false]);
+const $c1596 = $made(Limit, $c904, ["number", 1.0, Infinity, false, false]);
+const $c873 = new Map([["residual_noise", $c1595], ["coverage_factor", $c1596]]);
+const $c874 = $re("knots\\[([0-9]{1,4})\\]\\.(peak_slip|peak_friction)", "");
+const $c875 = $Decimal.of("0");
+const $c876 = new Map([["misalignment", $c1263], ["deflection", $c1265]]);
+const $c877 = new Map([["diameter", $c210], ["wrap_angle", $c212], ["overrun", $c226], ["creep_limit", $c229], ["mass", $c232]]);
+const $c878 = new Map([["spacing", $c1419], ["line_mass", $c1421], ["share", $c1423]]);
+const $c879 = new Map([["material", $c1016], ["installation", $c1018], ["area", $c1021]]);
+const $c1597 = $made(Limit, $c904, ["number", 0.0, 10.0, true, false]);
+const $c880 = new Map([["factor", $c1597]]);
+const $c881 = new Map([["rated_power", $c836], ["rated_speed", $c837], ["gear_ratio", $c838], ["gear_efficiency", $c839], ["motor_efficiency", $c840], ["count", $c841], ["synchronous_speed", $c1508], ["breakdown_ratio", $c1510]]);
+const $c882 = new Map([["length", $c1307], ["trough_angle", $c1309], ["centre_roll", $c1311]]);
+const $c1197 = ["dimension", "within"];
+const $c1452 = ["words"];
+const $c1598 = [0.016, 0.03];
+const $c1599 = new Map([["distance", $c1296]]);
+const $c1609 = $made(Limit, $c904, ["number", 0.0, 10.0, true, false]);
+const $c1607 = $made(Quantity, $c154, ["number", $c1609]);
+const $c1610 = $made(Limit, $c904, ["rotation_speed", 0.0, Infinity, true, false]);
+const $c1608 = $made(Quantity, $c154, ["rotation_speed", $c1610]);
+const $c1606 = $made(Either, $c1602, [$c1607, $c1608, "a trim like \"99.7 %\" or a drum speed like \"71.6 rpm\""]);
+const $c1600 = $made(Rows, $c936, [$c1606, 1, 10]);
 Problem.$compared = Problem.$names;
 $sig(InputError, ["problems"], false);
 $sig(Report, ["file"], false);
@@ -9470,10 +9468,10 @@ $sig(Record, ["values", "place", "raw", "faulty"], false);
 Provenance.$compared = Provenance.$names;
 $sig(Laggings, ["own", "folder", "allow_paths", "report"], false);
 Condition.$compared = Condition.$names;
-Condition.LIMITS = Condition.prototype.LIMITS = $c114;
+Condition.LIMITS = Condition.prototype.LIMITS = $c115;
 Conditions.$compared = Conditions.$names;
 Point.$compared = Point.$names;
-Point.LIMITS = Point.prototype.LIMITS = $c115;
+Point.LIMITS = Point.prototype.LIMITS = $c116;
 $sig(_UnitTextError, ["message", "remedy"], false);
 Unit.$compared = Unit.$names;
 UnitRow.$compared = UnitRow.$names;
@@ -9484,12 +9482,12 @@ Given.$compared = Given.$names;
 $sig(Given.prototype.overridden, ["record", "fixed", "speed", "runs"], false);
 NipTensions.$compared = NipTensions.$names;
 Tensions.$compared = ["entry", "exit"];
-Tensions.LIMITS = Tensions.prototype.LIMITS = $c116;
+Tensions.LIMITS = Tensions.prototype.LIMITS = $c117;
 LoadCase.$compared = LoadCase.$names;
 Drive.$compared = ["title", "belt", "pulleys", "load_cases", "creep_limit", "criteria", "description"];
-Drive.LIMITS = Drive.prototype.LIMITS = $c117;
+Drive.LIMITS = Drive.prototype.LIMITS = $c118;
 Train.$compared = Train.$names;
-Train.LIMITS = Train.prototype.LIMITS = $c118;
+Train.LIMITS = Train.prototype.LIMITS = $c119;
 $sig(Reader, ["record", "belt", "pulleys", "report", "take_up"], false);
 CatalogueBelt.$compared = CatalogueBelt.$names;
 WrapArc.$compared = WrapArc.$names;
@@ -9500,7 +9498,7 @@ in_page$Criteria.$compared = in_page$Criteria.$names;
 Place.$compared = Place.$names;
 Motors.$compared = Motors.$names;
 Motor.$compared = Motor.$names;
-Motor.LIMITS = Motor.prototype.LIMITS = $c119;
+Motor.LIMITS = Motor.prototype.LIMITS = $c120;
 Check.$compared = Check.$names;
 Pulls.$compared = Pulls.$names;
 Shares.$compared = Shares.$names;
@@ -9509,7 +9507,7 @@ Speeds.$compared = Speeds.$names;
 Owner.$compared = Owner.$names;
 Sliding.$compared = Sliding.$names;
 VariableSpeed.$compared = VariableSpeed.$names;
-VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c120;
+VariableSpeed.LIMITS = VariableSpeed.prototype.LIMITS = $c121;
 Sizes.$compared = Sizes.$names;
 Figure.$compared = Figure.$names;
 Asked.$compared = Asked.$names;
@@ -9537,24 +9535,24 @@ IntegralLog.$compared = IntegralLog.$names;
 IntegralLog.title = IntegralLog.prototype.title = "integral-log law";
 Factors.$compared = Factors.$names;
 Lagging.$compared = ["name", "law", "thickness", "shear_modulus", "compression_modulus", "title", "condition", "surface", "elastic_modulus", "wear_coefficient", "belt_energy_share", "bond_strength", "fatigue_limit", "cost", "fit", "factors", "condition_factors", "provenance", "sources", "notes", "description"];
-Lagging.LIMITS = Lagging.prototype.LIMITS = $c121;
+Lagging.LIMITS = Lagging.prototype.LIMITS = $c122;
 LoadGiven.$compared = LoadGiven.$names;
 DrumAt.$compared = DrumAt.$names;
 Pair.$compared = Pair.$names;
 TorqueFollower.$compared = TorqueFollower.$names;
-TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c122;
+TorqueFollower.LIMITS = TorqueFollower.prototype.LIMITS = $c123;
 TrainCase.$compared = TrainCase.$names;
-TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c123;
+TrainCase.LIMITS = TrainCase.prototype.LIMITS = $c124;
 RunsGain.$compared = RunsGain.$names;
 BehindTakeUp.$compared = BehindTakeUp.$names;
 Description.$compared = Description.$names;
 CompactLaw.$compared = CompactLaw.$names;
 TakeUp.$compared = TakeUp.$names;
-TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c124;
+TakeUp.LIMITS = TakeUp.prototype.LIMITS = $c125;
 DesignStandard.$compared = DesignStandard.$names;
-DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c125;
+DesignStandard.LIMITS = DesignStandard.prototype.LIMITS = $c126;
 SafetyFactors.$compared = SafetyFactors.$names;
-SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c126;
+SafetyFactors.LIMITS = SafetyFactors.prototype.LIMITS = $c127;
 $sig(Kind.prototype.built, ["value", "report"], true);
 $sig(tables$Table, null);
 $sig(tables$Table.prototype.built, ["value", "report"], true);
@@ -9562,34 +9560,34 @@ Limit.$compared = Limit.$names;
 Belt.$compared = Belt.$names;
 Belt.LIMITS = Belt.prototype.LIMITS = $c4;
 Across.$compared = Across.$names;
-Across.LIMITS = Across.prototype.LIMITS = $c874;
+Across.LIMITS = Across.prototype.LIMITS = $c876;
 DimensionText.$compared = DimensionText.$names;
 Definition.$compared = Definition.$names;
 $sig(Variant, ["tag", "meaning"], false);
 $sig(Variant.prototype.built, ["value", "report"], true);
 Pulley.$compared = Pulley.$names;
-Pulley.LIMITS = Pulley.prototype.LIMITS = $c875;
+Pulley.LIMITS = Pulley.prototype.LIMITS = $c877;
 Sag.$compared = Sag.$names;
 Sag.SOURCE = Sag.prototype.SOURCE = "belt sag: T = m' g l/(8 h), a parabola; the rule of DIN 22101 and of CEMA, Belt Conveyors for Bulk Materials (6.25 S W for 2 %, 4.2 S W for 3 %)";
-Sag.LIMITS = Sag.prototype.LIMITS = $c876;
+Sag.LIMITS = Sag.prototype.LIMITS = $c878;
 Conveyor.$compared = Conveyor.$names;
-Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c63;
+Conveyor.LIMITS = Conveyor.prototype.LIMITS = $c64;
 DesignFriction.$compared = DesignFriction.$names;
 LaggingCost.$compared = LaggingCost.$names;
 Cost.$compared = Cost.$names;
-Cost.LIMITS = Cost.prototype.LIMITS = $c877;
+Cost.LIMITS = Cost.prototype.LIMITS = $c879;
 Block.$compared = Block.$names;
-Block.LIMITS = Block.prototype.LIMITS = $c89;
+Block.LIMITS = Block.prototype.LIMITS = $c90;
 ConditionFactor.$compared = ConditionFactor.$names;
-ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c878;
+ConditionFactor.LIMITS = ConditionFactor.prototype.LIMITS = $c880;
 FrictionFactor.$compared = FrictionFactor.$names;
 Fit.$compared = Fit.$names;
 Induction.$compared = Induction.$names;
-Induction.LIMITS = Induction.prototype.LIMITS = $c879;
+Induction.LIMITS = Induction.prototype.LIMITS = $c881;
 FluidCoupling.$compared = FluidCoupling.$names;
 Load.$compared = Load.$names;
 Transition.$compared = Transition.$names;
-Transition.LIMITS = Transition.prototype.LIMITS = $c880;
+Transition.LIMITS = Transition.prototype.LIMITS = $c882;
 conveyor$State.$compared = conveyor$State.$names;
 Resistance.$compared = Resistance.$names;
 Miss.$compared = Miss.$names;
@@ -9599,10 +9597,10 @@ $sig(Profile, ["dimension", "diameters"], false);
 Profile.words = Profile.prototype.words = "rows, or a table";
 $sig(_Pair, ["dimension"], false);
 GrippingPulley.$compared = GrippingPulley.$names;
-GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1597;
+GrippingPulley.LIMITS = GrippingPulley.prototype.LIMITS = $c1599;
 Either.$compared = Either.$names;
 SpeedList.$compared = SpeedList.$names;
-SpeedList.rows = SpeedList.prototype.rows = $c1598;
+SpeedList.rows = SpeedList.prototype.rows = $c1600;
 $sig(sheet__row_of, null);
 $sig(sheet__between, ["name", "first", "last", "form"], false);
 export { drive_file__drive_from_document as readDrive };
