@@ -27,9 +27,9 @@ _ENDS = (
     (Level.OK, "keep every check that is made"),
 )
 #: What the limit of a result is called.
-_LIMITS = {name: rules[0].what for name, rules in LIMITED.items()} | dict.fromkeys(
-    LEAST, "the margin"
-)
+LIMITS = dict.fromkeys(LEAST, "the margin") | {
+    name: rules[0].what for name, rules in LIMITED.items()
+}
 
 
 def subtitle(data: Mapping[str, Any]) -> str:
@@ -139,7 +139,7 @@ def _exceed(name: str, count: int, total: int, what: str, limit: Limit) -> str:
     verb = "exceed" if limit.at_most else "fall short of"
     if not count:
         verb = "exceeds" if limit.at_most else "falls short of"
-    words = _LIMITS[name]
+    words = LIMITS[name]
     if not math.isnan(limit.least):
         ends = distinct(named(name, v) for v in (limit.least, limit.most))
         words += f" of {' to '.join(ends)}"
