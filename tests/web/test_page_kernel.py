@@ -163,6 +163,21 @@ def head_and_rest(text: str) -> list[str]:
     return text.split(":", 1)
 
 
+def called_from(name: str, text: str) -> str:
+    ways = {"head": first_head, "same": first_head}
+    return ways[name](text)
+
+
+def first_head(text: str) -> str:
+    return text.partition(":")[0]
+
+
+def test_a_function_out_of_a_table_is_called_and_not_the_table() -> None:
+    module = whole.Module(__name__.partition(".")[0], {})
+    module.export("f", called_from)
+    assert "$at(ways, name)(text)" in module.text()
+
+
 @pytest.mark.parametrize("function", [first_only, head_and_rest], ids=lambda f: f.__name__)
 def test_an_argument_that_javascript_would_drop_is_refused(function: FunctionType) -> None:
     module = whole.Module(__name__.partition(".")[0], {})

@@ -846,8 +846,8 @@ class Function:
     # calls
 
     def _call(self, node: ast.Call) -> str:
-        if isinstance(node.func, ast.Subscript):  # list[Problem]()
-            node.func = node.func.value
+        if isinstance(node.func, ast.Subscript) and isinstance(self.value(node.func.value), type):
+            node.func = node.func.value  # list[Problem]()
         called = self.value(node.func)
         special = self._special(node, called)
         if special:

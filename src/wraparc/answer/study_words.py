@@ -27,7 +27,9 @@ _ENDS = (
     (Level.OK, "keep every check that is made"),
 )
 #: What the limit of a result is called.
-LIMITS = dict.fromkeys(LEAST, "the margin") | {k: RULES[r].what for k, r in LIMITED.items()}
+LIMITS = dict.fromkeys(LEAST, "the margin") | {
+    name: rules[0].what for name, rules in LIMITED.items()
+}
 
 
 def subtitle(data: Mapping[str, Any]) -> str:

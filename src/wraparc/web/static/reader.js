@@ -1588,7 +1588,7 @@ let index, pulley, result, rule, spot;
 for ([index, result] of $iter($b.enumerate(arcs))) {
 (pulley = drive.pulley($bound(result.arc, "pulley")));
 yield of_arc__grip(drive, case_, arcs, index);
-(spot = of_arc__spot_of(drive, case_, pulley, result));
+(spot = rules__spot_of(drive, case_, pulley, result));
 for (rule of $iter($cedd5)) {
 yield* $iter(rule.checks(spot));
 }
@@ -1652,20 +1652,21 @@ return "T1 + T2 held (fixed take-up)";
 (where = ($truth(take_up.after) ? ("" + "tension behind pulley " + $str(take_up.after)) : "T2"));
 return ("" + $str(check__escaped(where)) + " held (gravity take-up)");
 }
-function of_arc__spot_of(drive, case_, pulley, result = null) {
-let belt, creep, driving, first, known, last, shear, slack, slip, speed, tensions;
+function rules__spot_of(drive, case_, pulley, result = null) {
+let belt, driving, first, known, last, slack, tensions;
 
 ([tensions, belt] = [$at(case_.tensions, pulley.name), drive.belt]);
 (known = $and((result != null), () => $told($c4a3b, result.status, "solved")));
-(creep = NaN); (slip = creep); (speed = slip); (shear = speed);
-if (((result != null) && $truth(known))) {
-([creep, shear] = [$b.abs($bound(result, "exit_creep")), result.peak_shear_stress]);
-([slip, speed] = [in_page_checks__largest_slip(result), in_page_checks__slip_speed(result)]);
-}
 ([first, last] = [$at(drive.pulleys, 0), $at(drive.pulleys, $neg(1))]);
 (driving = ($at(case_.tensions, first.name).entry >= $at(case_.tensions, last.name).exit));
 (slack = ($truth(driving) ? last : first));
-return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), creep, slip, speed, shear, NaN), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+return new Spot(drive, case_, pulley, new Place($bound(pulley, "name"), $bound(case_, "name")), new State($b.max($bound(tensions, "entry"), $bound(tensions, "exit")), $b.min($bound(tensions, "entry"), $bound(tensions, "exit")), (($eq(pulley.name, slack.name)) ? drive.slack_end(case_) : NaN), belt.width, pulley.diameter, ((belt.breaking_strength == null) ? NaN : belt.breaking_strength), pitch__centrifugal_of(belt), drive.creep_limit_of(pulley), NaN, (((result != null) && $truth(known)) ? rules___found(result) : $map([]))), result, (((result == null) || $truth(known)) ? "" : of_arc__no_state(result)));
+}
+function rules___found(result) {
+let course;
+
+(course = $map([["largest_slip", in_page_checks__largest_slip], ["slip_speed", in_page_checks__slip_speed]]));
+return $map([...(function* () { for (const name of $iter($cc89a)) { yield [name, (($in(name, course)) ? $at(course, name)(result) : $b.abs($b.getattr(result, name)))]; } })()]);
 }
 function in_page_checks__largest_slip(result) {
 
@@ -1747,7 +1748,7 @@ function* judge__diameters(drive) {
 let pulley, spot;
 
 for (pulley of $iter(drive.pulleys)) {
-(spot = of_arc__spot_of(drive, $at(drive.load_cases, 0), pulley));
+(spot = rules__spot_of(drive, $at(drive.load_cases, 0), pulley));
 yield* $iter($ca865.checks($replaced(spot, new Map([["place", new Place($bound(pulley, "name"))]]))));
 }
 }
@@ -1857,7 +1858,7 @@ function numbers__usual(value, least, most) {
 return !((value < least) || ((value > most) && $truth($math.isfinite(value))));
 }
 function usual__unusual(name, dimension, place, value, ends) {
-let least, meant, most, near, remedy, small;
+let least, meant, most, near, remedy, small, wraps;
 
 ([least, most] = ends);
 (small = ((least > 0.0) ? least : $mul(0.1, most)));
@@ -1867,10 +1868,11 @@ if (($eq(dimension, "number"))) {
 (near = $b.next((function* () { for (const n of $iter([0.1, 10.0, 0.01, 100.0])) { if (!((least <= $mul(n, value) && $mul(n, value) <= most))) continue; yield n; } })(), null));
 (remedy = ((near == null) ? "Check the number." : ("" + "Is " + $format($mul(near, value), ("" + ".3g")) + " meant?")));
 }
-if ((($eq(dimension, "angle")) && (value > most))) {
+(wraps = $m.startswith(name, "wrap angle"));
+if (($truth(wraps) && (value > most))) {
 (remedy = "Is it the sum of two pulleys? Give each of them its own.");
 } else {
-if ((($eq(dimension, "angle")) && !$truth(meant))) {
+if (($truth(wraps) && !$truth(meant))) {
 (remedy = "Is it what a snub pulley adds to half a turn? Give the sum.");
 }
 }
@@ -2135,7 +2137,7 @@ function* least_tension___figures(drive, case_, arcs, end) {
 let index, least, offset, place, result, rule, spot;
 
 for ([index, result] of $iter($b.enumerate(arcs))) {
-(spot = of_arc__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
+(spot = rules__spot_of(drive, case_, drive.pulley($bound(result.arc, "pulley")), result));
 ([place, offset] = [spot.place, $sub(end, spot.state.slack)]);
 if ($truth(least_tension___pulls(result))) {
 (least = result.capacities.least_exit_tension);
@@ -2285,7 +2287,7 @@ function* least_tension___of_tension(rule, of, end) {
 let allowed, asks, least, limit, more, now, rise, value, words;
 
 ([words, value] = [$and(rule.words, () => rule.words(of)), rule.value]);
-(asks = $and(rule.tension, () => $and((rule.firm == null), () => !$truth(rule.of_solution))));
+(asks = $and(rule.tension, () => (rule.firm == null)));
 if ((!$truth(asks) || (value == null) || (words == null) || $truth(words.missing))) {
 return null;
 }
@@ -4147,9 +4149,6 @@ return state.motor;
 function of_arc___binds(drive) {
 return drive.criteria.standard.binding;
 }
-function of_arc___creep(state) {
-return state.creep;
-}
 function of_arc___creep_limit(_, state) {
 return state.creep_limit;
 }
@@ -4298,9 +4297,6 @@ return new Words(title, undefined, undefined, undefined, undefined, undefined, u
 }
 return new Words(title, rule__origin($m.get(belt.sources, "largest_wrap_pressure", $bound(belt, "provenance"))), "face pressure", "The belt presses on the pulley face with {value}, more than {limit}.", undefined, undefined, "Take a larger or wider pulley, or less tension.", "Take a larger or wider pulley.");
 }
-function of_arc___shear(state) {
-return state.shear;
-}
 function of_arc___bond_strength(of) {
 return of.pulley.lagging.bond_strength;
 }
@@ -4375,9 +4371,6 @@ return null;
 (otherwise = "Test the lagging at this pressure.");
 return of_drive___of_pressure(of, "Least", "below", "Raise the slack-side tension, or t", otherwise);
 }
-function of_arc___slip(state) {
-return state.slip;
-}
 function of_arc___slip_max(of) {
 let tested;
 (tested = of.pulley.lagging.law.tested);
@@ -4388,9 +4381,6 @@ if ((of.pulley.lagging.law.tested == null)) {
 return null;
 }
 return new Words("Largest slip, tested", of_drive__tests_of($bound(of, "pulley")), "slip beyond tests", ("" + "The slip {value} is beyond the {limit} that lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested to: there the friction is an extrapolation."), undefined, undefined, "Raise the slack-side tension, or test the lagging to this slip.", "Test the lagging to this slip.");
-}
-function of_arc___slip_speed(state) {
-return state.slip_speed;
 }
 function of_arc___tested_speed(of) {
 let tested;
@@ -4407,7 +4397,7 @@ if ((tested.slip_speed == null)) {
 (why = "the friction law does not say at which speed it was tested");
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, why, true);
 }
-if (((of.drive.belt.speed == null) || ($truth($math.isnan($bound(of.state, "slip_speed"))) && !$truth(of.unknown)))) {
+if (((of.drive.belt.speed == null) || $truth($math.isnan($m.get(of.state.found, "slip_speed", 0.0))))) {
 return new Words(title, undefined, undefined, undefined, undefined, undefined, undefined, undefined, undefined, "the belt speed is not given");
 }
 return new Words(title, of_drive__tests_of($bound(of, "pulley")), "slips faster than tests", ("" + "The belt slips at up to {value}, lagging " + $str(check__escaped($bound(of.pulley.lagging, "name"))) + " was tested at {limit}: how its friction changes with speed is not known."), undefined, undefined, "Test the lagging at this speed, or keep a larger safety factor.");
@@ -6105,7 +6095,7 @@ const self = this; let end, slack, tight;
 return $replaced(self, new Map([["tight", tight], ["slack", slack], ["slack_end", end]]));
 }
 }
-$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "creep", "slip", "slip_speed", "shear", "motor"], false, {});
+$sig(State, ["tight", "slack", "slack_end", "width", "diameter", "strength", "centrifugal", "creep_limit", "motor", "found"], false, {});
 class VariableSpeed extends Motor {
 largest_load() {
 const self = this; let stall;
@@ -7361,18 +7351,20 @@ return ("" + ", outside the usual " + $format(least, ("" + ".3f")) + " to " + $f
 $sig(Conveyor, ["length", "lift", "belt_mass", "carry_idler_mass", "return_idler_mass", "material_mass", "capacity", "friction_factor", "length_coefficient", "secondary_resistance", "special_resistance", "return_share", "start_factor", "start_time", "stop_time", "take_up_tension", "counterweight", "take_up_distance", "drive_at", "speed", "sheave_ratio"], false, {lift: () => 0.0, material_mass: () => null, capacity: () => null, friction_factor: () => 0.02, length_coefficient: () => null, secondary_resistance: () => null, special_resistance: () => 0.0, return_share: () => 0.0, start_factor: () => null, start_time: () => null, stop_time: () => null, take_up_tension: () => null, counterweight: () => null, take_up_distance: () => 0.0, drive_at: () => "head", speed: () => null, sheave_ratio: () => 2.0});
 class Rule extends $Object {
 *checks(of) {
-const self = this; let allowed, check, limit, missing, told, value, words;
+const self = this; let allowed, check, found, limit, missing, told, value, words;
 
 if ((self.asked != null)) {
 yield* $iter(self.asked(of));
 return null;
 }
 (words = ($truth(self.words) ? self.words(of) : null));
-if (((words == null) || (self.value == null))) {
+(found = ($in(self.result, of.state.found)));
+if (((words == null) || ($truth(self.result) && !$truth(found) && !$truth(of.unknown)))) {
 return null;
 }
-([value, missing] = [self.value($bound(of, "state")), words.missing]);
-(missing = $or(missing, () => ($truth(self.of_solution) ? of.unknown : "")));
+(value = (($truth(self.result) && !$truth(found)) ? NaN : self.compared($bound(of, "state"))));
+(missing = $or(words.missing, () => ($truth(self.result) ? of.unknown : "")));
+(missing = $or(missing, () => ($truth($math.isnan(value)) ? "its value is not known" : "")));
 if ($truth(missing)) {
 (check = rule__not_checked($bound(self, "name"), $bound(words, "title"), missing, $bound(of, "place")));
 (told = $replaced(check, new Map([["value", value], ["dimension", self.dimension]])));
@@ -7385,6 +7377,10 @@ if ((self.rounded != null)) {
 (value = self.rounded(value, limit, $bound(of, "state")));
 }
 yield self.held($bound(of, "drive")).judged(value, limit, $bound(of, "place"), words);
+}
+compared(state) {
+const self = this; 
+return ($truth(self.value) ? self.value(state) : $at(state.found, self.result));
 }
 limited(allowed, state) {
 const self = this; 
@@ -7408,7 +7404,7 @@ const self = this; let kept, level, miss, says;
 return new Check(self.name, words.title, ($truth(kept) ? "OK" : level), place, value, limit, self.dimension, self.at_most, words.source, ($truth(kept) ? "" : words.short), ($truth(kept) ? "" : says), ($truth(kept) ? "" : words.remedy), ($truth(kept) ? "" : words.otherwise), words.more, self.binding, miss);
 }
 }
-$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, value: () => null, allowed: () => null, limit: () => null, rounded: () => null, of_solution: () => false, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
+$sig(Rule, ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "pulls", "of_rows", "of_runs", "words", "asked"], false, {missed: () => "ATTENTION", fails_beyond: () => NaN, tolerates: () => NaN, at_most: () => true, dimension: () => "number", tension: () => "", binding: () => true, firm: () => null, result: () => "", value: () => null, allowed: () => null, limit: () => null, rounded: () => null, pulls: () => false, of_rows: () => true, of_runs: () => true, words: () => null, asked: () => null});
 class DesignFriction extends $Object {
 }
 $sig(DesignFriction, ["standard", "surface", "condition", "friction", "provenance"], false, {});
@@ -9066,38 +9062,39 @@ const $c4a3b = new Map([["The pulley carries its load.", true], ["Breakaway: no 
 const $cf933 = new Map([["illustrative", "illustrative: it describes no real product"], ["calibrated", "calibrated: it was fitted to a known result"]]);
 const $c5dd1 = ["illustrative", "calibrated", "estimated"];
 const $c66b4 = new WeakMap();
-const $c4f48 = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "rounded", "of_solution", "words", "asked"];
-const $cb138 = $made(Rule, $c4f48, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
+const $cfe5e = ["name", "what", "missed", "fails_beyond", "tolerates", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "rounded", "words", "asked"];
+const $cb138 = $made(Rule, $cfe5e, ["train_balance", "the balance of the train", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
 const $c625f = new Map([[false, "Motor torque over rated torque, running"], [true, "Motor torque over rated torque, momentary"]]);
-const $c58a5 = $made(Rule, $c4f48, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
-const $c0dbc = $made(Rule, $c4f48, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, of_train___motor_torque, null, null, null, false, null, null]);
+const $c58a5 = $made(Rule, $cfe5e, ["momentary_load", "the torque that a motor bears in a start", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
+const $c0dbc = $made(Rule, $cfe5e, ["motor_load", "the rating of a motor", "ATTENTION", 1.15, NaN, true, "number", "", true, null, "", of_train___motor_torque, null, null, null, null, null]);
 const $c576d = ["Speed"];
 const $c87cd = ["Motor"];
-const $c84c4 = $made(Rule, $c4f48, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, null, null, null, null, false, null, null]);
+const $c84c4 = $made(Rule, $cfe5e, ["gross_slip", "the safety against gross slip", "ATTENTION", 1.0, NaN, false, "number", "raise", true, null, "", null, null, null, null, null, null]);
 const $caf89 = ["by creep", "The belt slides (creep of {slides})"];
 const $c4313 = ["by tested slip", "The slip leaves the tests of lagging ⟦lagging⟧"];
 const $ca9e8 = ["by the largest friction", "All friction of the wrap is used up"];
 const $c48c7 = new Map([[0, $caf89], [1, $c4313], [2, $ca9e8]]);
-const $c960d = $made(Rule, $c4f48, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, null, null, null, null, false, null, of_arc___standard]);
-const $cc27f = $made(Rule, $c4f48, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, of_arc___creep, null, of_arc___creep_limit, null, true, of_arc___creeps, null]);
-const $cabb1 = $made(Rule, $c4f48, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, of_arc___cover_creep]);
-const $c3e65 = $made(Rule, $c4f48, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, null, null, null, null, true, null, in_page_checks__creep_interval]);
-const $c8994 = $made(Rule, $c4f48, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___running_tension, of_drive___over_width, null, false, of_drive___running, null]);
-const $c5c30 = $made(Rule, $c4f48, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, false, of_drive___momentary, null]);
-const $c25bf = $made(Rule, $c4f48, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, false, of_drive___safety, null]);
-const $c72eb = $made(Rule, $c4f48, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___face_pressure, null, null, false, of_drive___on_face, null]);
-const $ce298 = $made(Rule, $c4f48, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___bond_strength, null, null, true, of_arc___bond, null]);
-const $cb3d1 = $made(Rule, $c4f48, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, of_arc___shear, of_arc___fatigue_limit, null, null, true, of_arc___tires, null]);
-const $cc16f = $made(Rule, $c4f48, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, of_drive___tight_pressure, of_drive___pressure_max, null, null, false, of_drive___tested_max, null]);
-const $cfecd = $made(Rule, $c4f48, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, of_drive___slack_pressure, of_drive___pressure_min, null, null, false, of_drive___tested_min, null]);
-const $cabd6 = $made(Rule, $c4f48, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___condition]);
-const $c3f6d = $made(Rule, $c4f48, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_data___fit]);
-const $c5a91 = $made(Rule, $c4f48, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, of_arc___slip, of_arc___slip_max, null, null, true, of_arc___slips, null]);
-const $c5d85 = $made(Rule, $c4f48, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, of_arc___slip_speed, of_arc___tested_speed, null, null, true, of_arc___slips_fast, null]);
-const $c0d6e = $made(Rule, $c4f48, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, of_arc___balance]);
-const $c8634 = $made(Rule, $c4f48, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, of_drive___slack_end, of_drive___sag_tension, null, null, false, of_drive___sags, null]);
+const $cc89a = ["exit_creep", "peak_shear_stress", "largest_slip", "slip_speed"];
+const $c960d = $made(Rule, $cfe5e, ["design_standard", "the design standard", "ATTENTION", NaN, NaN, false, "force", "raise", true, of_arc___binds, "", null, null, null, null, null, of_arc___standard]);
+const $cc27f = $made(Rule, $cfe5e, ["creep", "the creep limit", "ATTENTION", 0.0635, 0.0127, true, "length", "raise", true, null, "exit_creep", null, null, of_arc___creep_limit, null, of_arc___creeps, null]);
+const $cabb1 = $made(Rule, $cfe5e, ["cover_creep", "the creep limit, with the cover of the belt in series", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, of_arc___cover_creep]);
+const $c3e65 = $made(Rule, $cfe5e, ["creep_interval", "the creep limit, at the end of the interval of the law", "ATTENTION", NaN, NaN, true, "length", "raise", false, null, "", null, null, null, null, null, in_page_checks__creep_interval]);
+const $c8994 = $made(Rule, $cfe5e, ["belt_tension", "the rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___running_tension, of_drive___over_width, null, of_drive___running, null]);
+const $c5c30 = $made(Rule, $cfe5e, ["momentary_tension", "the momentary rating of the belt", "FAILS", NaN, NaN, true, "force", "lower", true, null, "", of_drive___tight, of_drive___momentary_tension, of_drive___over_width, null, of_drive___momentary, null]);
+const $c25bf = $made(Rule, $cfe5e, ["belt_safety", "the safety factor of the belt", "ATTENTION", 3.0, NaN, false, "number", "lower", true, of_drive___rated, "", of_drive___belt_safety, of_drive___asked_safety, null, of_drive___rounded_safety, of_drive___safety, null]);
+const $c72eb = $made(Rule, $cfe5e, ["face_pressure", "the pressure on the pulley face", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___face_pressure, null, null, of_drive___on_face, null]);
+const $ce298 = $made(Rule, $cfe5e, ["bond_stress", "the bond strength of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___bond_strength, null, null, of_arc___bond, null]);
+const $cb3d1 = $made(Rule, $cfe5e, ["fatigue_stress", "the fatigue limit of the lagging", "ATTENTION", NaN, NaN, true, "pressure", "", true, null, "peak_shear_stress", null, of_arc___fatigue_limit, null, null, of_arc___tires, null]);
+const $cc16f = $made(Rule, $cfe5e, ["tested_pressure_max", "the largest wrap pressure tested", "ATTENTION", NaN, NaN, true, "pressure", "lower", true, null, "", of_drive___tight_pressure, of_drive___pressure_max, null, null, of_drive___tested_max, null]);
+const $cfecd = $made(Rule, $cfe5e, ["tested_pressure_min", "the least wrap pressure tested", "ATTENTION", NaN, NaN, false, "pressure", "raise", true, null, "", of_drive___slack_pressure, of_drive___pressure_min, null, null, of_drive___tested_min, null]);
+const $cabd6 = $made(Rule, $cfe5e, ["condition", "friction that was not tested in the condition", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___condition]);
+const $c3f6d = $made(Rule, $cfe5e, ["fit", "friction that does not fit its tests", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_data___fit]);
+const $c5a91 = $made(Rule, $cfe5e, ["tested_slip", "the largest slip tested", "ATTENTION", NaN, NaN, true, "length", "raise", true, null, "largest_slip", null, of_arc___slip_max, null, null, of_arc___slips, null]);
+const $c5d85 = $made(Rule, $cfe5e, ["tested_slip_speed", "the slip speed tested", "ATTENTION", NaN, NaN, true, "speed", "", false, null, "slip_speed", null, of_arc___tested_speed, null, null, of_arc___slips_fast, null]);
+const $c0d6e = $made(Rule, $cfe5e, ["balance", "the energy balance", "FAULT OF THE PROGRAM", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, of_arc___balance]);
+const $c8634 = $made(Rule, $cfe5e, ["sag", "the sag of the belt", "ATTENTION", NaN, NaN, false, "force", "raise", true, null, "", of_drive___slack_end, of_drive___sag_tension, null, null, of_drive___sags, null]);
 const $cedd5 = [$c960d, $cc27f, $cabb1, $c3e65, $c8994, $c5c30, $c25bf, $c72eb, $ce298, $cb3d1, $cc16f, $cfecd, $cabd6, $c3f6d, $c5a91, $c5d85, $c0d6e, $c8634];
-const $ca865 = $made(Rule, $c4f48, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, of_drive___diameter, of_drive___least_diameter, null, null, false, of_drive___bends, null]);
+const $ca865 = $made(Rule, $cfe5e, ["pulley_diameter", "the least pulley of the belt", "FAILS", NaN, NaN, false, "length", "", true, null, "", of_drive___diameter, of_drive___least_diameter, null, null, of_drive___bends, null]);
 const $c35d3 = ["Transition", "GrippingPulley"];
 const $c347b = [1.0, 2.0];
 const $c7675 = [5000.0, 5000000.0];
@@ -9312,11 +9309,11 @@ const $c9375 = [$c88e7, $cd062, $c16b7, $c1654, $c069c, $cd73e, $c8dc3, $c465b, 
 const $c5af9 = new Set(["cover_creep", "creep", "creep_interval", "design_standard", "gross_slip", "sag", "tested_pressure_min", "tested_slip", "uneven_creep"]);
 const $c09e2 = new Set(["belt_safety", "belt_tension", "edge_tension", "face_pressure", "momentary_tension", "tested_pressure_max", "uneven_face_pressure", "uneven_pressure"]);
 const $c3879 = new Map([["uneven_creep", "creep"], ["uneven_pressure", "tested_pressure_max"], ["uneven_face_pressure", "face_pressure"], ["uneven_bond_stress", "bond_stress"], ["uneven_fatigue_stress", "fatigue_stress"], ["edge_tension", "belt_tension"]]);
-const $c75f4 = $made(Rule, $c4f48, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c13e8 = $made(Rule, $c4f48, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, null, null, null, null, false, null, null]);
-const $c440d = $made(Rule, $c4f48, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, null, null, null, null, false, null, null]);
-const $c376b = $made(Rule, $c4f48, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, null, null, null, null, false, null, null]);
-const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $cabb1], ["creep_interval", $c3e65], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c440d], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
+const $c75f4 = $made(Rule, $cfe5e, ["taut", "a belt that nowhere hangs slack", "ATTENTION", NaN, NaN, false, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c13e8 = $made(Rule, $cfe5e, ["belt_thickness", "a trim without the thickness of the belt", "ATTENTION", NaN, NaN, true, "number", "", true, null, "", null, null, null, null, null, null]);
+const $c9629 = $made(Rule, $cfe5e, ["usual_sizes", "an unusual size", "ATTENTION", NaN, NaN, true, "number", "", false, null, "", null, null, null, null, null, null]);
+const $c376b = $made(Rule, $cfe5e, ["motor_heat", "the heat that a motor bears", "ATTENTION", NaN, NaN, true, "time", "", true, null, "", null, null, null, null, null, null]);
+const $c1dc5 = new Map([["gross_slip", $c84c4], ["design_standard", $c960d], ["creep", $cc27f], ["cover_creep", $cabb1], ["creep_interval", $c3e65], ["belt_tension", $c8994], ["momentary_tension", $c5c30], ["belt_safety", $c25bf], ["face_pressure", $c72eb], ["bond_stress", $ce298], ["fatigue_stress", $cb3d1], ["tested_pressure_max", $cc16f], ["tested_pressure_min", $cfecd], ["condition", $cabd6], ["fit", $c3f6d], ["tested_slip", $c5a91], ["tested_slip_speed", $c5d85], ["balance", $c0d6e], ["sag", $c8634], ["taut", $c75f4], ["pulley_diameter", $ca865], ["belt_thickness", $c13e8], ["usual_sizes", $c9629], ["motor_load", $c0dbc], ["momentary_load", $c58a5], ["motor_heat", $c376b], ["train_balance", $cb138]]);
 const $c9028 = new Map([["distributed", "distributed"], ["paper", "paper's march"]]);
 const $c450e = new WeakMap();
 const $c3f74 = ["name", "surface", "material", "life_years", "provenance"];
@@ -9402,9 +9399,10 @@ const $c1e36 = ["dimension", "least"];
 const $cb8db = ["word", "kind"];
 const $c0b27 = ["kind"];
 const $c982d = ["text"];
-const $ce66e = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "of_solution", "words"];
+const $c5f12 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "value", "allowed", "limit", "words"];
 const $c4a2b = new Map([["steel cord", 1600000.0], ["fabric", 140000.0]]);
 const $ca5fa = new Map([["steel cord", 6.666666666666667], ["fabric", 8.0]]);
+const $cb7c2 = ["name", "what", "missed", "at_most", "dimension", "tension", "binding", "firm", "result", "value", "allowed", "limit", "words"];
 const $c7c4c = ["balance", "train_balance", "across_balance"];
 const $c3c1c = ["cover_creep", "creep_interval", "tested_slip_speed"];
 const $c5573 = ["gross_slip", "operating_point", "fight"];
